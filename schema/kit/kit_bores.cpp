@@ -68,13 +68,16 @@ class FittingsMaker {
 
   // Of a spring at a corner of its hole.
   void add_end(const solver::Loop& loop, std::size_t corner, int spring) {
-    const int vertex = loop.corners[corner], facet = loop.carriers[corner].facet;
+    const solver::SpringCarrier& carrier = loop.carriers[corner];
+    const int vertex = loop.corners[corner], facet = carrier.facet;
     const double diameter_mm = scale_ * *options_.spring_bore_mm;
-    if (const solver::SpringEnds& springs = sheet_.base().springs; !springs.at_vertices()) {
+    if (!sheet_.base().springs.at_vertices()) {
       const PanelCorner panel(sheet_, facet, vertex);
-      const Vector2d at_mm = panel.at_mm + springs.inset_mm * panel.bisector;
+      const Vector2d left(-panel.bisector.y(), panel.bisector.x());
+      const Vector2d at_mm =
+          panel.at_mm + carrier.place_mm.x() * panel.bisector + carrier.place_mm.y() * left;
       made_.bores.push_back({facet, vertex, spring, at_mm, diameter_mm});
-      made_.ends.push_back({facet, vertex, spring, at_mm, 0.5 * diameter_mm});
+      made_.ends.push_back({facet, vertex, spring, at_mm, 0.5 * diameter_mm, carrier.place_mm.z()});
       return;
     }
     if (options_.spring_at == SpringAt::panel) {

@@ -44,7 +44,8 @@ struct SpringEnd {
   int facet, vertex;  ///< moves with that panel
   int spring;         ///< the diagonal's number
   Eigen::Vector2d at_mm;
-  double taken_mm;  ///< round it: by bore or tab
+  double taken_mm;       ///< round it: by bore or tab
+  double height_mm = 0;  ///< off the panel's mid-plane
 };
 
 struct KitFittings {

@@ -27,7 +27,7 @@ Vector3d folded_point(const solver::Sheet& sheet, const SpringEnd& end,
   const Vector3d folded = shape.col(end.vertex), after = shape.col(next) - folded,
                  along = shape.col(before) - folded;
   return folded + share.x() * after + share.y() * along +
-         sheet.base().springs.offset_mm * after.cross(along).normalized();
+         end.height_mm * after.cross(along).normalized();
 }
 
 LengthTrend trend_of(const std::vector<double>& length_mm, double band_mm) {

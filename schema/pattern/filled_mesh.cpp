@@ -16,13 +16,13 @@ std::optional<MeshFiller> read_filler(const Json& value, const Pattern& pattern)
              place = value.value("hole", Json());
   if (!label.is_string() || !hinges.is_string()) return std::nullopt;
   const int corner = vertex_of_label(label.get<std::string>(), base.sheet.vertex_count());
-  const auto hole = std::find_if(base.holes.begin(), base.holes.end(),
-                                 [&](int f) { return place == facet_json(pattern, f); });
+  const int hole = facet_of_json(pattern, place);
   const std::string letters = hinges.get<std::string>();
   const bool are_letters =
       letters.size() == 3 && letters.find_first_not_of("MV") == std::string::npos;
-  if (corner < 0 || hole == base.holes.end() || !are_letters) return std::nullopt;
-  const auto filler = solver::filler_at(base, *hole, corner);
+  if (corner < 0 || !std::ranges::binary_search(base.holes, hole) || !are_letters)
+    return std::nullopt;
+  const auto filler = solver::filler_at(base, hole, corner);
   return filler ? std::optional(MeshFiller{*filler, letters}) : std::nullopt;
 }
 

@@ -263,7 +263,7 @@ Json pattern_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm) {
   if (pilot != solver::default_pilot(sheet, base.base.holes)) {
     json["pilot"] = solver::line_label(sheet.edges[pilot].a, sheet.edges[pilot].b);
   }
-  if (!base.base.springs.at_vertices()) json["springs"] = spring_ends_json(base.base.springs);
+  if (!base.base.springs.at_vertices()) json["springs"] = spring_ends_json(base);
   const Json displacements = displacements_json(shifts_mm);
   if (!displacements.empty()) json["displacements_mm"] = displacements;
   return json;
@@ -280,6 +280,12 @@ Json displacements_json(const Eigen::Matrix2Xd& shifts_mm) {
 }
 
 Json facet_json(const Pattern& pattern, int facet) { return pattern.base.sheet.places[facet]; }
+
+int facet_of_json(const Pattern& pattern, const Json& place) {
+  const auto& places = pattern.base.sheet.places;
+  const auto at = std::ranges::find_if(places, [&](const auto& own) { return place == Json(own); });
+  return at == places.end() ? -1 : static_cast<int>(at - places.begin());
+}
 
 int vertex_of_label(const std::string& label, int vertex_count) {
   int number = 0;

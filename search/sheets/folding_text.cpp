@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "schema/files/text_table.hpp"
+#include "search/sheets/springs_at_vertices.hpp"
 
 namespace misalign::search {
 namespace {
@@ -35,8 +36,7 @@ std::string summary(const schema::FoldingView& view, const Paint& paint) {
                         solver::line_label(diagonal.from, diagonal.to));
   }
   if (const solver::SpringEnds& springs = view.mechanism.springs; !springs.at_vertices()) {
-    text += fmt::format("\nsprings end {:g} mm inside the panels, {:g} mm off their mid-plane",
-                        springs.inset_mm, springs.offset_mm);
+    text += "\nsprings end " + where_springs_end(springs);
   }
   const bool limit = view.history.path.end == solver::PathEnd::fold_limit;
   return fmt::format("{}\n{} {:.4f} deg; {} unknowns, {} equations\n", text,

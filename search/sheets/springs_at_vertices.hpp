@@ -8,17 +8,24 @@
 
 namespace misalign::search {
 
+inline std::string where_springs_end(const solver::SpringEnds& springs) {
+  std::string text = fmt::format("{:g} mm inside the panels, {:g} mm off their mid-plane",
+                                 springs.inset_mm, springs.offset_mm);
+  if (!springs.own.empty()) {
+    text += fmt::format(", {} of them at points of their own", springs.own.size());
+  }
+  return text;
+}
+
 /// UserError (bad_request): `what` are about springs `where` ("certify: proofs", "on the
 /// vertices"), and these end beside it.
 [[noreturn]] inline void refuse_springs(const solver::SpringEnds& springs, const std::string& what,
                                         const std::string& where) {
   throw schema::UserError(
       schema::Cause::bad_request,
-      fmt::format(
-          "{} are of springs {}, and these end {:g} mm beside the vertices, {:g} mm off the "
-          "mid-plane (\"springs.attach\"); take \"springs\" out of the pattern for a sheet with "
-          "springs on its vertices",
-          what, where, springs.inset_mm, springs.offset_mm));
+      fmt::format("{} are of springs {}, and these end {} (\"springs.attach\"); take \"springs\" "
+                  "out of the pattern for a sheet with springs on its vertices",
+                  what, where, where_springs_end(springs)));
 }
 
 inline void need_springs_at_vertices(const solver::SpringEnds& springs, const std::string& what) {

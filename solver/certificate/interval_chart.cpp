@@ -64,11 +64,11 @@ struct FlatVector {
   }
 };
 
-// On the bisector of the corner of the panel that carries each.
+// Seen from the corner of the panel that carries each.
 void add_spring_ends(const Mechanism& mechanism, const FlatVertices& vertices_mm,
                      SheetGeometry<Ball>& geometry) {
   assert(mechanism.springs.in_mid_plane());
-  const Ball width(mechanism.panel_width_mm), inset(mechanism.springs.inset_mm);
+  const Ball width(mechanism.panel_width_mm);
   for (const Loop& loop : mechanism.loops) {
     for (std::size_t corner = 0; corner < 4; ++corner) {
       if (loop.hole < 0) {
@@ -77,16 +77,17 @@ void add_spring_ends(const Mechanism& mechanism, const FlatVertices& vertices_mm
         continue;
       }
       const int at = loop.corners[corner];
-      FlatVector along(vertices_mm, at, loop.carriers[corner].before),
-          after(vertices_mm, at, loop.carriers[corner].after);
+      const SpringCarrier& carrier = loop.carriers[corner];
+      FlatVector along(vertices_mm, at, carrier.before), after(vertices_mm, at, carrier.after);
       along.scale_to(Ball(1.0));
       after.scale_to(Ball(1.0));
       along.x = along.x + after.x;
       along.y = along.y + after.y;
-      along.scale_to(inset);
+      along.scale_to(Ball(1.0));
+      const Ball ahead(carrier.place_mm.x()), left(carrier.place_mm.y());
       const auto v = static_cast<std::size_t>(at);
-      geometry.x.push_back(geometry.x[v] + quotient(along.x, width));
-      geometry.y.push_back(geometry.y[v] + quotient(along.y, width));
+      geometry.x.push_back(geometry.x[v] + quotient(ahead * along.x - left * along.y, width));
+      geometry.y.push_back(geometry.y[v] + quotient(ahead * along.y + left * along.x, width));
     }
   }
 }

@@ -16,23 +16,26 @@ ArbNumber root_of(const ArbNumber& x) {
 
 // Ends of springs beside the vertices, behind these: the corner's unit vectors added up.
 void add_ends(const Mechanism& mechanism, SheetGeometry<ArbNumber>& geometry) {
-  const ArbNumber inset =
-      ArbNumber(mechanism.springs.inset_mm) / ArbNumber(mechanism.panel_width_mm);
+  const ArbNumber width(mechanism.panel_width_mm);
   for (const Loop& loop : mechanism.loops) {
     for (int corner = 0; corner < 4; ++corner) {
       ArbNumber x(0.0), y(0.0);
       if (loop.hole >= 0) {
         const int at = loop.corners[corner];
-        for (const int beside : {loop.carriers[corner].before, loop.carriers[corner].after}) {
+        const SpringCarrier& carrier = loop.carriers[corner];
+        for (const int beside : {carrier.before, carrier.after}) {
           const ArbNumber dx = geometry.x[beside] - geometry.x[at];
           const ArbNumber dy = geometry.y[beside] - geometry.y[at];
           const ArbNumber length = root_of(dx * dx + dy * dy);
           x += dx / length;
           y += dy / length;
         }
-        const ArbNumber share = inset / root_of(x * x + y * y);
-        x = geometry.x[at] + share * x;
-        y = geometry.y[at] + share * y;
+        const ArbNumber length = root_of(x * x + y * y) * width;
+        const ArbNumber ahead = ArbNumber(carrier.place_mm.x()) / length;
+        const ArbNumber left = ArbNumber(carrier.place_mm.y()) / length;
+        const ArbNumber along_x = x, along_y = y;
+        x = geometry.x[at] + ahead * along_x - left * along_y;
+        y = geometry.y[at] + ahead * along_y + left * along_x;
       }
       geometry.x.push_back(x);
       geometry.y.push_back(y);

@@ -23,32 +23,38 @@ template <class T>
 struct CarrierCorner {
   Vec3<T> vertex, to_before, to_after;  ///< units along its edges
   T before_length, after_length;        ///< panel widths
+  const Eigen::Vector3d& place_mm;
 
   CarrierCorner(const SheetGeometry<T>& geometry, int at, const SpringCarrier& carrier)
       : vertex(flat_point(geometry, at)),
         to_before(flat_point(geometry, carrier.before) - vertex),
         to_after(flat_point(geometry, carrier.after) - vertex),
         before_length(norm(to_before)),
-        after_length(norm(to_after)) {
+        after_length(norm(to_after)),
+        place_mm(carrier.place_mm) {
     to_before = (T(1) / before_length) * to_before;
     to_after = (T(1) / after_length) * to_after;
   }
   /// Not of unit length.
   Vec3<T> bisector() const { return to_before + to_after; }
+  /// Of the spring's end: along the bisector, to its left, up.
+  Vec3<T> place(const Mechanism& mechanism) const {
+    const auto in_widths = [&](double mm) { return constant<T>(mm / mechanism.panel_width_mm); };
+    return {in_widths(place_mm.x()), in_widths(place_mm.y()), in_widths(place_mm.z())};
+  }
 };
 
 /// Where the spring at a corner of a hole ends, on the flat sheet (panel widths).
 template <class T>
 Vec3<T> spring_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const Loop& loop,
                    int corner) {
-  const SpringEnds& springs = mechanism.springs;
-  if (springs.at_vertices()) return flat_point(geometry, loop.corners[corner]);
-  const T inset = constant<T>(springs.inset_mm / mechanism.panel_width_mm);
-  const T offset = constant<T>(springs.offset_mm / mechanism.panel_width_mm);
+  if (mechanism.springs.at_vertices()) return flat_point(geometry, loop.corners[corner]);
   const CarrierCorner<T> panel(geometry, loop.corners[corner], loop.carriers[corner]);
-  const Vec3<T> along = panel.bisector();
-  Vec3<T> end = panel.vertex + (inset / norm(along)) * along;
-  end.z = end.z + offset;
+  const Vec3<T> place = panel.place(mechanism), along = panel.bisector();
+  const T length = norm(along);
+  Vec3<T> end = panel.vertex + (place.x / length) * along;
+  end = end + (place.y / length) * Vec3<T>{-along.y, along.x, T(0)};
+  end.z = end.z + place.z;
   return end;
 }
 
@@ -65,9 +71,11 @@ void add_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const
   if (mechanism.springs.at_vertices()) return;
   const auto across = [](const Vec3<T>& v, const Vec3<T>& unit) { return v - dot(unit, v) * unit; };
   const CarrierCorner<T> panel(geometry, loop.corners[corner], loop.carriers[corner]);
+  const Vec3<T> place = panel.place(mechanism), turned{force.y, -force.x, T(0)};
   const T length = norm(panel.bisector());
-  const T inset = constant<T>(mechanism.springs.inset_mm / mechanism.panel_width_mm);
-  const Vec3<T> on_units = (inset / length) * across(force, (T(1) / length) * panel.bisector());
+  const Vec3<T> unit = (T(1) / length) * panel.bisector();
+  const Vec3<T> on_units =
+      (place.x / length) * across(force, unit) + (place.y / length) * across(turned, unit);
   const Vec3<T> before = (T(1) / panel.before_length) * across(on_units, panel.to_before);
   const Vec3<T> after = (T(1) / panel.after_length) * across(on_units, panel.to_after);
   add(loop.carriers[corner].before, before);

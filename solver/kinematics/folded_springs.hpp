@@ -27,8 +27,10 @@ struct FoldedSpring {
     const SpringCarrier& carrier = loop.carriers[k];
     const Eigen::Vector3d before = (shape_mm.col(carrier.before) - at_mm).normalized(),
                           after = (shape_mm.col(carrier.after) - at_mm).normalized();
-    return at_mm + mechanism.springs.inset_mm * (before + after).normalized() +
-           mechanism.springs.offset_mm * after.cross(before).normalized();
+    const Eigen::Vector3d along = (before + after).normalized(),
+                          up = after.cross(before).normalized();
+    return at_mm + carrier.place_mm.x() * along + carrier.place_mm.y() * up.cross(along) +
+           carrier.place_mm.z() * up;
   }
 };
 

@@ -85,13 +85,12 @@ class Builder {
         const int ball = ball_of_vertex_[vertex];
         assert(ball >= 0);
         const int sense = mechanism_.balls[ball].from_facet == from ? 1 : -1;
-        loop.carriers[k] = carrier(from, vertex, loop.arrival[k]);
         loop.passages.push_back({true, ball, sense, vertex});
+        loop.carriers[k] = carrier(loop, k, {from, to}, 0);
       } else {
-        const int on_opposite = loop.arrival[k] + (mechanism_.springs.at_vertices() ? 0 : 1);
-        loop.carriers[k] = carrier(opposite, vertex, on_opposite);
         loop.passages.push_back(over_crease(from, opposite, vertex));
         loop.passages.push_back(over_crease(opposite, to, vertex));
+        loop.carriers[k] = carrier(loop, k, {from, opposite, to}, 1);
       }
     }
     const int index = static_cast<int>(mechanism_.loops.size());
@@ -101,12 +100,26 @@ class Builder {
     close_loop(std::move(loop));
   }
 
-  // On a vertex it does not matter which of its facets carries it: that from which the walk comes.
-  SpringCarrier carrier(int facet, int vertex, int arrival) const {
+  // At a corner whose facets the walk passes in this order. On a vertex it does not matter which of
+  // them carries the spring: that from which the walk comes.
+  SpringCarrier carrier(const Loop& loop, int corner, const std::vector<int>& passed,
+                        int usual) const {
+    const SpringEnds& springs = mechanism_.springs;
+    const int vertex = loop.corners[corner];
+    const auto own = std::find_if(
+        springs.own.begin(), springs.own.end(),
+        [&](const OwnSpringEnd& end) { return end.hole == loop.hole && end.vertex == vertex; });
+    const bool is_own = own != springs.own.end();
+    const int facet = is_own ? own->panel : passed[usual];
+    const auto steps = std::find(passed.begin(), passed.end(), facet) - passed.begin();
+    assert(steps < static_cast<std::ptrdiff_t>(passed.size()));
+    const int arrival =
+        loop.arrival[corner] + (springs.at_vertices() ? 0 : static_cast<int>(steps));
     const std::array<int, 4>& around = sheet_.facets[facet];
     const auto k = std::find(around.begin(), around.end(), vertex) - around.begin();
-    const int before = around[(k + 3) % 4], after = around[(k + 1) % 4];
-    return {facet, before, after, arrival};
+    const Eigen::Vector3d usual_mm(springs.inset_mm, 0, springs.offset_mm);
+    return {facet, around[(k + 3) % 4], around[(k + 1) % 4], arrival,
+            is_own ? own->place_mm : usual_mm};
   }
 
   // The edge between two facets that meet at `vertex`, crossed from one to the other.

@@ -46,6 +46,8 @@ struct Passage {
 struct SpringCarrier {
   int facet, before, after;
   int arrival;
+  /// Of the end, from the vertex: along the bisector of the panel's corner, to its left, up.
+  Eigen::Vector3d place_mm;
 };
 
 /// A closed walk over kept facets. Round a whole vertex the rotation must close, three equations

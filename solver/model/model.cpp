@@ -100,19 +100,21 @@ std::vector<double> lengths_per_closure(const Mechanism& mechanism,
 // Joints of the hole with the most of them, times the largest distance across a hole from end to
 // end of a spring.
 double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
-  double most_joints = 0, widest = 0;
+  double most_joints = 0, widest = 0, beside = 0;
   for (const Loop& loop : mechanism.loops) {
     if (loop.hole < 0) continue;
     double joints = 0;
     for (const Passage& passage : loop.passages) joints += passage.ball ? 3 : 1;
     most_joints = std::max(most_joints, joints);
+    for (const SpringCarrier& carrier : loop.carriers) {
+      beside = std::max(beside, carrier.place_mm.norm());
+    }
     for (const int a : loop.corners) {
       for (const int b : loop.corners) {
         widest = std::max(widest, (vertices_mm.col(a) - vertices_mm.col(b)).norm());
       }
     }
   }
-  const double beside = std::hypot(mechanism.springs.inset_mm, mechanism.springs.offset_mm);
   return most_joints * (widest + 2 * beside) / mechanism.panel_width_mm;
 }
 

@@ -9,6 +9,7 @@
 #include "solver/certificate/proven_interval.hpp"
 #include "solver/design/contact_finder.hpp"
 #include "solver/kinematics/diagonals.hpp"
+#include "tests/solver/own_spring_ends.hpp"
 #include "tests/solver/sheets.hpp"
 
 namespace misalign::solver {
@@ -93,7 +94,7 @@ TEST(CertificateCheck, passes_the_papers_sheet) {
 TEST(CertificateCheck, passes_springs_beside_the_vertices_and_no_others) {
   const TestSheet plain(6, 6);
   TestSheet bored(6, 6);
-  bored.base.springs = {6, 0};
+  bored.base.springs = with_own(plain.base, {6, 0}, 0);
   bored.mechanism = build_mechanism(bored.base);
   const FlatVertices vertices_mm = bored.shifted(golden("table1_odd.json").at("displacements_mm"));
   const Model model(bored.base);

@@ -9,6 +9,7 @@
 
 #include "solver/certificate/tube_prover.hpp"
 #include "solver/kinematics/diagonals.hpp"
+#include "tests/solver/own_spring_ends.hpp"
 #include "tests/solver/sheets.hpp"
 
 namespace misalign::solver {
@@ -51,9 +52,9 @@ const PaperSheet& paper() {
   return sheet;
 }
 
-// The same with its springs in bores.
+// The same with its springs in bores, most of them where no rule says.
 const PaperSheet& bored() {
-  static const PaperSheet sheet(SpringEnds{6, 0});
+  static const PaperSheet sheet(with_own(TestSheet(6, 6).base, {6, 0}, 0));
   return sheet;
 }
 

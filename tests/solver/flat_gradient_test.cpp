@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "own_spring_ends.hpp"
 #include "sheets.hpp"
 #include "solver/linear/newton.hpp"
 
@@ -69,7 +70,9 @@ TEST(FlatGradient, EqualsDifferencesBetweenSheets) {
     int size;
     SpringEnds springs;
   };
-  for (const auto& [size, springs] : {Case{4, {}}, {6, {}}, {4, {6, 0}}, {4, {3, -1.5}}}) {
+  const SpringEnds own = with_own(TestSheet(4, 4).base, {3, 0}, 0.5);
+  for (const auto& [size, springs] :
+       {Case{4, {}}, {6, {}}, {4, {6, 0}}, {4, {3, -1.5}}, {4, own}}) {
     TestSheet sheet(size, size);
     sheet.base.springs = springs;
     sheet.mechanism = build_mechanism(sheet.base);

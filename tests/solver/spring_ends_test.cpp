@@ -5,6 +5,7 @@
 
 #include "families.hpp"
 #include "own_sheet.hpp"
+#include "own_spring_ends.hpp"
 #include "solver/design/deploy.hpp"
 #include "solver/design/joint_forces.hpp"
 #include "solver/kinematics/diagonals.hpp"
@@ -41,17 +42,41 @@ std::array<int, 4> carrier(const PerforatedSheet& base, int hole, int k) {
 }
 
 // Where a spring ends, by the folded corners of its panel alone.
-Vector3d end_mm(const std::array<int, 4>& panel, int vertex, const SpringEnds& springs,
+Vector3d end_mm(const std::array<int, 4>& panel, int vertex, const Vector3d& place_mm,
                 const Eigen::Matrix3Xd& shape_mm) {
   const auto k = std::ranges::find(panel, vertex) - panel.begin();
   const Vector3d at = shape_mm.col(vertex);
   const Vector3d after = (Vector3d(shape_mm.col(panel[(k + 1) % 4])) - at).normalized(),
                  before = (Vector3d(shape_mm.col(panel[(k + 3) % 4])) - at).normalized();
-  return at + springs.inset_mm * (after + before).normalized() +
-         springs.offset_mm * after.cross(before).normalized();
+  const Vector3d up = after.cross(before).normalized(), along = (after + before).normalized();
+  return at + place_mm.x() * along + place_mm.y() * up.cross(along) + place_mm.z() * up;
 }
 
-constexpr SpringEnds kEnds[] = {{6, 0}, {0.5, 0}, {6, 1.5}, {0, -0.05}, {3, 0.2}};
+Vector3d end_mm(const PerforatedSheet& base, int hole, int corner,
+                const Eigen::Matrix3Xd& shape_mm) {
+  const SpringEnds& springs = base.springs;
+  const int vertex = base.sheet.facets[hole][corner];
+  for (const OwnSpringEnd& own : springs.own) {
+    if (own.hole != hole || own.vertex != vertex) continue;
+    return end_mm(base.sheet.facets[own.panel], vertex, own.place_mm, shape_mm);
+  }
+  return end_mm(carrier(base, hole, corner), vertex, {springs.inset_mm, 0, springs.offset_mm},
+                shape_mm);
+}
+
+std::string shown(const SpringEnds& springs) {
+  return std::to_string(springs.inset_mm) + " " + std::to_string(springs.offset_mm) + ", " +
+         std::to_string(springs.own.size()) + " of their own";
+}
+
+const SpringEnds kEnds[] = {{6, 0}, {0.5, 0}, {6, 1.5}, {0, -0.05}, {3, 0.2}};
+
+std::vector<SpringEnds> ends_of(const PerforatedSheet& base) {
+  std::vector<SpringEnds> ends(std::begin(kEnds), std::end(kEnds));
+  ends.push_back(with_own(base, {}, 0));
+  ends.push_back(with_own(base, {6, 0}, 0.3));
+  return ends;
+}
 
 void expect_lengths_of_coordinates(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm) {
   const Model model(base);
@@ -65,11 +90,9 @@ void expect_lengths_of_coordinates(const PerforatedSheet& base, const Eigen::Mat
     for (int d = 0; d < sheet.mechanism().diagonal_count(); ++d) {
       const Diagonal& diagonal = sheet.mechanism().diagonals[d];
       const int hole = sheet.mechanism().loops[diagonal.loop].hole;
-      const auto end = [&](int corner, int vertex) {
-        return end_mm(carrier(base, hole, corner), vertex, base.springs, shape_mm);
-      };
-      const double length_mm =
-          (end(diagonal.from_corner, diagonal.from) - end(diagonal.to_corner, diagonal.to)).norm();
+      const double length_mm = (end_mm(base, hole, diagonal.from_corner, shape_mm) -
+                                end_mm(base, hole, diagonal.to_corner, shape_mm))
+                                   .norm();
       worst_mm = std::max(worst_mm, std::abs(length_mm - history.length_mm(row, d)));
     }
   }
@@ -82,18 +105,18 @@ TEST(SpringEnds, LengthsAreThoseOfFoldedCoordinates) {
     const CarriedFamily family(name);
     PerforatedSheet base = family.base;
     const ShiftBlock block = family.draws(1, kSeed);
-    for (const SpringEnds& springs : kEnds) {
+    for (const SpringEnds& springs : ends_of(base)) {
       base.springs = springs;
       expect_lengths_of_coordinates(base, family.vertices(block, 0) - base.sheet.vertices_mm);
     }
   }
 }
 
-// A thousand sheets, of which bores drive most all the way and springs off the mid-plane few.
+// 1,400 sheets, of which bores drive most all the way and springs off the mid-plane few.
 TEST(SpringEnds, VerdictsAreTheReferences) {
   std::set<int> deploy_from;
-  for (const SpringEnds& springs : kEnds) {
-    SCOPED_TRACE(std::to_string(springs.inset_mm) + " " + std::to_string(springs.offset_mm));
+  for (const SpringEnds& springs : ends_of(DrawableSheet(6, 6).base)) {
+    SCOPED_TRACE(shown(springs));
     const WithSprings sheets(springs);
     const ShiftBlock block = sheets.draws(200 / kFewer, kSeed);
     const PathPlan plan = sheets.plan();
@@ -115,8 +138,9 @@ TEST(SpringEnds, VerdictsAreTheReferences) {
 
 // Cubics between stations of a tenth of a degree see the same bumps.
 TEST(SpringEnds, BumpsAreTheReferences) {
-  for (const SpringEnds& springs : {kEnds[0], kEnds[1]}) {
-    SCOPED_TRACE(std::to_string(springs.inset_mm) + " " + std::to_string(springs.offset_mm));
+  for (const SpringEnds& springs :
+       {kEnds[0], kEnds[1], with_own(DrawableSheet(4, 4).base, {}, 0)}) {
+    SCOPED_TRACE(shown(springs));
     const WithSprings sheets(springs, 4, 4);
     const Criterion exact{.bumps = BumpRule::exact};
     const PathPlan plan = sheets.plan(reference_path({}, 0.1, exact.bumps));
@@ -133,9 +157,12 @@ TEST(SpringEnds, BumpsAreTheReferences) {
 // Beyond flat lies the mirror image: what it sees of a spring above the sheet, the sheet itself
 // sees of one below.
 TEST(SpringEnds, WaysGoOnThroughFlat) {
-  for (const SpringEnds& springs : kEnds) {
-    SCOPED_TRACE(std::to_string(springs.inset_mm) + " " + std::to_string(springs.offset_mm));
-    const WithSprings above(springs, 4, 4), below({springs.inset_mm, -springs.offset_mm}, 4, 4);
+  for (const SpringEnds& springs : ends_of(DrawableSheet(4, 4).base)) {
+    SCOPED_TRACE(shown(springs));
+    SpringEnds mirror = springs;
+    mirror.offset_mm *= -1;
+    for (OwnSpringEnd& own : mirror.own) own.place_mm.z() *= -1;
+    const WithSprings above(springs, 4, 4), below(mirror, 4, 4);
     const ShiftBlock block = above.draws(1, kSeed);
     const FlatVertices vertices_mm = above.vertices(block, 0);
     const Model model_above(above.base), model_below(below.base);
@@ -159,8 +186,9 @@ TEST(SpringEnds, WaysGoOnThroughFlat) {
 // The moment that holds the pilot is the springs' energy's slope only if each pulls where it ends,
 // on the panel that carries it.
 TEST(SpringEnds, JointForcesHoldWhatTheyPull) {
-  for (const SpringEnds& springs : {kEnds[0], kEnds[2], kEnds[3]}) {
-    SCOPED_TRACE(std::to_string(springs.inset_mm) + " " + std::to_string(springs.offset_mm));
+  for (const SpringEnds& springs :
+       {kEnds[0], kEnds[2], kEnds[3], with_own(DrawableSheet(6, 6).base, {}, 0.3)}) {
+    SCOPED_TRACE(shown(springs));
     const WithSprings sheets(springs);
     const Model model(sheets.base);
     const FoldingWay way = way_of(model, sheets.vertices(sheets.draws(1, kSeed), 0)).value();

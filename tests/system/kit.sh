@@ -96,6 +96,14 @@ sheet=sheets/attached.fold
 # shellcheck disable=SC2086
 check attached.json "--kerf 0.2 --against 0 --attached $bores $panel" --kerf 0.2 $bores
 [ ! -s err$kits ] || fail "springs where the pattern has them: $(cat err$kits)"
+# Two of them at points of their own, on the panels beside the hole.
+points='{ "hole": [1, 2], "vertex": "A10", "panel": [0, 2], "from_vertex_mm": [20, 4, 0] },
+  { "hole": [1, 2], "vertex": "A11", "panel": [1, 3], "from_vertex_mm": [20, -4, 0] }'
+sed "s/\"inset_mm\": 12/&, \"points\": [ ${points//$'\n'/} ]/" attached.json > points.json
+sheet=sheets/points.fold
+"$program" export points.json --format fold --step 1 --output sheets > /dev/null || fail "points.json: fold"
+# shellcheck disable=SC2086
+check points.json "--kerf 0.2 --against 0 --attached --point A10 r0c2 --point A11 r1c3 $bores $panel" --kerf 0.2 $bores
 # shellcheck disable=SC2086
 "$program" export attached.json --format dxf --kit $bores $panel --output never > /dev/null 2> err &&
   fail "--spring-at though the pattern says it"

@@ -1,13 +1,13 @@
 """Kits to cut beside the sheet that they are cut from, as the FOLD export has it. Standard input has a line for each:
 
     SHEET.fold [--kerf K] [--crease score|cut|dash] [--dash CUT BRIDGE] [--joint-bore D] [--spring-bore D]
-    [--spring-at vertex|panel] [--attached] [--against N] [--edge E] [--bed W H] [--plain] [--wrong] [--numbers] KIT...
+    [--spring-at vertex|panel] [--attached] [--point VERTEX PANEL]... [--against N] [--edge E] [--bed W H] [--plain] [--wrong] [--numbers] KIT...
     [--spoil HOW...]
 
 The files are one kit. Prints what is wrong, and ends with 1 if anything is. --wrong: something must be; --spoil: one
 thing is spoilt first, and must be seen; --plain: only that DXF and SVG are one drawing; --numbers: also what was
 measured; --against: so many springs must contradict the verdict; --attached: that is about the springs as the pattern
-attaches them, and not about its diagonals. Geometry is its own: shoelace, distances of parallel
+attaches them, and not about its diagonals; --point: on this panel one has a point of its own. Geometry is its own: shoelace, distances of parallel
 lines; springs by the drawn bores, placed in the folded panels of the sheet's frames (one for each degree)."""
 
 import argparse
@@ -538,6 +538,7 @@ class Check:
             places = []
             for v in (a, b):
                 label = self.sheet.beside(diagonal["hole"], v) if v in self.sheet.balls else self.sheet.across(v)
+                label = next((panel for vertex, panel in self.wish.point if vertex == f"A{v + 1}"), label)
                 places.append((label, self.ends[v, label]))
             lengths = [math.dist(*(self.sheet.folded(label, at, points) for label, at in places))
                        for _, points in self.sheet.frames]
@@ -720,6 +721,7 @@ def arguments():
     words.add_argument("--spring-at", default="vertex")
     words.add_argument("--against", type=int)
     words.add_argument("--attached", action="store_true")
+    words.add_argument("--point", nargs=2, action="append", default=[])
     words.add_argument("--crease", default="score")
     words.add_argument("--dash", nargs=2, type=float, default=(4, 1))
     words.add_argument("--bed", nargs=2, type=float)
