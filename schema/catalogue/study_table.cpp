@@ -23,7 +23,20 @@ constexpr StudyColumn kOfDeployment[] = {
      "Where the design’s friction would stop it, if it then moved slowly; 0 where it gets to flat.",
      Cost::path, true},
     {"landing_rate_deg_per_s", "landing rate", "deg/s",
-     "How fast the pilot then turns when it is first flat.", Cost::motion, true}};
+     "How fast the pilot then turns when it is first flat.", Cost::motion, true},
+    {"bent_energy_n_mm", "energy, bent", "N mm",
+     "Of springs and panels there, if panels bend: of the design’s material (otherwise aluminium).",
+     Cost::motion},
+    {"bent_critical_friction_n_mm_per_mm", "critical friction, bent", "N mm/mm",
+     "The most friction of the creases with which it gets to flat, let go slowly, if panels bend.",
+     Cost::motion},
+    {"static_friction_n_mm_per_mm", "static friction, bent", "N mm/mm",
+     "The most friction with which it moves on at every angle, if panels bend: from the start down "
+     "to the design’s margin_to_deg (otherwise 1°).",
+     Cost::motion},
+    {"static_margin", "static margin", "",
+     "That over the design’s friction, less 1, the least of all angles; none without friction.",
+     Cost::motion}};
 constexpr StudyColumn kOfContact[] = {
     {"first_contact_deg", "first contact", "deg",
      "The pilot angle at which panels without thickness first meet; none where they do not.",
@@ -48,6 +61,7 @@ constexpr StudyEntry kStudies[] = {
     {"actuators", "springs on the diagonals of one sheet", nullptr, kOfActuators},
     {"stress", "elastic panels, let go: do they deploy, and what do they suffer (CalculiX)"},
     {"tolerance", "how many miscut copies of a sheet still deploy, or how loose its joints may be"},
+    {"card", "what a design asks of one sheet, and what was found, on one page"},
     {"certify", "prove that a sheet folds in one way, and its diagonals go one way, up to D"}};
 
 }  // namespace

@@ -51,6 +51,7 @@ Json actuation_json(const FoldingView& view, const solver::Actuation& actuation)
     forces.push_back({{"diagonal", d},
                       {"from", solver::vertex_label(mechanism.diagonals[d].from)},
                       {"to", solver::vertex_label(mechanism.diagonals[d].to)},
+                      {"free_mm", actuation.free_mm[static_cast<std::size_t>(d)]},
                       {"force_n", actuation.force_n(actuation.from_row, d)}});
   }
   const auto& limit = actuation.actuators.stroke_limit;
@@ -58,6 +59,7 @@ Json actuation_json(const FoldingView& view, const solver::Actuation& actuation)
                {"stroke_limit", or_null(limit)},
                {"energy_n_mm", actuation.energy_n_mm[static_cast<std::size_t>(actuation.from_row)]},
                {"forces", forces}};
+  if (actuation.actuators.preload_n != 0) json["preload_n"] = actuation.actuators.preload_n;
   if (actuation.from_deg) json["from_deg"] = *actuation.from_deg;
   json.update(limits_json(actuation));
   for (const char* key : {"few", "over_stroke"}) {

@@ -93,6 +93,19 @@ Json forces_json(const solver::Mechanism& mechanism, const solver::JointForces& 
           {"ball_joints", balls}};
 }
 
+Json pins_json(const solver::PinFriction& pins, double own_mm) {
+  const solver::PinRow& locks = pins.locks_first();
+  Json rows = Json::array();
+  for (const solver::PinRow& row : pins.rows) {
+    rows.push_back({{"pilot_deg", row.pilot_deg}, {"locks_mm", row.locks_mm()}});
+  }
+  return {{"critical_mm", or_null(pins.critical_mm)},
+          {"locks_mm", locks.locks_mm()},
+          {"locks_deg", locks.pilot_deg},
+          {"stall_deg", or_null(pins.stall_deg(own_mm))},
+          {"rows", rows}};
+}
+
 Json labels_json(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
   Json list = Json::array();
   for (const int d : diagonals) list.push_back(diagonal_label(mechanism, d));
@@ -104,6 +117,12 @@ Json labels_json(const solver::Mechanism& mechanism, const std::vector<int>& dia
 Json deployment_metrics_json(const solver::DeploymentStudy& study) {
   return {{"deploy_time_s", or_null(study.deploy_time_s())},
           {"critical_friction_n_mm_per_mm", or_null(study.friction.critical_n_mm_per_mm)}};
+}
+
+Json pins_json(const solver::PinStudy& study) {
+  return {{"pin_friction_mm", study.own_mm},
+          {"in_middle", pins_json(study.in_middle, study.own_mm)},
+          {"at_ends", pins_json(study.at_ends, study.own_mm)}};
 }
 
 Json exported_deployment_json(const solver::DeploymentStudy& study) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/design/pin_friction.hpp"
 
 namespace misalign::schema {
 
@@ -22,5 +22,8 @@ Json deployment_json(const solver::Mechanism& mechanism, const solver::Deploymen
 /// found.
 Json deployment_history_json(const solver::Mechanism& mechanism,
                              const solver::DeploymentStudy& study);
+
+/// Pins under load: critical mu r, and where it locks.
+Json pins_json(const solver::PinStudy& study);
 
 }  // namespace misalign::schema

@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "schema/files/json_values.hpp"
+#include "solver/design/backlash.hpp"
+#include "solver/design/bent_panels.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -35,6 +37,18 @@ constexpr DesignNumber kNumbers[] = {
      {1e-6, 1},
      {},
      "write a share of the flat length, 0.08 for Ti-Ni wires, or null for no limit"},
+    {"springs",
+     "preload_n",
+     &Design::preload_n,
+     {0, 1e6},
+     0,
+     "try 3: what each pulls or pushes with at flat"},
+    {"springs",
+     "largest_force_n",
+     &Design::largest_force_n,
+     {1e-6, 1e9},
+     {},
+     "write what the spring bears, or null for no limit"},
     {"hinges",
      "friction_n_mm_per_mm",
      &Design::friction_n_mm_per_mm,
@@ -47,6 +61,12 @@ constexpr DesignNumber kNumbers[] = {
      {0, 1e9},
      0,
      "try 0.1, or 0 for none"},
+    {"hinges",
+     "pin_friction_mm",
+     &Design::pin_friction_mm,
+     {0, 1e6},
+     {},
+     "write the radius of the pins times their friction coefficient, such as 0.075, or null"},
     {"",
      "thickness_mm",
      &Design::thickness_mm,
@@ -54,9 +74,39 @@ constexpr DesignNumber kNumbers[] = {
      {},
      "try 1, or null for what studies take by themselves"},
     {"", "miscut_mm", &Design::miscut_mm, {0, 1e6}, {}, "try 0.05, or null where none is known"},
-    {"", "play_mm", &Design::play_mm, {1e-9, 1e6}, {}, "try 0.01, or null where none is known"}};
+    {"", "play_mm", &Design::play_mm, {1e-9, 1e6}, {}, "try 0.01, or null where none is known"},
+    {"wanted",
+     "static_margin",
+     &Design::static_margin,
+     {0, 1e9},
+     solver::kWantedMargin,
+     "write 1, as AIAA S-114 asks at every position"},
+    {"wanted",
+     "margin_to_deg",
+     &Design::margin_to_deg,
+     {0.1, 180},
+     solver::BentPanelsOptions{}.to_deg,
+     "try 1: margins are asked from from_deg down to this angle"},
+    {"wanted",
+     "energy_margin",
+     &Design::energy_margin,
+     {0, 1e9},
+     1,
+     "write 1: twice the friction that is there"},
+    {"wanted",
+     "yield",
+     &Design::yield,
+     {0, 1},
+     solver::kWantedShare,
+     "write a share of miscut copies, such as 0.95"},
+    {"wanted",
+     "landing_deg_per_s",
+     &Design::landing_deg_per_s,
+     {0, 1e9},
+     {},
+     "write how fast it may be when it is flat, or null for no limit"}};
 
-constexpr std::string_view kBlocks[] = {"springs", "hinges"};
+constexpr std::string_view kBlocks[] = {"springs", "hinges", "wanted"};
 
 const Json& part_of(ObjectReader& reader, const char* key) {
   static const Json kEmpty = Json::object();
@@ -88,6 +138,30 @@ void read_hinge_kind(ObjectReader& reader, std::optional<CreaseCut>& kind) {
   } else {
     kind = named->cut;
   }
+}
+
+void read_film(ObjectReader& reader, std::optional<solver::FilmHinge>& film) {
+  constexpr double kMost = 1e6;
+  const Json* value = reader.find("film");
+  if (!value || value->is_null()) return;
+  solver::FilmHinge read{0, 0, 0};
+  ObjectReader part(*value, reader.name("film"), reader.faults());
+  for (const char* key : {"thickness_mm", "e_gpa", "length_mm"}) {
+    part.require(key, R"(write {"thickness_mm": 0.05, "e_gpa": 2.5, "length_mm": 1})");
+  }
+  part.number("thickness_mm", read.thickness_mm, 1e-6, kMost, "try 0.05");
+  part.number("e_gpa", read.e_gpa, 1e-6, kMost, "give Young's modulus in GPa, 2.5 of polyimide");
+  part.number("length_mm", read.length_mm, 1e-6, kMost, "write how much of it is free, such as 1");
+  part.number("loss", read.loss, 0, 1, "write the loss factor, such as 0.01, or 0");
+  part.refuse_unknown_keys();
+  film = read;
+}
+
+Json film_json(const solver::FilmHinge& film) {
+  return {{"thickness_mm", film.thickness_mm},
+          {"e_gpa", film.e_gpa},
+          {"length_mm", film.length_mm},
+          {"loss", film.loss}};
 }
 
 void read_hold(ObjectReader& reader, Design& design) {
@@ -131,6 +205,7 @@ Design Design::instead_of(Design other) const {
   };
   for (const DesignNumber& one : kNumbers) take(one.number);
   take(&Design::hinge_kind);
+  take(&Design::film);
   take(&Design::material);
   take(&Design::hold);
   take(&Design::gravity);
@@ -141,7 +216,18 @@ solver::Actuators Design::actuators() const {
   solver::Actuators actuators;
   actuators.stiffness_n_per_mm = stiffness_n_per_mm.value_or(actuators.stiffness_n_per_mm);
   actuators.stroke_limit = stroke_limit;
+  actuators.preload_n = preload_n.value_or(0);
   return actuators;
+}
+
+double Design::hinge_friction_n_mm_per_mm() const {
+  if (friction_n_mm_per_mm || !film) return friction_n_mm_per_mm.value_or(0);
+  return film->friction_n_mm_per_mm(from_deg.value_or(solver::kDeployFrom_deg));
+}
+
+double Design::hinge_elastic_n_mm_per_mm() const {
+  if (hinge_stiffness_n_mm_per_mm || !film) return hinge_stiffness_n_mm_per_mm.value_or(0);
+  return film->stiffness_n_mm_per_mm();
 }
 
 solver::Plates Design::plates() const {
@@ -168,7 +254,10 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
     const std::string name(block);
     ObjectReader part(part_of(reader, name.c_str()), reader.name(name), faults);
     read_numbers(part, block, design);
-    if (block == "hinges") read_hinge_kind(part, design.hinge_kind);
+    if (block == "hinges") {
+      read_hinge_kind(part, design.hinge_kind);
+      read_film(part, design.film);
+    }
     part.refuse_unknown_keys();
   }
   if (const Json* material = reader.find("material"); material && !material->is_null()) {
@@ -199,6 +288,7 @@ Json design_json(const Design& design) {
   for (const CreaseCutName& one : kCreaseCuts) {
     if (design.hinge_kind == one.cut) json["hinges"]["kind"] = one.name;
   }
+  json["hinges"]["film"] = design.film ? film_json(*design.film) : Json();
   json["material"] = design.material ? material_json(*design.material) : Json();
   json["hold"] = or_null(design.hold);
   json["gravity"] = or_null(design.gravity);

@@ -8,6 +8,7 @@
 #include "schema/files/input.hpp"
 #include "schema/pattern/material.hpp"
 #include "solver/design/actuators.hpp"
+#include "solver/design/film_hinge.hpp"
 #include "solver/design/plates.hpp"
 
 namespace misalign::schema {
@@ -31,9 +32,12 @@ inline constexpr CreaseCutName kCreaseCuts[] = {
 /// of the table in design.cpp, and a key in campaign.schema.json.
 struct Design {
   std::optional<double> from_deg;  ///< the sheet is used between this pilot angle and flat
-  std::optional<double> stiffness_n_per_mm, stroke_limit;  ///< "springs", on every diagonal
+  /// "springs", on every diagonal: also what is left in each at flat, and the most each bears.
+  std::optional<double> stiffness_n_per_mm, stroke_limit, preload_n, largest_force_n;
   /// "hinges": dry friction per length of crease, and stiffness for each rad.
   std::optional<double> friction_n_mm_per_mm, hinge_stiffness_n_mm_per_mm;
+  std::optional<double> pin_friction_mm;  ///< mu r of hinges' pins and ball joints
+  std::optional<solver::FilmHinge> film;  ///< stiffness and friction, where these are not said
   std::optional<CreaseCut> hinge_kind;
   std::optional<double> thickness_mm;  ///< of panels
   std::optional<Material> material;    ///< of panels
@@ -41,11 +45,17 @@ struct Design {
   std::optional<double> play_mm;  ///< radius of the ball in which each joint settles (backlash)
   std::optional<std::array<int, 2>> hold;        ///< row and column of the panel that is held
   std::optional<std::array<double, 3>> gravity;  ///< x, y, z in standard gravities
+  /// "wanted" of a card: margins of moment and energy over friction, down to which angle; a share
+  /// of miscut copies; how fast it may land.
+  std::optional<double> static_margin, margin_to_deg, energy_margin, yield, landing_deg_per_s;
 
   /// What this says, and otherwise what `other` says.
   Design instead_of(Design other) const;
 
   solver::Actuators actuators() const;
+  /// As said, or those of the film.
+  double hinge_friction_n_mm_per_mm() const;
+  double hinge_elastic_n_mm_per_mm() const;
   solver::Plates plates() const;
 };
 

@@ -1,6 +1,7 @@
 // The material of panels.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "schema/files/input.hpp"
@@ -13,6 +14,7 @@ struct Material {
   double e_gpa = 70;
   double poisson = 0.33;
   double density_g_per_cm3 = 2.7;
+  std::optional<double> strength_mpa{};  ///< the stress it bears for long
 };
 
 /// A material file (material.schema.json); what is absent is as above, but for the name, which is

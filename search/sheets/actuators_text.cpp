@@ -17,10 +17,12 @@ std::string springs_summary(const solver::Mechanism& mechanism, const Actuation&
   const auto& limit = actuation.actuators.stroke_limit;
   const std::string where =
       actuation.from_deg ? fmt::format("{:.10g} deg", *actuation.from_deg) : "D";
-  std::string text =
-      fmt::format("springs of {:g} N/mm on every diagonal, relaxed when flat{}\n",
-                  actuation.actuators.stiffness_n_per_mm,
-                  limit ? fmt::format("; stroke limit {:.10g} %", 100 * *limit) : "");
+  std::string text = fmt::format(
+      "springs of {:g} N/mm on every diagonal, {}{}\n", actuation.actuators.stiffness_n_per_mm,
+      actuation.actuators.preload_n == 0
+          ? std::string("relaxed when flat")
+          : fmt::format("with {:g} N when flat", actuation.actuators.preload_n),
+      limit ? fmt::format("; stroke limit {:.10g} %", 100 * *limit) : "");
   if (actuation.weakest) {
     text += fmt::format("weakest at {:g} deg: {:.4g} N mm about the pilot crease\n",
                         actuation.weakest->pilot_deg, actuation.weakest->moment_n_mm);
@@ -64,16 +66,19 @@ std::string energies_text(const Actuation& actuation) {
 
 std::string springs_text(const solver::Sheet& sheet, const Actuation& actuation) {
   const solver::Mechanism& mechanism = sheet.mechanism();
-  std::string text = actuation.from_deg ? "\n diagonal  force there  elongation\n"
-                                        : "\n diagonal  force_at_D  elongation\n";
+  std::string text = actuation.from_deg ? "\n diagonal     free_mm  force there  elongation\n"
+                                        : "\n diagonal     free_mm  force_at_D  elongation\n";
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
     const double force_n = actuation.force_n(actuation.from_row, d);
-    const double stretch_mm = force_n / actuation.actuators.stiffness_n_per_mm;
-    const double elongation = stretch_mm / sheet.history().flat_mm[static_cast<std::size_t>(d)];
+    const auto at = static_cast<std::size_t>(d);
+    const double flat_mm = sheet.history().flat_mm[at];
+    const double longer_mm =
+        force_n / actuation.actuators.stiffness_n_per_mm + actuation.free_mm[at] - flat_mm;
     const bool kept = actuation.few && std::binary_search(actuation.few->diagonals.begin(),
                                                           actuation.few->diagonals.end(), d);
-    text += fmt::format("{:>9} {:>9.3f} N {:>9.3f} % {}\n", schema::diagonal_label(mechanism, d),
-                        force_n, 100 * elongation, kept ? " one of the few" : "");
+    text += fmt::format("{:>9} {:>11.3f} {:>9.3f} N {:>9.3f} % {}\n",
+                        schema::diagonal_label(mechanism, d), actuation.free_mm[at], force_n,
+                        100 * longer_mm / flat_mm, kept ? " one of the few" : "");
   }
   return text;
 }

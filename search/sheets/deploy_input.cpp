@@ -77,14 +77,20 @@ solver::HeldPanel held_panel(const solver::Sheet& sheet, const std::array<int, 2
   return held;
 }
 
+std::string lost(const solver::Sheet& sheet, const char* so) {
+  return sheet.name() + ": its folding path is lost (a numerical failure), so " + so +
+         "; `misalign fold` says how far it is known";
+}
+
 }  // namespace
 
 solver::DeployOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet) {
   solver::DeployOptions options;
   options.from_deg = design.from_deg;
   options.sheet.springs.stiffness_n_per_mm = design.actuators().stiffness_n_per_mm;
-  options.sheet.joints.friction_n_mm_per_mm = design.friction_n_mm_per_mm.value_or(0);
-  options.sheet.joints.stiffness_n_mm_per_mm = design.hinge_stiffness_n_mm_per_mm.value_or(0);
+  options.sheet.springs.preload_n = design.actuators().preload_n;
+  options.sheet.joints.friction_n_mm_per_mm = design.hinge_friction_n_mm_per_mm();
+  options.sheet.joints.stiffness_n_mm_per_mm = design.hinge_elastic_n_mm_per_mm();
   options.sheet.plates = design.plates();
   if (design.hold) {
     options.sheet.held = held_panel(sheet, *design.hold, design.gravity);
@@ -106,6 +112,7 @@ solver::DeployOptions DeployInput::of(const solver::Sheet& sheet,
   solver::DeployOptions fitted = options;
   fitted.from_deg = its.from_deg;
   fitted.sheet.springs.stiffness_n_per_mm = its.sheet.springs.stiffness_n_per_mm;
+  fitted.sheet.springs.preload_n = its.sheet.springs.preload_n;
   fitted.sheet.joints.friction_n_mm_per_mm = its.sheet.joints.friction_n_mm_per_mm;
   fitted.sheet.joints.stiffness_n_mm_per_mm = its.sheet.joints.stiffness_n_mm_per_mm;
   fitted.sheet.plates = its.sheet.plates;
@@ -119,19 +126,30 @@ solver::DeployOptions DeployInput::of(const solver::Sheet& sheet,
 
 solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options) {
   schema::need("SUNDIALS");
-  return found(solver::deploy(sheet, options),
-               sheet.name() +
-                   ": its folding path is lost (a numerical failure), so it cannot be let go; "
-                   "`misalign fold` says how far it is known");
+  return found(solver::deploy(sheet, options), lost(sheet, "it cannot be let go"));
+}
+
+std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
+                                        const solver::DeployOptions& deploying,
+                                        const schema::Design& design) {
+  if (!design.pin_friction_mm) return {};
+  return found(
+      solver::study_pins(sheet, deploying, *design.pin_friction_mm, bending(design).to_deg),
+      lost(sheet, "its pins cannot be loaded"));
+}
+
+solver::BentPanelsOptions bending(const schema::Design& design) {
+  const schema::Material material = design.material.value_or(schema::Material{});
+  solver::BentPanelsOptions options;
+  options.material = {material.e_gpa, material.poisson};
+  options.to_deg = design.margin_to_deg.value_or(options.to_deg);
+  return options;
 }
 
 solver::BentPanels bent_panels(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
                                const solver::BentPanelsOptions& options) {
-  return found(
-      solver::bend_panels(sheet, deploying, options),
-      sheet.name() +
-          ": its folding path is lost (a numerical failure), so its panels cannot be bent; "
-          "`misalign fold` says how far it is known");
+  return found(solver::bend_panels(sheet, deploying, options),
+               lost(sheet, "its panels cannot be bent"));
 }
 
 }  // namespace misalign::search

@@ -7,6 +7,7 @@
 
 #include "search/sheets/folding_model.hpp"
 #include "solver/design/bent_panels.hpp"
+#include "solver/design/pin_friction.hpp"
 
 namespace misalign::search {
 
@@ -28,6 +29,14 @@ solver::DeployOptions deploy_options(const schema::Design& design, const solver:
 
 /// The sheet let go. UserError: 2 where an option does not fit it, 1 where its path is lost.
 solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options);
+
+/// What pins it overcomes, with the design's, or nothing where it says none. UserError as above.
+std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
+                                        const solver::DeployOptions& deploying,
+                                        const schema::Design& design);
+
+/// How panels of this design bend: of its material, otherwise aluminium.
+solver::BentPanelsOptions bending(const schema::Design& design);
 
 /// Its panels bent. UserError as above.
 solver::BentPanels bent_panels(const solver::Sheet& sheet, const solver::DeployOptions& deploying,

@@ -179,7 +179,27 @@ std::string motion_text(const DeploymentStudy& study) {
   return text;
 }
 
+std::string pins_text(const char* where, const solver::PinFriction& pins, double own_mm) {
+  const solver::PinRow& locks = pins.locks_first();
+  std::string text = fmt::format("pins {}: ", where);
+  text += pins.critical_mm
+              ? fmt::format("it gets to flat with friction times radius up to {:.4g} mm",
+                            *pins.critical_mm)
+              : "it does not get to flat by itself";
+  text += fmt::format("; held at {:.4g} deg, it stays there from {:.3g} mm on", locks.pilot_deg,
+                      locks.locks_mm());
+  const auto stall_deg = pins.stall_deg(own_mm);
+  if (stall_deg && own_mm > 0)
+    text += fmt::format("; with {:g} mm from {:.4g} deg on", own_mm, *stall_deg);
+  return text + "\n";
+}
+
 }  // namespace
+
+std::string pins_text(const solver::PinStudy& study) {
+  return pins_text("in the middle of hinges", study.in_middle, study.own_mm) +
+         pins_text("at both ends of hinges", study.at_ends, study.own_mm);
+}
 
 std::string deployment_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
   return released_sheet_text(study) + outcome_text(study) + friction_text(study) +

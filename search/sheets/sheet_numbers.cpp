@@ -18,8 +18,9 @@ struct Found {
   std::optional<solver::Standstill> standstill;
   std::optional<solver::DeploymentStudy> motion;
   std::optional<solver::ContactStudy> contact;
+  std::optional<solver::BentPanels> bent;
 };
-enum class Needs { standstill, motion, contact };
+enum class Needs { standstill, motion, contact, bent };
 
 struct StudyFunction {
   std::string_view name;  // in the table of studies
@@ -61,6 +62,20 @@ constexpr StudyFunction kFunctions[] = {
      [](const Found& found) {
        return found.standstill ? Number(found.standstill->friction.static_stall_deg) : Number();
      }},
+    {"bent_energy_n_mm", Needs::bent, false,
+     [](const Found& found) {
+       return found.bent ? Number(found.bent->angles.back().bent.n_mm) : Number();
+     }},
+    {"bent_critical_friction_n_mm_per_mm", Needs::bent, false,
+     [](const Found& found) {
+       return found.bent ? found.bent->friction.critical_n_mm_per_mm : Number();
+     }},
+    {"static_friction_n_mm_per_mm", Needs::bent, false,
+     [](const Found& found) {
+       return found.bent ? Number(found.bent->friction.static_n_mm_per_mm) : Number();
+     }},
+    {"static_margin", Needs::bent, false,
+     [](const Found& found) { return found.bent ? found.bent->friction.static_margin : Number(); }},
     {"energy_n_mm", Needs::standstill, true,
      [](const Found& found) {
        return found.standstill ? Number(found.standstill->springs_n_mm) : Number();
@@ -69,15 +84,17 @@ constexpr StudyFunction kFunctions[] = {
     {"thickness_mm", Needs::contact, true, thickness_mm}};
 static_assert(std::size(kFunctions) == kNumberCount);
 
-using Needed = std::array<bool, 3>;  // by Needs
+using Needed = std::array<bool, 4>;  // by Needs
 
-Found find(const solver::Sheet& sheet, const solver::DeployOptions& options,
-           std::optional<double> from_deg, const Needed& needed) {
+Found find(const solver::Sheet& sheet, const schema::Design& design,
+           const solver::DeployOptions& options, std::optional<double> from_deg,
+           const Needed& needed) {
   const auto needs = [&](Needs what) { return needed[static_cast<std::size_t>(what)]; };
   Found found;
   if (needs(Needs::standstill)) found.standstill = solver::standstill(sheet, options).study;
   if (needs(Needs::motion)) found.motion = solver::deploy(sheet, options).study;
   if (needs(Needs::contact)) found.contact = solver::contact(sheet, {{}, from_deg}).study;
+  if (needs(Needs::bent)) found.bent = solver::bend_panels(sheet, options, bending(design)).study;
   return found;
 }
 
@@ -92,7 +109,7 @@ const std::array<std::string_view, kNumberCount>& sheet_number_names() {
   return names;
 }
 
-bool needs_sundials(std::size_t number) { return kFunctions[number].needs != Needs::contact; }
+bool needs_sundials(std::size_t number) { return kFunctions[number].needs == Needs::motion; }
 
 StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
                           std::optional<double> from_deg, const WantedNumbers& wanted,
@@ -111,7 +128,7 @@ StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& desi
     options.from_deg = used_deg;
     if (!used_deg && from_d) options.from_deg = sheet.deploys_from_deg();
     if (!used_deg && !from_d && deploys_from_36) options.from_deg = solver::kDeployFrom_deg;
-    const Found found = find(sheet, options, used_deg, needed);
+    const Found found = find(sheet, design, options, used_deg, needed);
     for (std::size_t k = 0; k < kNumberCount; ++k) {
       if (!wanted[k] || kFunctions[k].from_d != from_d) continue;
       answers.is_found[k] = true;

@@ -10,7 +10,7 @@
 namespace misalign::search {
 
 /// One for each column of the table of studies.
-inline constexpr std::size_t kNumberCount = 7;
+inline constexpr std::size_t kNumberCount = 11;
 using WantedNumbers = std::array<bool, kNumberCount>;
 const std::array<std::string_view, kNumberCount>& sheet_number_names();
 /// Whether a build without SUNDIALS cannot find it.

@@ -31,6 +31,9 @@ schema::Json deploy_said(const Subject& subject, const solver::DeployOptions& op
   schema::Json json =
       schema::deployment_history_json(subject.sheet.mechanism(), deployed(subject.sheet, options));
   json["deploys_from_deg"] = subject.sheet.deploys_from_deg();
+  if (const auto pins = pins_of(subject.sheet, options, subject.model.design())) {
+    json["pins"] = schema::pins_json(*pins);
+  }
   return said_of(subject, std::move(json));
 }
 

@@ -27,7 +27,6 @@ struct DeployCall {
   std::optional<Forces> forces;
   std::optional<PanelKind> panels;  // none: they bend where a material is named
   std::string material_file;
-  double margin_to_deg = solver::BentPanelsOptions{}.to_deg;
   bool json = false;
 
   bool bends(const schema::Design& design, const solver::SpringEnds& springs) const {
@@ -43,13 +42,10 @@ struct Bent {
   std::optional<solver::PreloadStudy> preload;
 };
 
-Bent bent(const DeployCall& call, const schema::Design& design, const solver::Sheet& sheet,
+Bent bent(const schema::Design& design, const solver::Sheet& sheet,
           const solver::DeployOptions& options) {
   const schema::Material material = design.material.value_or(schema::Material{});
-  solver::BentPanelsOptions bending;
-  bending.material = {material.e_gpa, material.poisson};
-  bending.to_deg = call.margin_to_deg;
-  solver::BentPanels panels = bent_panels(sheet, options, bending);
+  solver::BentPanels panels = bent_panels(sheet, options, bending(design));
   std::optional<solver::PreloadStudy> preload;
   if (options.sheet.springs.preload_n != 0) preload = study_preload(sheet, options, panels);
   const solver::BentAdvice advice = advise(sheet, options, panels);
@@ -64,14 +60,14 @@ void show_deployment(DeployCall call) {
   const auto& [chosen, model, sheet] = subject;
   solver::DeployOptions options = call.input.of(sheet, chosen.design);
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
-  std::optional<Bent> bending;
+  std::optional<Bent> with_bending;
   if (call.bends(model.design(), sheet.base().springs))
-    bending = bent(call, model.design(), sheet, options);
+    with_bending = bent(model.design(), sheet, options);
   if (call.json) {
     schema::Json json = deploy_said(subject, options);
-    if (bending) {
-      json["bent"] = schema::bent_panels_json(bending->material, bending->panels, bending->advice,
-                                              bending->preload);
+    if (with_bending) {
+      json["bent"] = schema::bent_panels_json(with_bending->material, with_bending->panels,
+                                              with_bending->advice, with_bending->preload);
     }
     warn_beyond_d(sheet, options.from_deg);
     return put_json(json);
@@ -79,11 +75,12 @@ void show_deployment(DeployCall call) {
   const solver::DeploymentStudy study = deployed(sheet, options);
   warn_beyond_d(sheet, options.from_deg);
   put("{}: deploys from {:g} deg\n", sheet.name(), sheet.deploys_from_deg());
-  if (bending) {
-    put(bent_panels_text(bending->material, bending->panels, bending->advice, bending->preload,
-                         study.friction));
+  if (with_bending) {
+    put(bent_panels_text(with_bending->material, with_bending->panels, with_bending->advice,
+                         with_bending->preload, study.friction));
   }
   put(deployment_text(sheet.mechanism(), study));
+  if (const auto pins = pins_of(sheet, options, model.design())) put(pins_text(*pins));
 }
 
 }  // namespace
@@ -131,12 +128,11 @@ Action deploy_verb(CLI::App& verb) {
           "--material", call->material_file,
           "JSON file with name, e_gpa, poisson, density_g_per_cm3 [the design's, or aluminium]")
       ->type_name("FILE");
-  constexpr double kLeastMarginTo_deg = 0.1;
-  verb.add_option(
-          "--margin-to", call->margin_to_deg,
-          fmt::format("with panels that bend: the angle down to which margins are asked [{:g}]",
-                      call->margin_to_deg))
-      ->check(within(kLeastMarginTo_deg, 180))
+  verb.add_option("--margin-to", call->input.design.margin_to_deg,
+                  fmt::format("the angle down to which margins of panels that bend, and pins, are "
+                              "asked [the design's, or {:g}]",
+                              solver::BentPanelsOptions{}.to_deg))
+      ->check(within("wanted.margin_to_deg"))
       ->type_name("DEG");
   verb.add_option("--forces", call->forces,
                   "also what hinges and ball joints carry: in the motion, or with the sheet held "

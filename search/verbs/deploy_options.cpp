@@ -15,7 +15,7 @@ CLI::Option* add_number(CLI::App& verb, const std::string& name, double& value,
       ->type_name(unit);
 }
 
-constexpr double kMostAngle_deg = 180, kMostResistance = 1e9, kMostPreload_n = 1e6;
+constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
 
 }  // namespace
 
@@ -49,6 +49,11 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
              "damping of creases, N mm per mm for each rad/s", "N_S");
   hinge("--hinge-stiffness", design.hinge_stiffness_n_mm_per_mm,
         "elastic creases, N mm per mm for each rad", "hinges.stiffness_n_mm_per_mm");
+  verb.add_option("--pin-friction", design.pin_friction_mm,
+                  "of hinges' pins and ball joints: friction coefficient times radius, mm; 0 asks "
+                  "how much they bear [the design's, or none]")
+      ->check(within("hinges.pin_friction_mm"))
+      ->type_name("MM");
   add_number(verb, "--hinge-rest", joints.rest_deg, "pilot angle where elastic creases are relaxed",
              0, kMostAngle_deg, "DEG");
   solver::Springs& springs = input.options.sheet.springs;
@@ -59,11 +64,7 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("DIAGONAL=DEG");
-  add_number(
-      verb, "--preload", springs.preload_n,
-      "force of each spring at flat, N: pulling where diagonals lengthen as it folds, pushing "
-      "where they shorten",
-      0, kMostPreload_n, "N");
+  add_preload(verb, design.preload_n);
   verb.add_flag("--pull-only", springs.pull_only, "wires: springs that only pull");
   verb.add_option("--hold", input.held,
                   "hold this panel [the design's, or none: free in space, without momentum]")

@@ -36,7 +36,7 @@ struct ExportCall {
     files.release = release.of(design);
     files.deck = deck.of(design);
     files.mjcf.friction_n_mm_per_mm =
-        friction_n_mm_per_mm.value_or(design.friction_n_mm_per_mm.value_or(0));
+        friction_n_mm_per_mm.value_or(design.hinge_friction_n_mm_per_mm());
     files.kit = chosen_kit(kit, design);
   }
 };

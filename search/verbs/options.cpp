@@ -33,9 +33,18 @@ void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm) {
       ->type_name("N/MM");
 }
 
+void add_preload(CLI::App& verb, std::optional<double>& preload_n) {
+  verb.add_option("--preload", preload_n,
+                  "force of each spring at flat, N: pulling where diagonals lengthen as it folds, "
+                  "pushing where they shorten [the design's, or 0]")
+      ->check(within("springs.preload_n"))
+      ->type_name("N");
+}
+
 void add_springs(CLI::App& verb, schema::Design& design) {
   const auto [least, most] = schema::design_bounds("springs.stroke_limit");
   add_stiffness(verb, design.stiffness_n_per_mm);
+  add_preload(verb, design.preload_n);
   verb.add_option("--stroke-limit", design.stroke_limit,
                   "largest elongation of an actuator: 0.08, 8 %, for Ti-Ni wires [the design's]")
       ->check(a_share(least, most))

@@ -21,6 +21,7 @@ CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws, const
 
 /// --stiffness, of other springs than the campaign's.
 void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm);
+void add_preload(CLI::App& verb, std::optional<double>& preload_n);
 /// That and --stroke-limit, of other springs than the design's.
 void add_springs(CLI::App& verb, schema::Design& design);
 

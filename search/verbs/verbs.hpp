@@ -18,6 +18,7 @@ using Words = std::vector<std::string>;
 // Each describes its verb and adds its options.
 Action actuators_verb(CLI::App& verb);
 Action bench_verb(CLI::App& verb);
+Action card_verb(CLI::App& verb);
 Action certify_verb(CLI::App& verb, const Words& typed);
 Action completion_verb(CLI::App& verb);
 Action config_verb(CLI::App& verb);
@@ -65,6 +66,7 @@ inline std::vector<Verb> all_verbs(const Words& typed) {
           {"contact", contact_verb},
           {"deploy", deploy_verb},
           {"stress", stress_verb},
+          {"card", card_verb},
           {"report", report_verb},
           {"watch", watch_verb},
           {"bench", bench_verb},

@@ -74,6 +74,16 @@ void find_over_stroke(const FoldingHistory& history, Actuation& actuation) {
   }
 }
 
+std::vector<double> free_lengths_mm(const FoldingHistory& history, const Actuators& actuators) {
+  std::vector<double> free_mm = history.flat_mm;
+  if (actuators.preload_n == 0 || history.length_mm.rows() == 0) return free_mm;
+  for (std::size_t d = 0; d < free_mm.size(); ++d) {
+    const bool lengthens = history.length_mm(0, static_cast<Index>(d)) > free_mm[d];
+    free_mm[d] -= (lengthens ? 1 : -1) * actuators.preload_n / actuators.stiffness_n_per_mm;
+  }
+  return free_mm;
+}
+
 // What the diagonals take up over what the span does. Both stand still together, flat and where a
 // sheet lies folded flat: then there is none.
 double advantage(const FoldingHistory& history, Index row, double span_mm_per_deg) {
@@ -86,17 +96,36 @@ double advantage(const FoldingHistory& history, Index row, double span_mm_per_de
 
 }  // namespace
 
+double Actuation::largest_force_n() const {
+  return force_n.topRows(from_row + 1).cwiseAbs().maxCoeff();
+}
+
 Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<double> from_deg) {
   const FoldingHistory& history = sheet.history();
   const Index stations = history.length_mm.rows(), diagonals = history.length_mm.cols();
   const double k = actuators.stiffness_n_per_mm;
-  Actuation actuation{
-      actuators, from_deg, row_of_use(sheet, from_deg), {0}, {}, {}, {0}, {0}, {kNone}, {}, {}, {}};
+  Actuation actuation{.actuators = actuators,
+                      .from_deg = from_deg,
+                      .from_row = row_of_use(sheet, from_deg),
+                      .pilot_deg = {0},
+                      .free_mm = free_lengths_mm(history, actuators),
+                      .force_n = {},
+                      .moment_by_n_mm = {},
+                      .energy_n_mm = {},
+                      .moment_n_mm = {0},
+                      .mechanical_advantage = {kNone},
+                      .weakest = {},
+                      .few = {},
+                      .over_stroke = {}};
   actuation.force_n.setZero(stations + 1, diagonals);
   actuation.moment_by_n_mm.setZero(stations + 1, diagonals);
-  const Eigen::RowVectorXd flat_mm = Eigen::RowVectorXd::Map(history.flat_mm.data(), diagonals);
+  using Lengths = Eigen::Map<const Eigen::RowVectorXd>;
+  const Lengths free_mm(actuation.free_mm.data(), diagonals);
+  const Eigen::RowVectorXd preloaded_mm = Lengths(history.flat_mm.data(), diagonals) - free_mm;
+  actuation.force_n.row(0) = k * preloaded_mm;
+  actuation.energy_n_mm.push_back(k / 2 * preloaded_mm.squaredNorm());
   for (Index row = 0; row < stations; ++row) {
-    const Eigen::RowVectorXd stretch_mm = history.length_mm.row(row) - flat_mm;
+    const Eigen::RowVectorXd stretch_mm = history.length_mm.row(row) - free_mm;
     actuation.pilot_deg.push_back(history.stations[row].pilot_deg);
     actuation.force_n.row(row + 1) = k * stretch_mm;
     actuation.moment_by_n_mm.row(row + 1) =

@@ -22,6 +22,7 @@ struct Actuation {
   std::optional<double> from_deg;  ///< as asked
   Eigen::Index from_row = 0;       ///< of the angle of use: that, or D; 0 where it is nothing
   std::vector<double> pilot_deg;
+  std::vector<double> free_mm;      ///< how long each spring is without force: L0
   Eigen::MatrixXd force_n;          ///< k (L - L0): positive where the spring pulls
   Eigen::MatrixXd moment_by_n_mm;   ///< k (L - L0) dL/d(pilot): what each adds to the moment
   std::vector<double> energy_n_mm;  ///< k / 2 sum (L - L0)^2
@@ -30,6 +31,7 @@ struct Actuation {
   /// newton in every diagonal: sum |dL| / |dS|, from exact rates; NaN where the span stands still,
   /// as it does at row 0.
   std::vector<double> mechanical_advantage;
+  double largest_force_n() const;  ///< of all springs, up to the angle of use
 
   struct Weakest {
     double pilot_deg, moment_n_mm;

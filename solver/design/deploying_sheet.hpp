@@ -20,9 +20,7 @@ struct Springs {
   double rest_deg = 0;
   std::vector<std::pair<int, double>> other_rests_deg;
   bool pull_only = false;  ///< wires: no force where they are shorter than relaxed
-  /// What each is left with at flat instead of being relaxed there: those on diagonals that
-  /// lengthen as the sheet folds pull, those on diagonals that shorten push.
-  double preload_n = 0;
+  double preload_n = 0;    ///< as in Actuators
 };
 
 /// Resistance of the joints.

@@ -154,6 +154,7 @@ void Reactions::find(const DeploymentRow& at, Index row, JointForces& forces) {
         found.segment<3>(next).cwiseProduct(seen).transpose();
     forces.crease_moment_n_mm.block<1, 3>(row, 3 * k) =
         (mechanism_.side * moment.cwiseProduct(seen)).transpose();
+    forces.crease_axis.block<1, 3>(row, 3 * k) = hinge.axis.cwiseProduct(seen).transpose();
   }
   const std::size_t pilot = static_cast<std::size_t>(mechanism_.pilot);
   forces.holding_n_mm.push_back(loads_.hinges()[pilot].length_mm * found(found.size() - 1));
@@ -179,6 +180,7 @@ JointForces find_joint_forces(const DeployingSheet& sheet, const FoldedShape& sh
   JointForces forces;
   forces.crease_force_n.resize(count, 3 * creases);
   forces.crease_moment_n_mm.resize(count, 3 * creases);
+  forces.crease_axis.resize(count, 3 * creases);
   forces.ball_force_n.resize(count, 3 * static_cast<Index>(mechanism.balls.size()));
   for (Index k = 0; k < count; ++k) {
     const DeploymentRow& row = *rows[static_cast<std::size_t>(k)];

@@ -25,6 +25,7 @@ struct JointForces {
   std::vector<double> pilot_deg;  ///< of the rows
   /// Rows x 3 per crease: on the panel to its right, by the one to its left (walking from a to b).
   Eigen::MatrixXd crease_force_n, crease_moment_n_mm;
+  Eigen::MatrixXd crease_axis;      ///< rows x 3 per crease, from its a to its b
   Eigen::MatrixXd ball_force_n;     ///< rows x 3 per ball joint: on its second facet, by its first
   std::vector<bool> crease_shared;  ///< whether it ends at a whole vertex: one of many answers
   /// About the pilot crease, against folding: what holds the sheet at each row, the springs' moment

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <numbers>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/text_file.hpp"
@@ -23,10 +24,16 @@ Design read(const Json& value) {
 // Every key, none at its default.
 Json full() {
   return Json::parse(R"({"from_deg": 140.0,
-    "springs": {"stiffness_n_per_mm": 2.0, "stroke_limit": 0.08},
-    "hinges": {"friction_n_mm_per_mm": 0.02, "stiffness_n_mm_per_mm": 0.3, "kind": "dash"},
+    "springs": {"stiffness_n_per_mm": 2.0, "stroke_limit": 0.08, "preload_n": 3.0,
+                "largest_force_n": 25.0},
+    "hinges": {"friction_n_mm_per_mm": 0.02, "stiffness_n_mm_per_mm": 0.3, "kind": "dash",
+               "pin_friction_mm": 0.075,
+               "film": {"thickness_mm": 0.05, "e_gpa": 2.5, "length_mm": 1.0, "loss": 0.01}},
+    "wanted": {"static_margin": 2.0, "margin_to_deg": 5.0, "energy_margin": 3.0, "yield": 0.9,
+               "landing_deg_per_s": 100.0},
     "thickness_mm": 1.5,
-    "material": {"name": "birch", "e_gpa": 12.0, "poisson": 0.3, "density_g_per_cm3": 0.68},
+    "material": {"name": "birch", "e_gpa": 12.0, "poisson": 0.3, "density_g_per_cm3": 0.68,
+                 "strength_mpa": 40.0},
     "miscut_mm": 0.05, "play_mm": 0.01, "hold": [0, 3], "gravity": [0.0, 0.0, -1.0]})");
 }
 
@@ -38,7 +45,8 @@ TEST(Design, IsWrittenAsItIsRead) {
   // Each key alone is said, and nothing else is.
   const Json flat = full().flatten();
   for (const auto& [at, value] : flat.items()) {
-    if (at.starts_with("/material") || at.starts_with("/hold") || at.starts_with("/gravity")) {
+    const auto is_of = [&](const char* block) { return at.starts_with(block); };
+    if (is_of("/material") || is_of("/hold") || is_of("/gravity") || is_of("/hinges/film")) {
       continue;
     }
     const Json one = Json({{at, value}}).unflatten();
@@ -52,8 +60,27 @@ TEST(Design, SaysWhatStudiesTake) {
   EXPECT_EQ(*design.actuators().stroke_limit, 0.08);
   EXPECT_EQ(design.plates().thickness_mm, 1.5);
   EXPECT_EQ(design.plates().density_g_per_cm3, 0.68);
+  EXPECT_EQ(design.actuators().preload_n, 3);
+  EXPECT_EQ(design.hinge_friction_n_mm_per_mm(), 0.02);
+  EXPECT_EQ(design.hinge_elastic_n_mm_per_mm(), 0.3);
   EXPECT_EQ(Design().actuators().stiffness_n_per_mm, 50) << "the paper's";
   EXPECT_EQ(Design().plates().density_g_per_cm3, 2.7);
+}
+
+// A strip of 1 mm, 0.05 mm thick, 2.5 GPa: E I / L = 2500 * 0.05^3 / 12 N mm per mm and rad.
+TEST(Design, TakesHingesOfTheFilm) {
+  Json block = full();
+  block["hinges"].erase("friction_n_mm_per_mm");
+  block["hinges"].erase("stiffness_n_mm_per_mm");
+  const Design design = read(block);
+  const double c = 2500 * 1.25e-4 / 12;
+  EXPECT_NEAR(design.hinge_elastic_n_mm_per_mm(), c, 1e-15);
+  // From 140 degrees to flat it takes pi / 4 loss c angle^2; dry friction takes it times the angle.
+  const double angle = 140 * std::numbers::pi / 180;
+  EXPECT_NEAR(design.hinge_friction_n_mm_per_mm() * angle,
+              std::numbers::pi / 4 * 0.01 * c * angle * angle, 1e-15);
+  EXPECT_EQ(Design().hinge_friction_n_mm_per_mm(), 0);
+  EXPECT_EQ(Design().hinge_elastic_n_mm_per_mm(), 0);
 }
 
 TEST(Design, OptionsGoBeforeFiles) {

@@ -1,0 +1,106 @@
+#include "schema/kit/card.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "schema/exchange/xml_text.hpp"
+#include "schema/kit/page_parts.hpp"
+#include "schema/kit/sheet_pictures.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// On paper a sheet of 6 x 6 fits one page of A4.
+constexpr const char* kCardStyle =
+    "<style>td.n{white-space:nowrap}.bad{background:#fdd}.pair figure,.pair figure.wide{width:49%}"
+    "@page{size:A4;margin:9mm}@media print{body{font-size:7.5pt;max-width:none;margin:0;padding:0}"
+    "h1{font-size:12pt;margin:0}h2{font-size:9pt;margin:.3em 0}p{margin:.2em 0}"
+    "table{margin:.2em 0}td,th{padding:0 .4em}svg{max-height:17em}}</style>\n";
+
+std::string percent(const std::optional<double>& share) {
+  return share ? fmt::format("{:+.3g} %", 100 * *share) : "";
+}
+
+std::string requirements(const Card& card) {
+  std::string text = "<h2>Requirements</h2>\n<table>\n" +
+                     table_row({"", "what", "asked", "found", "to spare"}, 2, "th");
+  for (const CardLine& line : card.lines) {
+    if (!line.is_asked()) continue;
+    const std::string row =
+        table_row({line.passes() ? "pass" : "FAIL", line.what, line.wanted_text(),
+                   line.found_text(), percent(line.margin())},
+                  2);
+    text += line.passes() ? row : "<tr class=\"bad\">" + row.substr(std::string("<tr>").size());
+  }
+  return text + "</table>\n";
+}
+
+std::string facts(const Card& card) {
+  std::string text = "<h2>And besides</h2>\n<table>\n";
+  for (const CardLine& line : card.lines) {
+    if (line.is_asked() && line.note.empty()) continue;
+    text += table_row({line.what, line.is_asked() ? "" : line.found_text(), line.note}, 3);
+  }
+  return text + "</table>\n";
+}
+
+}  // namespace
+
+bool CardLine::passes() const {
+  if (!wanted) return true;
+  if (!found) return false;
+  return bound == Bound::at_least ? *found >= *wanted : *found <= *wanted;
+}
+
+std::optional<double> CardLine::margin() const {
+  if (!wanted || !found) return {};
+  const auto [more, less] =
+      bound == Bound::at_least ? std::pair(*found, *wanted) : std::pair(*wanted, *found);
+  if (!(less > 0) || !(more > 0)) return {};
+  return more / less - 1;
+}
+
+std::string CardLine::wanted_text() const {
+  if (!wanted) return "";
+  return fmt::format("{} {:.10g}{}{}", bound == Bound::at_least ? "≥" : "≤", *wanted,
+                     unit.empty() ? "" : " ", unit);
+}
+
+std::string CardLine::found_text() const {
+  if (!found) return "";
+  return fmt::format("{:.4g}{}{}", *found, unit.empty() ? "" : " ", unit);
+}
+
+int Card::asked() const {
+  return static_cast<int>(std::ranges::count_if(lines, &CardLine::is_asked));
+}
+
+int Card::passed() const {
+  return static_cast<int>(std::ranges::count_if(
+      lines, [](const CardLine& line) { return line.is_asked() && line.passes(); }));
+}
+
+std::string Card::verdict() const {
+  return passes() ? fmt::format("all of {} requirements are met", asked())
+                  : fmt::format("{} of {} requirements are met", passed(), asked());
+}
+
+std::string card_page(const Card& card, const solver::Sheet& sheet,
+                      const solver::Actuation& actuation) {
+  std::string text =
+      page_begin("Card of " + card.name) + kCardStyle +
+      fmt::format("<p class=\"{}\">Used between {:.10g}° and flat: {}.</p>\n",
+                  card.passes() ? "" : "warning", card.from_deg, xml_text(card.verdict())) +
+      requirements(card) + facts(card) + "<div class=\"pair\">" + assembled_picture(sheet);
+  if (actuation.from_row > 0) {
+    const auto row = static_cast<std::size_t>(actuation.from_row);
+    text += folded_picture(sheet, sheet.shapes_mm()[row - 1], actuation.pilot_deg[row]);
+  }
+  return text + "</div>\n" +
+         spring_table(sheet, actuation,
+                      [&](int d) { return diagonal_lengths(sheet, actuation, d); }) +
+         hinge_table(sheet, card.design.thickness_mm, actuation.from_row, card.from_deg) + kPageEnd;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,112 @@
+#include "schema/kit/page_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/exchange/xml_text.hpp"
+#include "schema/files/printable.hpp"
+#include "schema/kit/kit_hinges.hpp"
+
+namespace misalign::schema {
+namespace {
+
+constexpr const char* kStyle =
+    "body{font:14px sans-serif;max-width:46em;margin:1em auto;padding:0 1em}"
+    "table{border-collapse:collapse;margin:.5em 0}td,th{border:1px solid #999;padding:.2em .6em;"
+    "text-align:left}td.n{text-align:right}svg{width:100%;max-height:24em}"
+    "figure{display:inline-block;width:32%;margin:0;vertical-align:top}figure.wide{width:100%}"
+    ".warning{border:2px solid #c00;padding:.5em}@media print{h2{break-after:avoid}}";
+
+}  // namespace
+
+std::string page_begin(const std::string& title) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>"
+      "<style>{1}</style></head><body>\n<h1>{0}</h1>\n",
+      xml_text(printable(utf8(title))), kStyle);
+}
+
+std::string table_row(const std::vector<std::string>& cells, std::size_t numbers,
+                      const char* cell) {
+  std::string text = "<tr>";
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    text += fmt::format("<{0}{1}>{2}</{0}>", cell, c >= numbers ? " class=\"n\"" : "",
+                        xml_text(cells[c]));
+  }
+  return text + "</tr>\n";
+}
+
+std::string hinge_table(const solver::Sheet& sheet, std::optional<double> thickness_mm,
+                        Eigen::Index from_row, double from_deg) {
+  std::string text =
+      "<h2>Hinges</h2>\n<table>\n" +
+      table_row(
+          {"hinges", "butted: on the face that", "fold at most to",
+           thickness_mm ? fmt::format("or a film at half thickness: gap for {:g} mm", *thickness_mm)
+                        : "or a film at half thickness: gap for each mm",
+           "or edges bevelled by"},
+          2, "th");
+  for (const bool valley : {false, true}) {
+    const KitHinges some(sheet, valley, from_row);
+    text += table_row({some.name, some.face, fmt::format("{:.1f}°", some.fold_deg),
+                       fmt::format("{:.2f} mm", some.gap_mm(thickness_mm.value_or(1))),
+                       fmt::format("{:.1f}°", some.bevel_deg())},
+                      2);
+  }
+  return text + fmt::format(
+                    "</table>\n<p>Up to {:.10g}°. Panels that are butted close on the "
+                    "side of their hinge only.</p>\n",
+                    from_deg);
+}
+
+SpringLengths diagonal_lengths(const solver::Sheet& sheet, const solver::Actuation& actuation,
+                               int diagonal) {
+  const double flat_mm = sheet.history().flat_mm[static_cast<std::size_t>(diagonal)];
+  const Eigen::Index at = actuation.from_row;
+  return {flat_mm, at == 0 ? flat_mm : sheet.history().length_mm(at - 1, diagonal)};
+}
+
+std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
+                         const std::function<SpringLengths(int)>& lengths) {
+  const solver::Mechanism& mechanism = sheet.mechanism();
+  const solver::Actuators& springs = actuation.actuators;
+  std::vector<int> few;
+  if (actuation.few) few = actuation.few->diagonals;
+  std::string text = fmt::format(
+      "<h2>Springs</h2>\n<p>{}; folded to {:.10g}° a spring that is longer than when it is free "
+      "pulls, one that is shorter pushes.</p>\n<table>\n",
+      springs.preload_n == 0
+          ? "All are relaxed where the sheet is flat"
+          : fmt::format("Where the sheet is flat each has {:g} N left", springs.preload_n),
+      actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)]);
+  text += table_row({"no.", "from vertex to vertex", "does", "enough", "free, mm", "flat, mm",
+                     "folded, mm", "stroke, %", "force, N"},
+                    4, "th");
+  double largest_n = 0;
+  for (int d = 0; d < mechanism.diagonal_count(); ++d) {
+    const auto [flat_mm, folded_mm] = lengths(d);
+    const auto at = static_cast<std::size_t>(d);
+    const double free_mm = flat_mm + actuation.free_mm[at] - sheet.history().flat_mm[at];
+    const double force_n = springs.stiffness_n_per_mm * std::abs(folded_mm - free_mm);
+    largest_n = std::max(largest_n, force_n);
+    const solver::Diagonal& diagonal = mechanism.diagonals[static_cast<std::size_t>(d)];
+    text += table_row(
+        {"s" + std::to_string(d), solver::line_label(diagonal.from, diagonal.to),
+         folded_mm >= free_mm ? "pulls" : "pushes", std::ranges::count(few, d) > 0 ? "yes" : "",
+         fmt::format("{:.2f}", free_mm), fmt::format("{:.2f}", flat_mm),
+         fmt::format("{:.2f}", folded_mm), fmt::format("{:+.2f}", 100 * (folded_mm / flat_mm - 1)),
+         fmt::format("{:.3g}", force_n)},
+        4);
+  }
+  text += fmt::format("</table>\n<p>The largest force is {:.3g} N.", largest_n);
+  if (!few.empty()) {
+    text +=
+        fmt::format(" Those marked “enough”, {} of {}, keep {:.0f} % of the least moment of all.",
+                    few.size(), mechanism.diagonal_count(), 100 * actuation.few->share);
+  }
+  return text + "</p>\n";
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,17 @@
+// The card of one sheet: every study that its design asks for, beside what is asked.
+#pragma once
+
+#include "schema/kit/card.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+
+namespace misalign::search {
+
+struct CardOptions {
+  std::uint64_t trials = 1000;  ///< miscut copies, and times that loose joints settle anew
+  int jobs = 1;
+};
+
+/// UserError: 3 where the sheet deploys from nothing, 1 where its path is lost.
+schema::Card card_of(const Subject& subject, const CardOptions& options);
+
+}  // namespace misalign::search

@@ -1,0 +1,30 @@
+#include "search/sheets/card_text.hpp"
+
+#include <fmt/format.h>
+
+#include "schema/files/text_table.hpp"
+
+namespace misalign::search {
+
+std::string card_text(const schema::Card& card) {
+  std::vector<schema::Row> asked = {{"", "what", "asked", "found", "to spare"}}, facts;
+  std::string notes;
+  for (const schema::CardLine& line : card.lines) {
+    if (line.is_asked()) {
+      const auto margin = line.margin();
+      asked.push_back({line.passes() ? "pass" : "FAIL", line.what, line.wanted_text(),
+                       line.found_text(), margin ? fmt::format("{:+.3g} %", 100 * *margin) : ""});
+      if (!line.note.empty()) facts.push_back({line.what, line.note});
+    } else {
+      const std::string found = line.found_text();
+      facts.push_back(
+          {line.what, found + (found.empty() || line.note.empty() ? "" : "; ") + line.note});
+    }
+  }
+  return fmt::format("{}, used between {:.10g} deg and flat: {}\n\n{}\n{}", card.name,
+                     card.from_deg, card.verdict(),
+                     schema::aligned(asked, {false, false, true, true, true}),
+                     schema::aligned(facts, {false, false}));
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,110 @@
+// `misalign card`: what a design asks of one sheet, and what was found, on one page.
+#include "search/sheets/card.hpp"
+#include "search/sheets/card_text.hpp"
+
+#include <fmt/format.h>
+
+#include "schema/catalogue/study_table.hpp"
+#include "schema/exchange/card_json.hpp"
+#include "schema/files/text_file.hpp"
+#include "search/sheets/backlash.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/terminal/usable_threads.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct CardCall {
+  std::string path;                   // a catalogue or a pattern file
+  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+  schema::Design design;
+  std::string material_file, output;
+  CardOptions options;
+  std::optional<int> jobs;
+  bool json = false;
+};
+
+void show_card(CardCall call) {
+  if (!call.material_file.empty()) {
+    call.design.material = schema::read_material_file(call.material_file);
+  }
+  call.options.jobs = call.jobs.value_or(usable_threads());
+  const Subject subject = choose_sheet(call.path, call.draw, call.design);
+  const schema::Card card = card_of(subject, call.options);
+  if (!call.output.empty()) {
+    const double d_deg = subject.sheet.deploys_from_deg();
+    const auto from_deg = card.from_deg < d_deg ? std::optional(card.from_deg) : std::nullopt;
+    schema::write_text_file(
+        call.output,
+        schema::card_page(card, subject.sheet,
+                          solver::actuate(subject.sheet, card.design.actuators(), from_deg)));
+  }
+  if (!call.json) return put(card_text(card));
+  schema::Json json = schema::card_json(card);
+  json.update(subject.chosen.key().json());
+  put_json(json);
+}
+
+}  // namespace
+
+Action card_verb(CLI::App& verb) {
+  verb.description(schema::study_named("card").about);
+  verb.footer(
+      "Each requirement of the design with what was found, and whether it is met: D, a proof and\n"
+      "contact up to the angle of use (the design's from_deg, or D), how thick plates may be, "
+      "energy\n"
+      "and static margins of panels that bend, pins, strokes and forces of the springs, stress, "
+      "how "
+      "fast\n"
+      "it lands, miscut copies, play. Only what the design says is asked: a thickness, friction, "
+      "a\n"
+      "stroke limit, miscuts ...; \"wanted\" says by how much. With --output also a page to print, "
+      "with\n"
+      "a drawing, the springs to buy and the hinges.\n\n"
+      "Examples:\n  misalign card mine.db 1234 --output card.html\n"
+      "  misalign card search/patterns/table1.json --from 90 --thickness 1 --friction 0.0001");
+  auto call = std::make_shared<CardCall>();
+  schema::Design& design = call->design;
+  add_catalogue_or_pattern(verb, call->path);
+  add_draw_of_catalogue(verb, call->draw);
+  add_from(verb, design.from_deg);
+  add_springs(verb, design);
+  add_thickness(verb, design.thickness_mm);
+  const auto number = [&](const char* name, std::optional<double>& value, const char* meaning,
+                          const char* key, const char* unit) {
+    verb.add_option(name, value, std::string(meaning) + " [the design's]")
+        ->check(within(key))
+        ->type_name(unit);
+  };
+  number("--friction", design.friction_n_mm_per_mm, "dry friction of creases, N mm per mm",
+         "hinges.friction_n_mm_per_mm", "N");
+  number("--pin-friction", design.pin_friction_mm,
+         "of pins and ball joints: friction coefficient times radius, mm", "hinges.pin_friction_mm",
+         "MM");
+  number("--miscut", design.miscut_mm, "largest error of a vertex, mm", "miscut_mm", "MM");
+  number("--play", design.play_mm, "radius of the ball in which each joint settles, mm", "play_mm",
+         "MM");
+  verb.add_option("--material", call->material_file,
+                  "JSON file with name, e_gpa, poisson, density_g_per_cm3, strength_mpa [the "
+                  "design's, or aluminium]")
+      ->type_name("FILE");
+  verb.add_option("--trials", call->options.trials,
+                  fmt::format("how many miscut copies, and how often loose joints settle [{}]",
+                              call->options.trials))
+      ->check(counted(1, kMostBacklashTrials))
+      ->type_name("N");
+  verb.add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
+      ->check(counted(1, 4096))
+      ->type_name("N");
+  verb.add_option("--output", call->output, "write the page, HTML, to this file")
+      ->type_name("FILE");
+  verb.add_flag("--json", call->json, "as JSON");
+  return [call] {
+    show_card(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search
