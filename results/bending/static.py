@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Static CalculiX beside `misalign deploy --panels bend`: static.py PROGRAM DIRECTORY run|table|cases [SHEET...]
+"""Static CalculiX beside `misalign deploy --panels bend`: static.py PROGRAM DIRECTORY run|table|cases [SHEET or CASE...]
 
 Each case is a sheet folded without stress to an angle, with springs on its diagonals that are relaxed on the flat sheet,
 and panels that bend: the deck of `misalign export --format inp` with a static step instead of its motion. What is held is
 the sum over the creases of length times fold angle, to first order, by one equation over the corners of all panels. `run`
-leaves DIRECTORY/CASE.json of each case; `table` computes the program's energies at the sum that ccx's state has, and
-prints the comparison.
+leaves DIRECTORY/CASE.json of each case; with a preload (-f, N) springs have that force at flat. `table` computes the
+program's energies at the sum that ccx's state has, and prints the comparison.
 """
 import json
 import os
@@ -26,19 +26,32 @@ LONGEST_S = 150
 
 
 def cases():
-    """A hundred of the 60 a sheet, drawn before the first run: name, sheet, mm, N/mm, degrees."""
+    """A hundred of the 60 a sheet, drawn before the first run: name, sheet, mm, N/mm, degrees, N. Then sixteen with a
+    preload, of about what is best for each thickness."""
     draw, found = random.Random(38), []
     every = [(t, k, a) for t in (0.5, 1, 2, 4) for k in (5, 20, 50) for a in (10, 20, 36, 60, 90)]
     for i, sheet in enumerate(SHEETS):
         for t, k, a in draw.sample(every, 13 if i % 2 == 0 else 12):
-            found.append((f"{sheet}-t{t:g}-k{k:g}-a{a:g}", sheet, t, k, a))
+            found.append((f"{sheet}-t{t:g}-k{k:g}-a{a:g}", sheet, t, k, a, 0))
+    draw = random.Random(39)
+    preloaded = [(t, k, a, 0.05 * t ** 3) for t in (1, 2, 4) for k in (5, 20) for a in (10, 20, 36)]
+    for sheet in SHEETS:
+        for t, k, a, n in draw.sample(preloaded, 2):
+            found.append((f"{sheet}-t{t:g}-k{k:g}-a{a:g}-f{n:g}", sheet, t, k, a, n))
     return found
 
 
 class Deck:
     """The parts of an exported deck that are needed here."""
 
-    def __init__(self, text):
+    def __init__(self, text, preload=0):
+        def preloaded(match):
+            head, f1, u1, f2, u2 = match.groups()
+            more = preload * np.sign(float(f1) + float(f2))  # those that are longer than flat pull
+            return f"{head}{float(f1) + more!r},{u1}\n{float(f2) + more!r},{u2}\n"
+
+        if preload:
+            text = re.sub(r"(\*SPRING.*\n\n)(.*),(.*)\n(.*),(.*)\n", preloaded, text)
         self.head = text[: text.index("*STEP")]
         nodes = re.search(r"\*NODE, NSET=NALL\n((?:\d.*\n)+)", text)[1].split()
         self.at = {int(n): np.array([float(v) for v in xyz]) for n, *xyz in (line.split(",") for line in nodes)}
@@ -131,14 +144,14 @@ class Deck:
 
 def run(program, directory, chosen):
     rank = {name: sum(other[1] == sheet for other in cases()[:i]) for i, (name, sheet, *_) in enumerate(cases())}
-    for name, sheet, t, k, a in sorted(cases(), key=lambda case: rank[case[0]]):  # a case of each sheet, and again
+    for name, sheet, t, k, a, n in sorted(cases(), key=lambda case: rank[case[0]]):  # a case of each sheet, and again
         result = directory / f"{name}.json"
-        if result.exists() or (chosen and sheet not in chosen):
+        if result.exists() or (chosen and not {sheet, name} & set(chosen)):
             continue
         subprocess.run([program, "export", HERE / "sheets" / f"{sheet}.json", "--format", "inp", "--from", str(a), "--mesh",
                         str(MESH), "--thickness", str(t), "--stiffness", str(k), "--output", directory / name], check=True,
                        capture_output=True)
-        deck = Deck((directory / name / f"{sheet}.inp").read_text())
+        deck = Deck((directory / name / f"{sheet}.inp").read_text(), n)
         job = directory / name / "static"
         job.with_suffix(".inp").write_text(deck.static())
         done = subprocess.run(["timeout", str(LONGEST_S), "ccx", "static"], cwd=directory / name,
@@ -154,30 +167,31 @@ def run(program, directory, chosen):
         (directory / name).rmdir()
 
 
-def told(program, sheet, t, k, a):
+def told(program, sheet, t, k, a, n):
     """The program's energy, its change by the creases' sum, and its method."""
     out = subprocess.run([program, "deploy", HERE / "sheets" / f"{sheet}.json", "--panels", "bend", "--json", "--from", str(a),
-                          "--thickness", str(t), "--stiffness", str(k)], check=True, capture_output=True, text=True).stdout
+                          "--thickness", str(t), "--stiffness", str(k), "--preload", str(n)],
+                         check=True, capture_output=True, text=True).stdout
     bent = json.loads(out)["bent"]
     return bent["bent_energy_n_mm"], bent["margins"][0]["available_n_mm_per_mm"], bent["method"], bent["angles_not_converged"]
 
 
 def table(program, directory):
-    print("| sheet | t mm | k N/mm | from | rigid N mm | CalculiX | program | method | off |")
-    print("|---|---|---|---|---|---|---|---|---|")
+    print("| sheet | t mm | k N/mm | at flat | from | rigid N mm | CalculiX | program | method | off |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
     off, lost, missing = {}, [], []
-    for name, sheet, t, k, a in cases():
+    for name, sheet, t, k, a, n in cases():
         result = directory / f"{name}.json"
         found = json.loads(result.read_text()) if result.exists() else None
         if not found or "failed" in found:
             (lost if found else missing).append(name)
             continue
-        energy, moment, method, unsure = told(program, sheet, t, k, a)
+        energy, moment, method, unsure = told(program, sheet, t, k, a, n)
         energy += moment * (found["turned_mm"] - found["rigid_turned_mm"])
         calculix = found["panels_n_mm"] + found["springs_n_mm"]
-        off.setdefault(method, []).append((energy / calculix - 1, name))
+        off.setdefault("preload" if n else method, []).append((energy / calculix - 1, name))
         sure = f" ({unsure} angles not converged)" if unsure else ""
-        print(f"| {sheet} | {t:g} | {k} | {a}° | {found['rigid_n_mm']:.4g} | {calculix:.5g} | {energy:.5g} | {method}{sure} "
+        print(f"| {sheet} | {t:g} | {k} | {n:g} N | {a}° | {found['rigid_n_mm']:.4g} | {calculix:.5g} | {energy:.5g} | {method}{sure} "
               f"| {100 * (energy / calculix - 1):+.1f} % |")
     off["all"] = sum(off.values(), [])
     print()

@@ -41,9 +41,8 @@ Json preload_json(const solver::PreloadStudy& study) {
 
 }  // namespace
 
-Json bent_panels_json(const Material& material, const solver::BentPanels& study,
-                      const solver::BentAdvice& advice,
-                      const std::optional<solver::PreloadStudy>& preload) {
+Json bent_panels_json(const BentSheet& sheet) {
+  const auto& [material, study, advice, preload] = sheet;
   const solver::BentFriction& friction = study.friction;
   const solver::BentAngle& most = study.most_bent();
   Json json = {{"material", material_json(material)},

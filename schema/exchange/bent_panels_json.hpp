@@ -7,9 +7,14 @@
 
 namespace misalign::schema {
 
-/// `preload`: where springs have one.
-Json bent_panels_json(const Material& material, const solver::BentPanels& study,
-                      const solver::BentAdvice& advice,
-                      const std::optional<solver::PreloadStudy>& preload);
+/// A sheet of some material whose panels bend; with what a preload does, where there is one.
+struct BentSheet {
+  Material material;
+  solver::BentPanels panels;
+  solver::BentAdvice advice;
+  std::optional<solver::PreloadStudy> preload;
+};
+
+Json bent_panels_json(const BentSheet& sheet);
 
 }  // namespace misalign::schema

@@ -1,8 +1,51 @@
 #include "schema/exchange/card_json.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
+
+bool CardLine::passes() const {
+  if (!wanted) return true;
+  if (!found) return false;
+  return bound == Bound::at_least ? *found >= *wanted : *found <= *wanted;
+}
+
+std::optional<double> CardLine::margin() const {
+  if (!wanted || !found) return {};
+  const auto [more, less] =
+      bound == Bound::at_least ? std::pair(*found, *wanted) : std::pair(*wanted, *found);
+  if (!(less > 0) || !(more > 0)) return {};
+  return more / less - 1;
+}
+
+std::string CardLine::wanted_text() const {
+  if (!wanted) return "";
+  return fmt::format("{} {:.10g}{}{}", bound == Bound::at_least ? "≥" : "≤", *wanted,
+                     unit.empty() ? "" : " ", unit);
+}
+
+std::string CardLine::found_text() const {
+  if (!found) return "";
+  return fmt::format("{:.4g}{}{}", *found, unit.empty() ? "" : " ", unit);
+}
+
+int Card::asked() const {
+  return static_cast<int>(std::ranges::count_if(lines, &CardLine::is_asked));
+}
+
+int Card::passed() const {
+  return static_cast<int>(std::ranges::count_if(
+      lines, [](const CardLine& line) { return line.is_asked() && line.passes(); }));
+}
+
+std::string Card::verdict() const {
+  return passes() ? fmt::format("all of {} requirements are met", asked())
+                  : fmt::format("{} of {} requirements are met", passed(), asked());
+}
 
 Json card_json(const Card& card) {
   Json lines = Json::array();

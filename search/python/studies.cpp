@@ -7,6 +7,7 @@
 #include "search/python/copies.hpp"
 #include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
+#include "search/sheets/card.hpp"
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/sheet_said.hpp"
 #include "search/sheets/tolerance.hpp"
@@ -37,10 +38,22 @@ std::string actuators(const PatternSource& source, const std::string& design) {
   return unlocked([&] { return actuators_said(Subject(source.sheet, design_of(design))).dump(); });
 }
 
-std::string deploy(const PatternSource& source, const std::string& design) {
+std::string deploy(const PatternSource& source, const std::string& design,
+                   const std::optional<bool>& bends) {
   return unlocked([&] {
     const Subject subject(source.sheet, design_of(design));
-    return deploy_said(subject, deploy_options(subject.model.design(), subject.sheet)).dump();
+    const schema::Design& whole = subject.model.design();
+    return deploy_said(subject, deploy_options(whole, subject.sheet),
+                       bends.value_or(panels_bend(whole, subject.sheet)))
+        .dump();
+  });
+}
+
+std::string card(const PatternSource& source, const std::string& design, std::uint64_t trials,
+                 int jobs) {
+  return unlocked([&] {
+    const Subject subject(source.sheet, design_of(design));
+    return card_said(subject, card_of(subject, {trials, jobs})).dump();
   });
 }
 
@@ -80,7 +93,9 @@ std::string tolerance(const PatternSource& source, const std::string& said, std:
 void bind_studies(py::module_& module) {
   module.def("contact", &contact, py::arg("sheet"), py::arg("design"), py::arg("trim_mm"));
   module.def("actuators", &actuators, py::arg("sheet"), py::arg("design"));
-  module.def("deploy", &deploy, py::arg("sheet"), py::arg("design"));
+  module.def("deploy", &deploy, py::arg("sheet"), py::arg("design"), py::arg("bends"));
+  module.def("card", &card, py::arg("sheet"), py::arg("design"), py::arg("trials"),
+             py::arg("jobs"));
   module.def("certify", &certify, py::arg("sheet"), py::arg("design"), py::arg("contact"));
   module.def("tolerance", &tolerance, py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));

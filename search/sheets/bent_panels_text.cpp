@@ -79,10 +79,8 @@ std::string preload_text(const solver::PreloadStudy& study) {
 
 }  // namespace
 
-std::string bent_panels_text(const schema::Material& material, const solver::BentPanels& study,
-                             const solver::BentAdvice& advice,
-                             const std::optional<solver::PreloadStudy>& preload,
-                             const solver::FrictionLimits& rigid) {
+std::string bent_panels_text(const schema::BentSheet& sheet, const solver::FrictionLimits& rigid) {
+  const auto& [material, study, advice, preload] = sheet;
   const solver::BentAngle& most = study.most_bent();
   std::string text =
       energy_text(material, study) + bent_friction_text(study, advice, rigid) +

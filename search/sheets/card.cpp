@@ -14,7 +14,6 @@
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/certificate/member_proof.hpp"
-#include "solver/design/preload.hpp"
 
 namespace misalign::search {
 namespace {
@@ -105,8 +104,7 @@ class CardMaker {
   }
 
   void bent() {
-    const solver::BentPanels panels = bent_panels(sheet_, release_, bending(design_));
-    const schema::Material material = design_.material.value_or(schema::Material{});
+    const auto [material, panels, advice, preload] = bent_sheet(sheet_, release_, design_);
     const std::string bend =
         fmt::format(", panels of {:g} mm {} bending", panels.thickness_mm, material.name);
     const double own = release_.sheet.joints.friction_n_mm_per_mm;
@@ -128,14 +126,20 @@ class CardMaker {
         most.largest_stress_mpa, Bound::at_most);
     tell("bent_energy_n_mm", "springs and panels hold", "N mm", panels.angles.back().bent.n_mm,
          fmt::format("rigid: {:.4g} N mm", panels.angles.back().rigid_n_mm));
-    if (release_.sheet.springs.preload_n == 0) return;
-    const solver::PreloadStudy preload = study_preload(sheet_, release_, panels);
-    if (preload.modes.unstable > 0) {
+    tell("useful_stiffness_n_per_mm",
+         fmt::format("{:g} % of what the stiffest springs overcome, from", 100 * solver::kUseful),
+         "N/mm", advice.useful_stiffness_n_per_mm);
+    if (own > 0) {
+      tell("least_thickness_mm",
+           fmt::format("a static margin of {:g}, of panels from", advice.wanted_margin), "mm",
+           advice.least_thickness_mm, advice.least_thickness_mm ? "" : "none is thick enough");
+    }
+    if (preload && preload->modes.unstable > 0) {
       tell(
           "unstable_modes_at_flat", "flat is not held by the preload", "", {},
           fmt::format("{} of {} ways to leave flat are pushed on: a stop, a latch or a frame holds "
                       "it",
-                      preload.modes.unstable, preload.modes.rigid));
+                      preload->modes.unstable, preload->modes.rigid));
     }
   }
 

@@ -1,7 +1,7 @@
 // The card of one sheet: every study that its design asks for, beside what is asked.
 #pragma once
 
-#include "schema/kit/card.hpp"
+#include "schema/exchange/card_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 
 namespace misalign::search {

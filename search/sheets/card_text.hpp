@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "schema/kit/card.hpp"
+#include "schema/exchange/card_json.hpp"
 
 namespace misalign::search {
 

@@ -146,10 +146,15 @@ solver::BentPanelsOptions bending(const schema::Design& design) {
   return options;
 }
 
-solver::BentPanels bent_panels(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
-                               const solver::BentPanelsOptions& options) {
-  return found(solver::bend_panels(sheet, deploying, options),
-               lost(sheet, "its panels cannot be bent"));
+schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
+                             const schema::Design& design) {
+  solver::BentPanels panels = found(solver::bend_panels(sheet, deploying, bending(design)),
+                                    lost(sheet, "its panels cannot be bent"));
+  std::optional<solver::PreloadStudy> preload;
+  if (deploying.sheet.springs.preload_n != 0) preload = study_preload(sheet, deploying, panels);
+  const double wanted = design.static_margin.value_or(solver::kWantedMargin);
+  const solver::BentAdvice advice = advise(sheet, deploying, panels, wanted);
+  return {design.material.value_or(schema::Material{}), std::move(panels), advice, preload};
 }
 
 }  // namespace misalign::search

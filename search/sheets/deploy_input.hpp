@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "schema/exchange/bent_panels_json.hpp"
 #include "search/sheets/folding_model.hpp"
-#include "solver/design/bent_panels.hpp"
 #include "solver/design/pin_friction.hpp"
 
 namespace misalign::search {
@@ -38,8 +38,13 @@ std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
 /// How panels of this design bend: of its material, otherwise aluminium.
 solver::BentPanelsOptions bending(const schema::Design& design);
 
+/// Whether they do where nothing is said: a material is named, and springs end on the vertices.
+inline bool panels_bend(const schema::Design& design, const solver::Sheet& sheet) {
+  return design.material && sheet.base().springs.at_vertices();
+}
+
 /// Its panels bent. UserError as above.
-solver::BentPanels bent_panels(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
-                               const solver::BentPanelsOptions& options);
+schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
+                             const schema::Design& design);
 
 }  // namespace misalign::search

@@ -27,14 +27,22 @@ schema::Json actuators_said(const Subject& subject) {
                                        actuated(subject.sheet, subject.model.design())));
 }
 
-schema::Json deploy_said(const Subject& subject, const solver::DeployOptions& options) {
+schema::Json deploy_said(const Subject& subject, const solver::DeployOptions& options, bool bends) {
   schema::Json json =
       schema::deployment_history_json(subject.sheet.mechanism(), deployed(subject.sheet, options));
   json["deploys_from_deg"] = subject.sheet.deploys_from_deg();
+  if (bends) {
+    json["bent"] =
+        schema::bent_panels_json(bent_sheet(subject.sheet, options, subject.model.design()));
+  }
   if (const auto pins = pins_of(subject.sheet, options, subject.model.design())) {
     json["pins"] = schema::pins_json(*pins);
   }
   return said_of(subject, std::move(json));
+}
+
+schema::Json card_said(const Subject& subject, const schema::Card& card) {
+  return said_of(subject, schema::card_json(card));
 }
 
 }  // namespace misalign::search

@@ -1,6 +1,7 @@
 // Studies of one sheet as JSON: what a verb's --json and Python say alike.
 #pragma once
 
+#include "schema/exchange/card_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_input.hpp"
 
@@ -10,6 +11,9 @@ namespace misalign::search {
 /// is lost.
 schema::Json contact_said(const Subject& subject, std::optional<double> trim_mm);
 schema::Json actuators_said(const Subject& subject);
-schema::Json deploy_said(const Subject& subject, const solver::DeployOptions& options);
+/// `bends`: also with panels that bend.
+schema::Json deploy_said(const Subject& subject, const solver::DeployOptions& options, bool bends);
+/// As `misalign card --json`.
+schema::Json card_said(const Subject& subject, const schema::Card& card);
 
 }  // namespace misalign::search

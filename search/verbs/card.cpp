@@ -1,13 +1,14 @@
 // `misalign card`: what a design asks of one sheet, and what was found, on one page.
 #include "search/sheets/card.hpp"
-#include "search/sheets/card_text.hpp"
 
 #include <fmt/format.h>
 
 #include "schema/catalogue/study_table.hpp"
-#include "schema/exchange/card_json.hpp"
 #include "schema/files/text_file.hpp"
+#include "schema/kit/card_page.hpp"
 #include "search/sheets/backlash.hpp"
+#include "search/sheets/card_text.hpp"
+#include "search/sheets/sheet_said.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/terminal/usable_threads.hpp"
 #include "search/verbs/options.hpp"
@@ -42,9 +43,7 @@ void show_card(CardCall call) {
                           solver::actuate(subject.sheet, card.design.actuators(), from_deg)));
   }
   if (!call.json) return put(card_text(card));
-  schema::Json json = schema::card_json(card);
-  json.update(subject.chosen.key().json());
-  put_json(json);
+  put_json(card_said(subject, card));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "schema/catalogue/study_table.hpp"
-#include "schema/exchange/bent_panels_json.hpp"
 #include "search/sheets/bent_panels_text.hpp"
 #include "search/sheets/deploy_text.hpp"
 #include "search/sheets/sheet_said.hpp"
@@ -28,29 +27,7 @@ struct DeployCall {
   std::optional<PanelKind> panels;  // none: they bend where a material is named
   std::string material_file;
   bool json = false;
-
-  bool bends(const schema::Design& design, const solver::SpringEnds& springs) const {
-    return panels ? *panels == PanelKind::bend : design.material && springs.at_vertices();
-  }
 };
-
-// What is found of panels that bend.
-struct Bent {
-  schema::Material material;
-  solver::BentPanels panels;
-  solver::BentAdvice advice;
-  std::optional<solver::PreloadStudy> preload;
-};
-
-Bent bent(const schema::Design& design, const solver::Sheet& sheet,
-          const solver::DeployOptions& options) {
-  const schema::Material material = design.material.value_or(schema::Material{});
-  solver::BentPanels panels = bent_panels(sheet, options, bending(design));
-  std::optional<solver::PreloadStudy> preload;
-  if (options.sheet.springs.preload_n != 0) preload = study_preload(sheet, options, panels);
-  const solver::BentAdvice advice = advise(sheet, options, panels);
-  return {material, std::move(panels), advice, preload};
-}
 
 void show_deployment(DeployCall call) {
   if (!call.material_file.empty()) {
@@ -60,27 +37,23 @@ void show_deployment(DeployCall call) {
   const auto& [chosen, model, sheet] = subject;
   solver::DeployOptions options = call.input.of(sheet, chosen.design);
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
-  std::optional<Bent> with_bending;
-  if (call.bends(model.design(), sheet.base().springs))
-    with_bending = bent(model.design(), sheet, options);
+  const bool bends =
+      call.panels ? *call.panels == PanelKind::bend : panels_bend(model.design(), sheet);
   if (call.json) {
-    schema::Json json = deploy_said(subject, options);
-    if (with_bending) {
-      json["bent"] = schema::bent_panels_json(with_bending->material, with_bending->panels,
-                                              with_bending->advice, with_bending->preload);
-    }
+    const schema::Json json = deploy_said(subject, options, bends);
     warn_beyond_d(sheet, options.from_deg);
     return put_json(json);
   }
   const solver::DeploymentStudy study = deployed(sheet, options);
-  warn_beyond_d(sheet, options.from_deg);
-  put("{}: deploys from {:g} deg\n", sheet.name(), sheet.deploys_from_deg());
-  if (with_bending) {
-    put(bent_panels_text(with_bending->material, with_bending->panels, with_bending->advice,
-                         with_bending->preload, study.friction));
+  std::string text =
+      fmt::format("{}: deploys from {:g} deg\n", sheet.name(), sheet.deploys_from_deg());
+  if (bends) {
+    text += bent_panels_text(bent_sheet(sheet, options, model.design()), study.friction);
   }
-  put(deployment_text(sheet.mechanism(), study));
-  if (const auto pins = pins_of(sheet, options, model.design())) put(pins_text(*pins));
+  text += deployment_text(sheet.mechanism(), study);
+  if (const auto pins = pins_of(sheet, options, model.design())) text += pins_text(*pins);
+  warn_beyond_d(sheet, options.from_deg);
+  put(text);
 }
 
 }  // namespace

@@ -64,6 +64,15 @@ json_test some.json "json_extract(j, '\$.bent.material.name') = 'rock' AND
   BETWEEN 0.97 AND 1" || fail "panels like rock"
 json_test some.json "json_extract(j, '\$.bent.static_margin') < 0 AND
   json_extract(j, '\$.bent.static_stall_deg') BETWEEN 1 AND 36" || fail "the static margin"
+# Pins: words and JSON, alone and by the design.
+"$program" deploy "$table1" --pin-friction 0.075 --json > pins.json || fail "--pin-friction"
+json_test pins.json "abs(json_extract(j, '\$.pins.at_ends.critical_mm') / 0.047 - 1) < 0.25 AND
+  json_extract(j, '\$.pins.at_ends.critical_mm') < json_extract(j, '\$.pins.in_middle.critical_mm') AND
+  json_extract(j, '\$.pins.at_ends.stall_deg') = 36" || fail "pins"
+sed 's/"holes"/"design": { "hinges": { "pin_friction_mm": 0.075 } }, "holes"/' "$table1" > pinned.json
+"$program" deploy pinned.json --json | sed 's/"pattern": "pinned"/"pattern": "table1"/' | cmp -s - pins.json || fail "the design's pins"
+"$program" deploy "$table1" --pin-friction 0 > words && [ "$(grep -c '^pins ' words)" = 2 ] || fail "pins in words"
+"$program" deploy "$table1" | grep -q '^pins ' && fail "pins that nobody asked for"
 "$program" deploy "$table1" --panels bend --thickness 4 --preload 3 > words || fail "--preload"
 grep -q '^flat is not held by it: [89] of the 18 ways' words || fail "modes at flat"
 grep -q '^preload: 3 N in each at flat' words || fail "the preload in words"

@@ -17,9 +17,10 @@ from misalign._folding import Folding
 
 def _design(from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
             stroke_limit: float | None = None, friction_n_mm_per_mm: float | None = None,
-            thickness_mm: float | None = None, miscut_mm: float | None = None) -> str:
+            thickness_mm: float | None = None, miscut_mm: float | None = None,
+            preload_n: float | None = None) -> str:
     """What a call says before the pattern's design does."""
-    springs = {"stiffness_n_per_mm": stiffness_n_per_mm, "stroke_limit": stroke_limit}
+    springs = {"stiffness_n_per_mm": stiffness_n_per_mm, "stroke_limit": stroke_limit, "preload_n": preload_n}
     said: dict[str, Any] = {"from_deg": from_deg, "thickness_mm": thickness_mm, "miscut_mm": miscut_mm}
     said["springs"] = {key: value for key, value in springs.items() if value is not None}
     if friction_n_mm_per_mm is not None:
@@ -156,7 +157,7 @@ class Pattern:
         return _said(_misalign.contact(self._sheet, _design(from_deg), trim_mm))
 
     def actuators(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
-                  stroke_limit: float | None = None) -> dict[str, Any]:
+                  stroke_limit: float | None = None, preload_n: float | None = None) -> dict[str, Any]:
         """Springs on its diagonals: what `misalign actuators --json` says, its lists of numbers as arrays.
 
         What is not given is the design's.
@@ -165,20 +166,36 @@ class Pattern:
         >>> len(springs["forces"]), springs["history"]["energy_n_mm"].shape
         (16, (157,))
         """
-        return _said(_misalign.actuators(self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit)))
+        return _said(_misalign.actuators(self._sheet, _design(
+            from_deg, stiffness_n_per_mm, stroke_limit, preload_n=preload_n)))
 
     def deploy(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
-               friction_n_mm_per_mm: float | None = None, thickness_mm: float | None = None) -> dict[str, Any]:
+               friction_n_mm_per_mm: float | None = None, thickness_mm: float | None = None,
+               preload_n: float | None = None, bend: bool | None = None) -> dict[str, Any]:
         """Its motion after release: what `misalign deploy --json` says, its lists of numbers as arrays.
 
-        What is not given is the design's.
+        What is not given is the design's. `bend`: also of panels that bend, under "bent"; none: where the design
+        names a material.
 
         >>> let_go = misalign.read("search/patterns/table1.json").deploy(from_deg=90)
         >>> let_go["outcome"], let_go["critical_friction_n_mm_per_mm"] > 0
         ('passed_flat', True)
         """
         return _said(_misalign.deploy(self._sheet, _design(
-            from_deg, stiffness_n_per_mm, None, friction_n_mm_per_mm, thickness_mm)))
+            from_deg, stiffness_n_per_mm, None, friction_n_mm_per_mm, thickness_mm, preload_n=preload_n), bend))
+
+    def card(self, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:
+        """What its design asks and what was found: what `misalign card --json` says.
+
+        `trials`, `jobs`  of miscut copies, and of joints with play
+
+        >>> card = misalign.read("search/patterns/table1.json").card()
+        >>> card["passes"], [line["key"] for line in card["lines"]][:2]
+        (True, ['deploys_from_deg', 'certified_deg'])
+        """
+        if trials < 1 or jobs < 1:
+            raise Error("trials and jobs: must be positive; try 1000 and 1", 2)
+        return _said(_misalign.card(self._sheet, _design(), trials, jobs))
 
     def tolerance(self, amplitude_mm: float | None = None, trials: int = 1000, jobs: int = 1,
                   from_deg: float | None = None) -> dict[str, Any]:

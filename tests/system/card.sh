@@ -1,0 +1,81 @@
+# The card: each number is what its own verb says, each requirement the design's; pages, refusals.
+. "$(dirname "$0")/lib.sh"
+table1=$source_dir/search/patterns/table1.json
+block='"design": { "from_deg": 140, "thickness_mm": 0.5, "miscut_mm": 0.02, "play_mm": 0.002,
+  "springs": { "stiffness_n_per_mm": 2, "stroke_limit": 0.08, "preload_n": 0.01, "largest_force_n": 3 },
+  "hinges": { "friction_n_mm_per_mm": 0.00001, "pin_friction_mm": 0.05 },
+  "wanted": { "margin_to_deg": 20, "static_margin": 0.5, "energy_margin": 2, "yield": 0.9, "landing_deg_per_s": 1e6 },
+  "material": { "name": "birch", "e_gpa": 12, "density_g_per_cm3": 0.68, "strength_mpa": 40 } }'
+sed "s|\"accept\"|${block//$'\n'/ }, \"accept\"|" "$source_dir/search/campaigns/miura-4x4.json" > mine.json
+"$program" search mine.json --draws 200 --catalogue mine.db > /dev/null 2>&1 || fail "search"
+draw=$(sql mine.db 'SELECT draw FROM candidates ORDER BY miscut_margin_mm DESC LIMIT 1')
+"$program" card mine.db "$draw" --trials 200 --json > card.json 2> err || fail "card: $(cat err)"
+
+# line KEY WHAT: "found", say, of a requirement.
+line() { sqlite3 :memory: "SELECT value ->> '\$.$2' FROM json_each(readfile('card.json'), '\$.lines') WHERE value ->> '\$.key' = '$1'"; }
+# is KEY WANTED FOUND: to 1e-12 of itself.
+is() {
+  [ "$(line "$1" wanted)" = "$2" ] || fail "$1: asked are $(line "$1" wanted), not $2"
+  [ "$(sqlite3 :memory: "SELECT abs($(line "$1" found) - ($3)) <= 1e-12 * abs($3)")" = 1 ] ||
+    fail "$1: found is $(line "$1" found), not $3"
+}
+of() { "$program" "$1" mine.db "$draw" --json "${@:3}" > of.json 2> err && field of.json "$2" || fail "$*: $(cat err)"; }
+is deploys_from_deg 140.0 "$(sql mine.db "SELECT deploys_from_deg FROM candidate WHERE draw = $draw")"
+is certified_deg 140.0 "$(of certify certified_deg)"
+is thickness_mm 0.5 "$(of contact thickness.largest_mm)"
+is energy_margin 2.0 "$(of deploy bent.bent_critical_friction_n_mm_per_mm) / 1e-5 - 1"
+is static_margin 0.5 "$(of deploy bent.static_margin)"
+[ "$(of deploy bent.to_deg)" = 20.0 ] || fail "margins down to the angle that is wanted"
+is largest_stress_mpa 40.0 "$(of deploy bent.largest_stress_mpa)"
+is landing_deg_per_s 1000000.0 "abs($(of deploy events[1].rate_deg_per_s))"
+is pin_margin_in_middle 2.0 "$(of deploy pins.in_middle.critical_mm) / 0.05 - 1"
+is pin_margin_at_ends 2.0 "$(of deploy pins.at_ends.critical_mm) / 0.05 - 1"
+is stroke 0.08 "$("$program" actuators mine.db "$draw" --json > of.json && sqlite3 :memory: "SELECT max(abs(value ->> '\$.force_n' / 2
+  + value ->> '\$.free_mm' - f) / f) FROM (SELECT value, value ->> '\$.free_mm' + sign(value ->> '\$.force_n') * 0.005 AS f
+  FROM json_each(readfile('of.json'), '\$.forces'))")"
+is largest_force_n 3.0 "$(sqlite3 :memory: "SELECT max(abs(value ->> '\$.force_n')) FROM json_each(readfile('of.json'), '\$.forces')")"
+is yield 0.9 "$(of tolerance from_threshold.share --trials 200 --no-keep)"
+is play_mm 0.002 "$(of tolerance largest.backlash_mm --trials 200 --backlash 0.002)"
+for key in deploys_from_deg largest_force_n; do
+  case $key in *force*) sign="<=" ;; *) sign=">=" ;; esac
+  [ "$(line $key passes)" = "$(sqlite3 :memory: "SELECT $(line $key found) $sign $(line $key wanted)")" ] || fail "$key passes"
+done
+passed=$(sqlite3 :memory: "SELECT count(*) FROM json_each(readfile('card.json'), '\$.lines') WHERE value ->> '\$.passes'")
+[ "$(field card.json passed)" = "$passed" ] || fail "how many pass"
+"$program" card mine.db "$draw" --trials 200 --jobs 2 --json | cmp -s - card.json || fail "threads change the card"
+
+# An exported candidate has the same card, but for seeds of copies; the page says the same.
+"$program" export mine.db --draw "$draw" --output out > names || fail "export"
+"$program" card "$(cat names)" --trials 200 --output card.html > words || fail "card of a file"
+asked=$(field card.json asked)
+grep -q "of $asked requirements are met" words || fail "the words: $(head -1 words)"
+[ "$(grep -c '^pass\|^FAIL' words)" = "$asked" ] || fail "a row for each requirement"
+[ "$(grep -o '<td>pass</td>\|<td>FAIL</td>' card.html | wc -l)" = "$asked" ] || fail "the page's rows"
+grep -q '<td>A[0-9]*-A[0-9]*</td>' card.html && grep -q '<svg' card.html || fail "springs and pictures"
+
+# Nothing is asked that the design does not say; a threshold in the way fails, and is no error.
+"$program" card "$table1" --json > bare.json || fail "a bare pattern"
+[ "$(field bare.json asked)" = 3 ] && [ "$(field bare.json passes)" = 1 ] || fail "a bare card asks $(field bare.json asked)"
+[ "$(field bare.json from_deg)" = 156.0 ] || fail "up to D"
+"$program" card "$table1" --from 170 --json > far.json || fail "beyond D"
+[ "$(field far.json passes)" = 0 ] && [ "$(field far.json passed)" = 2 ] || fail "beyond D passes: $(field far.json passed)"
+
+# refused WORDS ARGUMENT...: by one sentence, nothing written.
+refused() {
+  local words=$1
+  shift
+  "$program" card "$@" --output page.html > out.txt 2> err
+  [ $? -gt 1 ] && [ ! -s out.txt ] && [ ! -e page.html ] && [ "$(wc -l < err)" = 1 ] && grep -q -- "$words" err ||
+    fail "$*: $(cat err)"
+}
+refused "no DRAW is given" mine.db
+refused "is not a number from 0 to" "$table1" --miscut -1
+refused "must be below" "$table1" --miscut 30
+refused "cannot be opened" "$table1" --material nowhere.json
+for bad in '"springs": { "preload_n": -1 }' '"hinges": { "film": { "e_gpa": 2, "length_mm": 1 } }' '"wanted": { "yield": 2 }' '"wanted": { "margin": 2 }'; do
+  sed "s|\"holes\"|\"design\": { $bad }, \"holes\"|" "$table1" > bad.json
+  refused "bad.json: " bad.json
+done
+echo '{ "strength_mpa": -3 }' > weak.json
+refused "strength_mpa" "$table1" --material weak.json
+finish
