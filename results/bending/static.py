@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Static CalculiX beside `misalign deploy --panels bend`: static.py PROGRAM DIRECTORY run|table|cases [SHEET or CASE...]
+static.py PROGRAM DIRECTORY check PATTERN.json MM N_PER_MM PRELOAD_N DEG...
 
 Each case is a sheet folded without stress to an angle, with springs on its diagonals that are relaxed on the flat sheet,
 and panels that bend: the deck of `misalign export --format inp` with a static step instead of its motion. What is held is
@@ -142,43 +143,70 @@ class Deck:
                 "largest_mm": max(np.linalg.norm(u) for u in moved.values())}
 
 
+def state_of(program, directory, path, t, k, a, n):
+    """What CalculiX finds; its files are taken away again."""
+    directory.mkdir(parents=True, exist_ok=True)
+    subprocess.run([program, "export", path, "--format", "inp", "--from", str(a), "--mesh", str(MESH), "--thickness", str(t),
+                    "--stiffness", str(k), "--output", directory], check=True, capture_output=True)
+    deck = Deck((directory / f"{Path(path).stem}.inp").read_text(), n)
+    job = directory / "static"
+    job.with_suffix(".inp").write_text(deck.static())
+    done = subprocess.run(["timeout", str(LONGEST_S), "ccx", "static"], cwd=directory,
+                          env=os.environ | {"OMP_NUM_THREADS": "1"}, capture_output=True, text=True)
+    dat = job.with_suffix(".dat")
+    found = deck.read(dat.read_text()) if dat.exists() else None
+    if not found or found["time"] < 1 - 1e-9:
+        found = {"time": found["time"] if found else 0, "failed": done.stdout[-300:]}
+    for file in directory.iterdir():
+        file.unlink()
+    directory.rmdir()
+    return found
+
+
 def run(program, directory, chosen):
     rank = {name: sum(other[1] == sheet for other in cases()[:i]) for i, (name, sheet, *_) in enumerate(cases())}
-    for name, sheet, t, k, a, n in sorted(cases(), key=lambda case: rank[case[0]]):  # a case of each sheet, and again
+    for name, sheet, *case in sorted(cases(), key=lambda case: rank[case[0]]):  # a case of each sheet, and again
         result = directory / f"{name}.json"
         if result.exists() or (chosen and not {sheet, name} & set(chosen)):
             continue
-        subprocess.run([program, "export", HERE / "sheets" / f"{sheet}.json", "--format", "inp", "--from", str(a), "--mesh",
-                        str(MESH), "--thickness", str(t), "--stiffness", str(k), "--output", directory / name], check=True,
-                       capture_output=True)
-        deck = Deck((directory / name / f"{sheet}.inp").read_text(), n)
-        job = directory / name / "static"
-        job.with_suffix(".inp").write_text(deck.static())
-        done = subprocess.run(["timeout", str(LONGEST_S), "ccx", "static"], cwd=directory / name,
-                              env=os.environ | {"OMP_NUM_THREADS": "1"}, capture_output=True, text=True)
-        dat = job.with_suffix(".dat")
-        found = deck.read(dat.read_text()) if dat.exists() else None
-        if not found or found["time"] < 1 - 1e-9:
-            found = {"time": found["time"] if found else 0, "failed": done.stdout[-300:]}
+        found = state_of(program, directory / name, HERE / "sheets" / f"{sheet}.json", *case)
         result.write_text(json.dumps(found) + "\n")
         print(name, found, flush=True)
-        for file in (directory / name).iterdir():
-            file.unlink()
-        (directory / name).rmdir()
 
 
-def told(program, sheet, t, k, a, n):
+def told(program, path, t, k, a, n):
     """The program's energy, its change by the creases' sum, and its method."""
-    out = subprocess.run([program, "deploy", HERE / "sheets" / f"{sheet}.json", "--panels", "bend", "--json", "--from", str(a),
-                          "--thickness", str(t), "--stiffness", str(k), "--preload", str(n)],
-                         check=True, capture_output=True, text=True).stdout
+    out = subprocess.run([program, "deploy", path, "--panels", "bend", "--json", "--from", str(a), "--thickness", str(t),
+                          "--stiffness", str(k), "--preload", str(n)], check=True, capture_output=True, text=True).stdout
     bent = json.loads(out)["bent"]
     return bent["bent_energy_n_mm"], bent["margins"][0]["available_n_mm_per_mm"], bent["method"], bent["angles_not_converged"]
 
 
+def compare(program, path, found, t, k, a, n):
+    """A row of the table, the method, and by what share the program is off."""
+    energy, moment, method, unsure = told(program, path, t, k, a, n)
+    energy += moment * (found["turned_mm"] - found["rigid_turned_mm"])
+    calculix = found["panels_n_mm"] + found["springs_n_mm"]
+    off = energy / calculix - 1
+    sure = f" ({unsure} angles not converged)" if unsure else ""
+    return (f"| {Path(path).stem} | {t:g} | {k:g} | {n:g} N | {a:g}° | {found['rigid_n_mm']:.4g} | {calculix:.5g} | {energy:.5g} "
+            f"| {method}{sure} | {100 * off:+.1f} % |"), method, off
+
+
+HEAD = "| sheet | t mm | k N/mm | at flat | from | rigid N mm | CalculiX | program | method | off |\n" + 10 * "|---" + "|"
+
+
+def check(program, directory, path, t, k, n, *angles):
+    """One sheet at some angles."""
+    print(HEAD)
+    for a in angles:
+        found = state_of(program, directory / "check", path, t, k, a, n)
+        print(f"ccx did not converge at {a:g}°" if "failed" in found else compare(program, path, found, t, k, a, n)[0],
+              flush=True)
+
+
 def table(program, directory):
-    print("| sheet | t mm | k N/mm | at flat | from | rigid N mm | CalculiX | program | method | off |")
-    print("|---|---|---|---|---|---|---|---|---|---|")
+    print(HEAD)
     off, lost, missing = {}, [], []
     for name, sheet, t, k, a, n in cases():
         result = directory / f"{name}.json"
@@ -186,13 +214,9 @@ def table(program, directory):
         if not found or "failed" in found:
             (lost if found else missing).append(name)
             continue
-        energy, moment, method, unsure = told(program, sheet, t, k, a, n)
-        energy += moment * (found["turned_mm"] - found["rigid_turned_mm"])
-        calculix = found["panels_n_mm"] + found["springs_n_mm"]
-        off.setdefault("preload" if n else method, []).append((energy / calculix - 1, name))
-        sure = f" ({unsure} angles not converged)" if unsure else ""
-        print(f"| {sheet} | {t:g} | {k} | {n:g} N | {a}° | {found['rigid_n_mm']:.4g} | {calculix:.5g} | {energy:.5g} | {method}{sure} "
-              f"| {100 * (energy / calculix - 1):+.1f} % |")
+        row, method, share = compare(program, HERE / "sheets" / f"{sheet}.json", found, t, k, a, n)
+        off.setdefault("preload" if n else method, []).append((share, name))
+        print(row)
     off["all"] = sum(off.values(), [])
     print()
     for method, each in off.items():
@@ -210,5 +234,7 @@ if __name__ == "__main__":
         print("\n".join(name for name, *_ in cases()))
     elif what == "run":
         run(str(Path(program).resolve()), Path(directory).resolve(), chosen)
+    elif what == "check":
+        check(str(Path(program).resolve()), Path(directory).resolve(), Path(chosen[0]).resolve(), *map(float, chosen[1:]))
     elif what == "table":
         table(str(Path(program).resolve()), Path(directory).resolve())

@@ -157,6 +157,15 @@ Json deployment_json(const solver::Mechanism& mechanism, const solver::Deploymen
                {"barrier_n_mm", or_null(study.barrier_n_mm())},
                {"pulls_from_above", labels_json(mechanism, study.pulls_from_above)},
                {"pulls_from_below", labels_json(mechanism, study.pulls_from_below)}});
+  if (study.options.restitution) {
+    json["stop"] = {{"restitution", *study.options.restitution}, {"bounces", study.run.bounces}};
+  }
+  if (study.seeks_damping) {
+    const auto& least = study.least_damping;
+    json["least_damping"] = least ? Json{{"damping_n_mm_s_per_mm", least->damping_n_mm_s_per_mm},
+                                         {"time_s", least->time_s}}
+                                  : Json();
+  }
   return json;
 }
 

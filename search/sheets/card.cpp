@@ -48,7 +48,7 @@ class CardMaker {
     springs_ = solver::actuate(sheet_, design_.actuators(),
                                used_deg_ < d_deg ? Number(used_deg_) : std::nullopt);
     release_ = deploy_options(design_, sheet_);
-    release_.from_deg = used_deg_;
+    release_.from_deg = release_deg();
   }
 
   schema::Card make() {
@@ -141,6 +141,14 @@ class CardMaker {
                       "it",
                       preload->modes.unstable, preload->modes.rigid));
     }
+  }
+
+  // Where it is let go: at the last sample that its way reaches, if that is less.
+  double release_deg() const {
+    const solver::FoldingWay* const way = sheet_.way();
+    const double sample_deg = chosen_.sampling.sample_deg;
+    if (way == nullptr || used_deg_ < way->end_deg()) return used_deg_;
+    return std::min(used_deg_, sample_deg * (std::ceil(way->end_deg() / sample_deg) - 1));
   }
 
   // Of something that resists with `own`: asked only where there is some.

@@ -42,13 +42,36 @@ std::string released_sheet_text(const DeploymentStudy& study) {
   return hinges.empty() ? text : text + "joints: " + hinges + "\n";
 }
 
+// Against a stop: how often, and the first time's speed and energy.
+std::string bounces_text(const DeploymentStudy& study) {
+  for (const DeploymentRow& row : study.run.rows) {
+    if (row.event != DeploymentEvent::flat) continue;
+    return fmt::format(
+        ", against a stop from which it bounced {} times; first with {:.4g} deg/s, "
+        "{:.4g} N mm",
+        study.run.bounces, std::abs(row.rate_deg_per_s), row.kinetic_n_mm);
+  }
+  return "";
+}
+
+std::string damping_text(const DeploymentStudy& study) {
+  if (!study.seeks_damping) return "";
+  if (!study.least_damping)
+    return "least damping: none is found with which it comes to rest flat\n";
+  return fmt::format(
+      "least damping with which it comes to rest flat without passing through: "
+      "{:.4g} N mm s per mm of crease; then it takes {:.4g} s\n",
+      study.least_damping->damping_n_mm_s_per_mm, study.least_damping->time_s);
+}
+
 std::string outcome_text(const DeploymentStudy& study) {
   const DeploymentRow& last = study.run.last();
   const std::string when = fmt::format("after {:.4g} s", last.time_s);
   const std::string speed = fmt::format("{:.4g} deg/s", std::abs(last.rate_deg_per_s));
   switch (study.run.outcome) {
     case Outcome::flat:
-      return fmt::format("comes to rest flat ({:.3g} deg) {}\n", last.pilot_deg, when);
+      return fmt::format("comes to rest flat ({:.3g} deg) {}{}\n", last.pilot_deg, when,
+                         study.options.restitution ? bounces_text(study) : "");
     case Outcome::passed_flat:
       return fmt::format("passes through flat {}, with {}: it needs a latch, or losses\n", when,
                          speed);
@@ -202,9 +225,9 @@ std::string pins_text(const solver::PinStudy& study) {
 }
 
 std::string deployment_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
-  return released_sheet_text(study) + outcome_text(study) + friction_text(study) +
-         equilibria_text(study) + wires_text(mechanism, study) + forces_text(mechanism, study) +
-         motion_text(study);
+  return released_sheet_text(study) + outcome_text(study) + damping_text(study) +
+         friction_text(study) + equilibria_text(study) + wires_text(mechanism, study) +
+         forces_text(mechanism, study) + motion_text(study);
 }
 
 }  // namespace misalign::search

@@ -26,13 +26,16 @@ std::vector<int> signs_of(const std::string& typed) {
 }
 
 void construct_sheet(ConstructCall& call) {
-  const schema::Pattern base =
-      schema::read_pattern_file(call.pattern_path, schema::Perforations::any);
+  const schema::PatternFile read =
+      schema::read_sampled_pattern_file(call.pattern_path, schema::Perforations::any);
+  const schema::Pattern& base = read.pattern;
   call.options.signs = signs_of(call.signs);
   const solver::ConstructStudy study = constructed(base, call.pattern_path, call.rim, call.options);
   if (!call.output_path.empty()) {
-    schema::write_text_file(call.output_path,
-                            schema::pattern_json(base, study.shifts_mm).dump(1) + "\n");
+    schema::Json made = schema::pattern_json(base, study.shifts_mm);
+    const schema::Json design = schema::said_design_json(read.design);
+    if (!design.empty()) made["design"] = design;
+    schema::write_text_file(call.output_path, made.dump(1) + "\n");
   }
   if (call.json) {
     put_json(schema::construct_json(base, study, call.options.at_deg));

@@ -77,7 +77,18 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
       ->check(within(-1e3, 1e3))
       ->type_name("X,Y,Z");
   solver::DeploymentOptions& options = input.options.motion;
-  verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
+  auto* latch =
+      verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
+  constexpr double kMostRestitution = 0.99;
+  verb.add_option("--stop", options.restitution,
+                  "a stop at flat that gives back this share of the speed: 0, it rests there")
+      ->check(within(0, kMostRestitution))
+      ->type_name("SHARE")
+      ->excludes(latch);
+  verb.add_flag(
+      "--least-damping", input.options.seeks_damping,
+      "also the least damping of creases with which it comes to rest flat without passing "
+      "through");
   verb.add_option("--swings", options.swings,
                   fmt::format("pass flat, or turn round without losses, this often before the end "
                               "[{}]",

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/linear/newton.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -21,9 +23,12 @@ std::vector<Matrix3Xd> shapes_at(const Sheet& sheet, const VectorXd& pilot_deg) 
   SheetGeometry<double> geometry;
   place(sheet.mechanism(), sheet.vertices_mm(), geometry);
   FoldState<double> state = way.stations().front().state;
+  Newton newton(sheet.mechanism());
   std::vector<Matrix3Xd> shapes_mm;
   for (const double angle_deg : pilot_deg) {
+    // Between stations the way is off by what would stress panels: near a limit by micrometres.
     way.find_state(way.x_of(angle_deg), state);
+    if (!sheet.model().has_spare_equations()) newton.correct(geometry, state);
     shapes_mm.push_back(sheet.model().shape().vertices_mm(geometry, state));
   }
   return shapes_mm;
@@ -107,6 +112,7 @@ std::optional<double> least_thickness(const Sheet& sheet, const BentPanels& stud
   const auto suffices = [&](double thickness_mm) {
     const BentWay way(sheet, study.options.material, thickness_mm, to_deg, study.from_deg,
                       study.options.angles);
+    if (!way.is_known()) return false;
     const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
     const auto margin = find_bent_friction(curve, to_deg, friction, others).static_margin;
     return margin && *margin >= wanted_margin;
@@ -131,7 +137,10 @@ BentWay::BentWay(const Sheet& sheet, const PanelMaterial& material, double thick
       pilot_deg_(EnergyCurve::angles_deg(least_deg_, from_deg, angles)),
       folded_mm_(shapes_at(sheet, pilot_deg_)) {
   for (const Matrix3Xd& folded_mm : folded_mm_) {
-    compliances_.push_back(find_compliance(panels_, folded_mm));
+    std::optional<Compliance> found = find_compliance(panels_, folded_mm);
+    is_known_ = is_known_ && found;
+    if (!is_known_) return;
+    compliances_.push_back(std::move(*found));
   }
 }
 
@@ -260,6 +269,7 @@ Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deployi
   const double thickness_mm = held.plates.thickness_mm;
   const BentWay way(sheet, options.material, thickness_mm, options.to_deg, from_deg,
                     options.angles);
+  if (!way.is_known()) return {};
   const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
   const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
   BendMethod method = options.method.value_or(BendMethod::linear);

@@ -45,6 +45,8 @@ class BentWay {
   BentWay(const Sheet& sheet, const PanelMaterial& material, double thickness_mm, double to_deg,
           double from_deg, int angles);
 
+  /// Whether the panels' stiffness is positive at all of its angles, as it is but for rounding.
+  bool is_known() const { return is_known_; }
   const ElasticSheet& panels() const { return panels_; }
   const Eigen::VectorXd& pilot_deg() const { return pilot_deg_; }
   const std::vector<Compliance>& compliances() const { return compliances_; }
@@ -60,6 +62,7 @@ class BentWay {
   Eigen::VectorXd pilot_deg_;
   std::vector<Eigen::Matrix3Xd> folded_mm_;
   std::vector<Compliance> compliances_;
+  bool is_known_ = true;
 };
 
 /// What else than springs and creases' friction acts at an angle of the rigid way: the energy of
@@ -111,7 +114,7 @@ struct BentPanels {
   int unsure() const;                  ///< angles where Newton's method did not converge
 };
 /// Faults: of the angles as `deploy`, springs that only pull, an angle `to_deg` that does not lie
-/// below the start. Nothing where the path is lost.
+/// below the start. Nothing where the path is lost, or the panels' stiffness.
 Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
                                 const BentPanelsOptions& options = {});
 

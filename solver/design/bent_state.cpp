@@ -63,13 +63,15 @@ class HeldStiffness {
 
 }  // namespace
 
-Compliance find_compliance(const ElasticSheet& sheet, const Matrix3Xd& folded_mm) {
+std::optional<Compliance> find_compliance(const ElasticSheet& sheet, const Matrix3Xd& folded_mm) {
   const std::vector<int> free = coordinates_but(sheet.coordinates(), sheet.supports(folded_mm));
   const MatrixXd bend = sheet.panels_energy(folded_mm).bend(free, free);
   const HeldStiffness held(bend, sheet.turned_slope(folded_mm)(free));
+  if (!held.is_positive()) return {};
   const MatrixXd lower = held.lower(sheet.length_slopes(folded_mm)(Eigen::all, free).transpose());
-  return {sheet.turned_mm(folded_mm), sheet.lengths_mm(folded_mm), lower.transpose() * lower,
-          -sheet.saddle_slopes(folded_mm)(Eigen::all, free) * held.upper(lower)};
+  return Compliance{sheet.turned_mm(folded_mm), sheet.lengths_mm(folded_mm),
+                    lower.transpose() * lower,
+                    -sheet.saddle_slopes(folded_mm)(Eigen::all, free) * held.upper(lower)};
 }
 
 BentState bend(const Compliance& compliance, const DiagonalSprings& springs) {

@@ -6,6 +6,8 @@
 // is at 36.
 #pragma once
 
+#include <optional>
+
 #include "solver/design/elastic_sheet.hpp"
 
 namespace misalign::solver {
@@ -25,7 +27,8 @@ struct Compliance {
 
 /// `folded_mm`: 3 x vertices, panels flat, no crease flat. With x the displacements, J_L those of
 /// the diagonals and H the panels' stiffness: C = J_L H^-1 J_L^T with the sum held.
-Compliance find_compliance(const ElasticSheet& sheet, const Eigen::Matrix3Xd& folded_mm);
+std::optional<Compliance> find_compliance(const ElasticSheet& sheet,
+                                          const Eigen::Matrix3Xd& folded_mm);
 
 struct BentState {
   double n_mm = 0;             ///< energy of springs and panels

@@ -1,6 +1,7 @@
 #include "solver/design/deploy.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "generated/features.hpp"
 
@@ -86,15 +87,12 @@ DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
                                  const DeployingOptions& sheet, const DeploymentOptions& options,
                                  const std::optional<JointForcesOptions>& forces) {
   const DeployingSheet deploying(way, model.shape(), model.base(), sheet);
-  DeploymentStudy study{sheet,
-                        options,
-                        deploying.mass_t(),
-                        find_equilibria(deploying),
-                        find_friction_limits(deploying, options.from_deg),
-                        {},
-                        {},
-                        {},
-                        {}};
+  DeploymentStudy study{};
+  study.sheet = sheet;
+  study.options = options;
+  study.mass_t = deploying.mass_t();
+  study.equilibria = find_equilibria(deploying);
+  study.friction = find_friction_limits(deploying, options.from_deg);
   study.run = deploy(deploying, wells_of(study.equilibria), options);
   if (forces) {
     study.forces = find_joint_forces(deploying, model.shape(), model.base(), study.run, *forces);
@@ -133,6 +131,29 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
   return arriving;
 }
 
+std::optional<LeastDamping> least_damping(const std::function<Deployment(double)>& let_go) {
+  if (let_go(0).outcome != Outcome::passed_flat) return {};
+  constexpr double kSome = 1e-6, kMost = 1e9;
+  double passing = 0, resting = kSome;
+  Deployment run = let_go(resting);
+  for (; run.outcome == Outcome::passed_flat && resting < kMost; run = let_go(resting)) {
+    passing = resting;
+    resting *= 4;
+  }
+  while (resting - passing > kDampingWithin * resting) {
+    const double middle = passing > 0 ? std::sqrt(passing * resting) : resting / 2;
+    Deployment tries = let_go(middle);
+    if (tries.outcome == Outcome::passed_flat) {
+      passing = middle;
+    } else {
+      resting = middle;
+      run = std::move(tries);
+    }
+  }
+  if (run.outcome != Outcome::flat) return {};
+  return LeastDamping{resting, run.last().time_s};
+}
+
 Studied<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options) {
   if (!sheet.way()) return {};
   DeployOptions from = options;
@@ -168,6 +189,19 @@ Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options
   if (options.sheet.joints.damping_n_mm_s_per_mm > 0) {
     study.friction.critical_n_mm_per_mm =
         critical_friction_in_motion(*way, sheet.model(), options.sheet, motion);
+  }
+  study.seeks_damping = options.seeks_damping;
+  if (options.seeks_damping) {
+    DeploymentOptions bare = motion;
+    bare.latch = false;
+    bare.restitution = {};
+    bare.swings = 0;
+    study.least_damping = least_damping([&](double damping) {
+      DeployingOptions tried = options.sheet;
+      tried.joints.damping_n_mm_s_per_mm = damping;
+      const DeployingSheet deploying(*way, sheet.model().shape(), sheet.base(), tried);
+      return deploy(deploying, wells_of(find_equilibria(deploying)), bare);
+    });
   }
   return study;
 }

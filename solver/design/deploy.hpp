@@ -2,6 +2,8 @@
 // friction it overcomes.
 #pragma once
 
+#include <functional>
+
 #include "solver/design/deployment.hpp"
 #include "solver/design/equilibria.hpp"
 #include "solver/design/joint_forces.hpp"
@@ -18,6 +20,14 @@ struct DeployOptions {
   DeployingOptions sheet;
   DeploymentOptions motion;                  ///< but for its start
   std::optional<JointForcesOptions> forces;  ///< none: they are not found
+  bool seeks_damping = false;                ///< the least with which it does not pass flat
+};
+
+/// The least damping of the creases (N mm s per mm) with which a sheet comes to rest flat without
+/// passing through it: to kDampingWithin of itself.
+inline constexpr double kDampingWithin = 1e-3;
+struct LeastDamping {
+  double damping_n_mm_s_per_mm, time_s;  ///< and how long it then takes
 };
 
 struct DeploymentStudy {
@@ -32,6 +42,8 @@ struct DeploymentStudy {
   /// flat.
   std::vector<int> pulls_from_above, pulls_from_below;
   std::optional<JointForces> forces;  ///< where they are asked for
+  bool seeks_damping = false;         ///< whether that was asked for
+  std::optional<LeastDamping> least_damping;
 
   /// When it was first flat.
   std::optional<double> deploy_time_s() const;
@@ -45,6 +57,10 @@ struct Standstill {
   double from_deg, springs_n_mm;  ///< where it is let go, and the energy of the springs there
   FrictionLimits friction;
 };
+
+/// `let_go`: with this damping, until it passes flat or rests. None where friction or the time
+/// limit ends it first, or where it needs none.
+std::optional<LeastDamping> least_damping(const std::function<Deployment(double)>& let_go);
 
 /// `options.from_deg` and the angles at which springs and creases are relaxed must lie on the way.
 /// With the forces in the joints if `forces` says how.

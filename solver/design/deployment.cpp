@@ -78,13 +78,14 @@ class Run {
       case Stop::at_zero:
         add_row(here, DeploymentEvent::flat);
         if (options_.latch) return Outcome::latched;
+        if (options_.restitution) return bounced(here);
         if (++run_.passes > options_.swings) return Outcome::passed_flat;
         return {};
       case Stop::at_rest:
         add_row({here.time, here.x, 0}, DeploymentEvent::turn);
         ++run_.turns;
         if (is_held(here.x)) return held_at(here.x);
-        if (!sheet_.options().joints.slows_down() && run_.turns > options_.swings) {
+        if (!loses_energy() && run_.turns > options_.swings) {
           return Outcome::turned_back;
         }
         set_off({here.time, here.x, 0});
@@ -102,8 +103,24 @@ class Run {
     return at_rest(here);
   }
 
-  void set_off(const MotionState& from) {
-    direction_ = sheet_.at(from.x).slope > 0 ? -1 : 1;
+  bool loses_energy() const { return sheet_.options().joints.slows_down() || options_.restitution; }
+
+  // By a stop at flat; there it stays if what is left does not take it out of flat's neighbourhood.
+  std::optional<Outcome> bounced(const MotionState& here) {
+    const MotionState back{here.time, 0, -*options_.restitution * here.rate};
+    const EnergyAt flat = sheet_.at(0);
+    if (flat.potential + kinetic(flat, back.rate) <= well_at(0).edge) {
+      add_row({here.time, 0, 0}, DeploymentEvent::end);
+      return Outcome::flat;
+    }
+    ++run_.bounces;
+    move(back, back.rate > 0 ? 1 : -1);
+    return {};
+  }
+
+  void set_off(const MotionState& from) { move(from, sheet_.at(from.x).slope > 0 ? -1 : 1); }
+  void move(const MotionState& from, int direction) {
+    direction_ = direction;
     integrator_.start(from);
     integrator_.stop_at(options_.time_limit_s / unit_s_);
   }
@@ -149,6 +166,7 @@ class Run {
         std::copysign(kCreep_deg / std::abs(way_.pilot_rate(here.x) / kRadPerDeg), here.rate);
     if (std::abs(ahead_x) >= way_.end() || ahead_x * here.x <= 0) return false;
     const EnergyAt ahead = sheet_.at(ahead_x);
+    if (std::abs(ahead.slope) > ahead.friction) return false;  // it turns round there
     const double lost = (now.friction + ahead.friction) / 2 * std::abs(ahead_x - here.x);
     return now.potential + kinetic(now, here.rate) - ahead.potential < lost;
   }

@@ -2,6 +2,7 @@
 // 31, 2005; Adams' methods) with its events.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solver/design/deploying_sheet.hpp"
@@ -11,6 +12,9 @@ namespace misalign::solver {
 struct DeploymentOptions {
   double from_deg = 36;  ///< at rest; the paper's "20 % folded"
   bool latch = false;    ///< caught when it first is flat
+  /// Of a stop at flat, from 0 to less than 1: with how much of its speed the sheet leaves it
+  /// again.
+  std::optional<double> restitution{};
   /// How often it may pass flat or, where nothing slows it down, turn round before the run ends.
   int swings = 0;
   double time_limit_s = 60;
@@ -47,7 +51,7 @@ struct DeploymentRow {
 struct Deployment {
   Outcome outcome;
   std::vector<DeploymentRow> rows;  ///< the first at rest at from_deg, the last where it ended
-  int passes = 0, turns = 0, steps = 0;
+  int passes = 0, turns = 0, bounces = 0, steps = 0;
 
   const DeploymentRow& last() const { return rows.back(); }
 };

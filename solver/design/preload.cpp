@@ -53,7 +53,7 @@ PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
   FoldState<double> state = way.stations().front().state;
   way.find_state(way.x_of(kNearFlat_deg), state);
   const Compliance near =
-      find_compliance(panels, sheet.model().shape().vertices_mm(geometry, state));
+      find_compliance(panels, sheet.model().shape().vertices_mm(geometry, state)).value();
   const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2);
   const VectorXd longer = near.lengths_mm - panels.flat_lengths_mm(), signs = longer.cwiseSign();
   return {longer.cwiseAbs().sum() / square, signs.dot(near.mm_per_n * signs) / square};

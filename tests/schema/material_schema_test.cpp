@@ -33,6 +33,10 @@ TEST(MaterialSchema, HasTheKeysAndDefaultsOfTheCode) {
   const Json defaults = material_json({});
   std::set<std::string> schema_keys;
   for (const auto& [at, property] : properties_of(material_schema())) {
+    if (at == "/strength_mpa") {  // is written where it is said
+      EXPECT_TRUE(property.at("default").is_null());
+      continue;
+    }
     schema_keys.insert(at);
     // Without a name it has its file's.
     EXPECT_EQ(property.value("default", Json()), at == "/name" ? Json() : defaults[Pointer(at)])

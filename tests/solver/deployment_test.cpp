@@ -98,6 +98,82 @@ TEST_F(Oscillator, IsDampedAsOneIs) {
 
 // So much damping that it only creeps: x - h = A exp(-s t), s the slow root, up to where friction
 // holds it, at h. In few steps, though the fast root is four million times the slow one.
+// A stop gives back a share of the speed: turns are that share of the angle before, half periods
+// apart.
+TEST_F(Oscillator, BouncesOffAStop) {
+  run.restitution = 0.5;
+  const Deployment deployment = released();
+  EXPECT_EQ(deployment.outcome, Outcome::flat);
+  double angle_deg = 60, time_s = -kPi / 2 / frequency;
+  int turns = 0, flats = 0;
+  for (const DeploymentRow& row : deployment.rows) {
+    if (row.event == DeploymentEvent::turn) {
+      ++turns;
+      angle_deg /= 2;
+      EXPECT_NEAR(row.pilot_deg, angle_deg, 60 * kTimes);
+    } else if (row.event == DeploymentEvent::flat) {
+      ++flats;
+      time_s += kPi / frequency;
+      EXPECT_NEAR(row.time_s, time_s, kTimes * time_s);
+      EXPECT_NEAR(row.kinetic_n_mm, stiffness / 2 * std::pow(angle_deg * kRadPerDeg, 2),
+                  10 * kTimes * row.kinetic_n_mm);
+    }
+  }
+  // 60, 30, ... 0.94 degrees; 0.47 is as good as flat.
+  EXPECT_EQ(turns, 6);
+  EXPECT_EQ(flats, 7);
+  EXPECT_EQ(deployment.bounces, 6);
+  run.restitution = 0;
+  EXPECT_EQ(released().bounces, 0);
+  EXPECT_EQ(released().outcome, Outcome::flat);
+}
+
+// With dry friction each way up ends where the energy after the bounce is spent, and nowhere
+// before.
+TEST_F(Oscillator, BouncesAgainstFriction) {
+  run.restitution = 0.9;
+  options.joints.friction_n_mm_per_mm = 0.0005;
+  const double friction = options.joints.friction_n_mm_per_mm * kAlong_mm;
+  const Deployment deployment = released();
+  EXPECT_EQ(deployment.outcome, Outcome::flat);
+  double angle = 60 * kRadPerDeg;
+  int turns = 0;
+  for (const DeploymentRow& row : deployment.rows) {
+    if (row.event != DeploymentEvent::turn) continue;
+    ++turns;
+    const double up = 0.81 * (stiffness / 2 * angle * angle - friction * angle);
+    angle = (std::sqrt(friction * friction + 2 * stiffness * up) - friction) / stiffness;
+    EXPECT_NEAR(row.pilot_deg * kRadPerDeg, angle, 1e-6 * angle);
+  }
+  EXPECT_GE(turns, 3);
+  EXPECT_LE(deployment.last().pilot_deg * kRadPerDeg, friction / stiffness * (1 + 1e-9));
+}
+
+// Let go at rest with damping ratio z it passes flat with 60 w exp(-z (pi - acos z) / sqrt(1 -
+// z^2)) degrees a second; it does not where that is the speed of half a degree's energy.
+TEST_F(Oscillator, HasALeastDamping) {
+  const auto least = least_damping([&](double damping) {
+    options.joints.damping_n_mm_s_per_mm = damping;
+    return released();
+  });
+  ASSERT_TRUE(least);
+  double low = 0.1, high = 0.999;
+  for (int k = 0; k < 60; ++k) {
+    const double z = (low + high) / 2;
+    const double passes_deg = 60 * std::exp(-z * (kPi - std::acos(z)) / std::sqrt(1 - z * z));
+    (passes_deg > run.flat_deg ? low : high) = z;
+  }
+  const double critical = 2 * std::sqrt(stiffness * inertia) / kAlong_mm;
+  EXPECT_NEAR(least->damping_n_mm_s_per_mm / (low * critical), 1, 2 * kDampingWithin);
+  EXPECT_GT(least->time_s, kPi / 2 / frequency);
+  // Held by friction it needs none.
+  options.joints.friction_n_mm_per_mm = 1;
+  EXPECT_FALSE(least_damping([&](double damping) {
+    options.joints.damping_n_mm_s_per_mm = damping;
+    return released();
+  }));
+}
+
 TEST_F(Oscillator, CreepsToWhereFrictionHoldsIt) {
   const double held_deg = 7, decay = 1000 * frequency;
   options.joints.friction_n_mm_per_mm = stiffness * held_deg * kRadPerDeg / kAlong_mm;

@@ -64,6 +64,22 @@ json_test some.json "json_extract(j, '\$.bent.material.name') = 'rock' AND
   BETWEEN 0.97 AND 1" || fail "panels like rock"
 json_test some.json "json_extract(j, '\$.bent.static_margin') < 0 AND
   json_extract(j, '\$.bent.static_stall_deg') BETWEEN 1 AND 36" || fail "the static margin"
+# A stop, and damping.
+"$program" deploy "$table1" --stop 0.5 --json > stop.json || fail "--stop"
+json_test stop.json "json_extract(j, '\$.outcome') = 'flat' AND json_extract(j, '\$.stop.bounces') > 3" || fail "a stop"
+# Next to where it turns round no friction holds it.
+"$program" deploy "$source_dir/results/deployment/wing.json" --stop 0.5 --json > stop.json || fail "--stop and friction"
+[ "$(field stop.json outcome)" = flat ] || fail "a stop and friction: $(field stop.json outcome)"
+"$program" deploy "$table1" --least-damping > words && least=$(sed -n 's/^least damping .*through: \([0-9.e-]*\) .*/\1/p' words) || fail "--least-damping"
+"$program" deploy "$table1" --damping "$least" | grep -q "comes to rest flat" || fail "the least damping, $least"
+"$program" deploy "$table1" --damping "$(sqlite3 :memory: "SELECT 0.98 * $least")" | grep -q "passes through flat" ||
+  fail "less than the least damping passes flat"
+# Next to a fold limit the way is off between its stations by what would stress panels.
+sed 's/"amplitude_mm": 0.4/"amplitude_mm": 0.2/' "$source_dir/search/campaigns/miura-6x6.json" > fifth.json
+"$program" search fifth.json --draws 1 --catalogue fifth.db > /dev/null 2>&1
+"$program" deploy fifth.db 6853 --panels bend --from 170 --json > near.json || fail "panels bend next to a fold limit"
+json_test near.json "json_extract(j, '\$.bent.bent_energy_n_mm') < json_extract(j, '\$.bent.angles[#-1].energy_n_mm')" ||
+  fail "bent beyond rigid"
 # Pins: words and JSON, alone and by the design.
 "$program" deploy "$table1" --pin-friction 0.075 --json > pins.json || fail "--pin-friction"
 json_test pins.json "abs(json_extract(j, '\$.pins.at_ends.critical_mm') / 0.047 - 1) < 0.25 AND

@@ -151,11 +151,12 @@ rows = [[html.unescape(cell) for cell in re.findall(r"<td[^>]*>(.*?)</td>", line
 springs = {row[0]: row for row in rows if row and re.fullmatch(r"s\d+", row[0])}
 assert len(springs) == len(actuators["forces"]) == 16, len(springs)
 for force in actuators["forces"]:
-    name, ends, does, enough, free, folded, stroke, printed = springs[f"s{force['diagonal']}"]
+    name, ends, does, enough, free, flat, folded, stroke, printed = springs[f"s{force['diagonal']}"]
     assert ends == f"{force['from']}-{force['to']}", ends
     assert does == ("pulls" if force["force_n"] > 0 else "pushes"), name
     assert math.isclose(float(printed), abs(force["force_n"]), rel_tol=6e-3), (printed, force)
     assert abs(50 * abs(float(folded) - float(free)) - float(printed)) < 0.5 + 6e-3 * float(printed), name
+    assert abs(float(free) - force["free_mm"]) < 6e-3 and free == flat, name
     assert (enough == "yes") == (ends in actuators["few"]["diagonals"]), name
 coordinates = sheet["vertices_coords"]
 for kind, letter in (("mountain", "M"), ("valley", "V")):
