@@ -122,6 +122,9 @@ function weakest_marks(weakest, log) {
   ];
 }
 
+const at_flat = ({ actuators: { preload_n } }) =>
+  preload_n ? `with ${number(preload_n)} N each on the flat sheet` : "relaxed on the flat sheet";
+
 const quantities = (decoded) => [
   { id: "energy", values: decoded.energy_n_mm, label: "energy", unit: "N mm", log: "energy-log" },
   { id: "moment", values: decoded.moment_n_mm, label: "moment", unit: "N mm", log: "moment-log" },
@@ -141,7 +144,7 @@ export function make_actuation(report, folding, change) {
   const { detail, decoded } = folding,
     box_of = (id) => document.getElementById(id);
   box_of("energy-caption").textContent =
-    `Springs of ${number(report.actuators.stiffness_n_per_mm)} N/mm on all diagonals, relaxed on the flat sheet: ½ k Σ (L − L₀)². 1 N mm = 1 mJ.`;
+    `Springs of ${number(report.actuators.stiffness_n_per_mm)} N/mm on all diagonals, ${at_flat(report)}: ½ k Σ (L − L₀)². 1 N mm = 1 mJ.`;
   box_of("moment-caption").textContent =
     "dE/d(pilot angle). Positive: the springs unfold the sheet; at zero they could not.";
   return quantities(decoded).map(({ id, values, label, unit, log }) => {

@@ -89,6 +89,12 @@ export function show_commands(box, report, draw, state) {
         state,
         "command-actuators",
       ),
+      command(
+        "What the design asks of it, what was found, and the springs to buy, on a page to print:",
+        `${misalign} card ${catalogue} ${draw}${springs} --output card-${draw}.html`,
+        state,
+        "command-card",
+      ),
       ...(accepted
         ? [
             command(

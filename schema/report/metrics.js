@@ -83,7 +83,7 @@ const kEnergy = [
     better: "more",
     text: (v) => number(v),
     about:
-      "Stored at D by springs of the report’s stiffness k on all diagonals: k/2 times stretch². Not a column of the catalogue.",
+      "Stored at D by springs of the report’s stiffness k on all diagonals, relaxed when flat: k/2 times stretch². Not a column of the catalogue.",
   },
 ];
 // Where `--deploy` and its like asked for them.

@@ -110,6 +110,9 @@ std::string options_of(const schema::Design& design) {
   std::string text;
   if (design.from_deg) text += " --from " + schema::shown_number(*design.from_deg);
   if (const auto& k = design.stiffness_n_per_mm) text += " --stiffness " + schema::shown_number(*k);
+  if (const auto& preload = design.preload_n) {
+    text += " --preload " + schema::shown_number(*preload);
+  }
   if (const auto& limit = design.stroke_limit) {
     text += " --stroke-limit " + schema::shown_number(*limit);
   }
@@ -194,6 +197,7 @@ Json folding_json(const FoldingModel& model) {
           {"diagonals", diagonals_json(model.base(), model.mechanism())},
           {"actuators",
            {{"stiffness_n_per_mm", actuators.stiffness_n_per_mm},
+            {"preload_n", actuators.preload_n},
             {"stroke_limit", schema::or_null(actuators.stroke_limit)}}}};
 }
 

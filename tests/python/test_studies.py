@@ -44,6 +44,11 @@ class Studies(unittest.TestCase):
             "deploy", CATALOGUE, self.draw, "--from", 90, "--stiffness", 2, "--friction", 1e-5, "--thickness", 0.5))
         self.same(self.catalogue.tolerance(self.draw, 0.05, 100, from_deg=90), program_json(
             "tolerance", CATALOGUE, self.draw, "--amplitude", 0.05, "--trials", 100, "--from", 90, "--no-keep"))
+        self.same(sheet.deploy(90, preload_n=0.5, bend=True), program_json(
+            "deploy", CATALOGUE, self.draw, "--from", 90, "--preload", 0.5, "--panels", "bend"))
+        self.same(sheet.actuators(90, preload_n=0.5), program_json(
+            "actuators", CATALOGUE, self.draw, "--from", 90, "--preload", 0.5))
+        self.same(sheet.card(trials=20), program_json("card", CATALOGUE, self.draw, "--trials", 20))
         table1 = misalign.read(TABLE1)
         self.same(table1.tolerance(0.05, 50), program_json("tolerance", TABLE1, "--amplitude", 0.05, "--trials", 50))
         self.same(table1.tolerance(0.05, 50, from_deg=90), program_json(
@@ -57,6 +62,8 @@ class Studies(unittest.TestCase):
             document = json.load(file)
         document["design"] = DESIGN
         mine = misalign.read(document)
+        asked = {line["key"]: line["wanted"] for line in mine.card(trials=20)["lines"]}
+        self.assertEqual((asked["thickness_mm"], asked["stroke"], asked["yield"]), (0.5, 0.08, 0.95))
         self.assertEqual(mine.design["from_deg"], 140)
         mine.with_shifts(mine.shifts_mm * 0.99, "mine").write("mine.json")
         mine = misalign.read("mine.json")

@@ -126,10 +126,11 @@ async function words_check(page, data, detail) {
       );
     assert.ok(await by(page, "folding").isVisible());
     const { misalign, catalogue, springs } = data.commands;
-    assert.equal(
-      await by(page, "command-actuators").textContent(),
-      `${misalign} actuators ${catalogue} ${detail.draw}${springs}`,
-    );
+    for (const [id, words] of [
+      ["card", `card ${catalogue} ${detail.draw}${springs} --output card-${detail.draw}.html`],
+      ["actuators", `actuators ${catalogue} ${detail.draw}${springs}`],
+    ])
+      assert.equal(await by(page, `command-${id}`).textContent(), `${misalign} ${words}`);
   });
 }
 
