@@ -147,7 +147,7 @@ def state_of(program, directory, path, t, k, a, n):
     """What CalculiX finds; its files are taken away again."""
     directory.mkdir(parents=True, exist_ok=True)
     subprocess.run([program, "export", path, "--format", "inp", "--from", str(a), "--mesh", str(MESH), "--thickness", str(t),
-                    "--stiffness", str(k), "--output", directory], check=True, capture_output=True)
+                    "--stiffness", str(k), "--preload", "0", "--output", directory], check=True, capture_output=True)
     deck = Deck((directory / f"{Path(path).stem}.inp").read_text(), n)
     job = directory / "static"
     job.with_suffix(".inp").write_text(deck.static())

@@ -11,6 +11,7 @@
 #include "search/sheets/backlash.hpp"
 #include "search/sheets/contact_text.hpp"
 #include "search/sheets/deploy_input.hpp"
+#include "search/sheets/found_study.hpp"
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/certificate/member_proof.hpp"
@@ -53,7 +54,7 @@ class CardMaker {
 
   schema::Card make() {
     geometry();
-    if (sheet_.base().springs.at_vertices()) bent();
+    sheet_.base().springs.at_vertices() ? bent() : rigid();
     released();
     pins();
     springs();
@@ -149,6 +150,17 @@ class CardMaker {
     const double sample_deg = chosen_.sampling.sample_deg;
     if (way == nullptr || used_deg_ < way->end_deg()) return used_deg_;
     return std::min(used_deg_, sample_deg * (std::ceil(way->end_deg() / sample_deg) - 1));
+  }
+
+  // Panels are bent by springs on the vertices alone.
+  void rigid() {
+    const solver::Standstill study =
+        found(solver::standstill(sheet_, release_),
+              sheet_.name() + ": its folding path is lost (a numerical failure)");
+    margin("energy_margin", "energy margin over the hinges' friction, panels rigid",
+           design_.energy_margin.value_or(1), study.friction.critical_n_mm_per_mm,
+           release_.sheet.joints.friction_n_mm_per_mm);
+    lines_.back().note = "panels that bend, and a static margin, are of springs on the vertices";
   }
 
   // Of something that resists with `own`: asked only where there is some.

@@ -8,7 +8,6 @@ namespace misalign::search {
 
 std::string card_text(const schema::Card& card) {
   std::vector<schema::Row> asked = {{"", "what", "asked", "found", "to spare"}}, facts;
-  std::string notes;
   for (const schema::CardLine& line : card.lines) {
     if (line.is_asked()) {
       const auto margin = line.margin();

@@ -178,6 +178,7 @@ Action stress_verb(CLI::App& verb) {
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
   add_stiffness(verb, call->release.design.stiffness_n_per_mm);
+  add_preload(verb, call->release.design.preload_n);
   add_release(verb, call->release);
   add_deck(verb, call->deck);
   StressStudyOptions& options = call->options;

@@ -60,6 +60,18 @@ grep -q '<td>A[0-9]*-A[0-9]*</td>' card.html && grep -q '<svg' card.html || fail
 "$program" card "$table1" --from 170 --json > far.json || fail "beyond D"
 [ "$(field far.json passes)" = 0 ] && [ "$(field far.json passed)" = 2 ] || fail "beyond D passes: $(field far.json passed)"
 
+# Springs in bores: rigid panels, and it says so.
+sed 's/"holes"/"springs": { "attach": { "inset_mm": 8 } }, "holes"/' "$table1" > bored.json
+"$program" card bored.json --from 90 --friction 0.001 > words || fail "springs in bores"
+grep -q '^pass .*panels rigid' words && grep -q 'are of springs on the vertices' words || fail "bores: $(cat words)"
+
+# Files for other programs know no preload, and say so; a construction carries the design.
+"$program" export "$source_dir/results/deployment/wing.json" --format mjcf --output never > out.txt 2> err
+[ $? = 2 ] && [ ! -s out.txt ] && grep -q -- "--preload 3: is not known" err && grep -q -- "add --preload 0" err || fail "mjcf: $(cat err)"
+"$program" export "$source_dir/results/deployment/wing.json" --format mjcf --preload 0 --output mjcf > names || fail "mjcf without"
+"$program" construct "$source_dir/results/deployment/wing.json" --output again.json > /dev/null || fail "construct"
+[ "$(field again.json design.springs.preload_n)" = 3.0 ] || fail "the design of a construction"
+
 # refused WORDS ARGUMENT...: by one sentence, nothing written.
 refused() {
   local words=$1
