@@ -31,6 +31,7 @@ Json margins_json(const solver::BentFriction& friction) {
 Json preload_json(const solver::PreloadStudy& study) {
   return {{"preload_n", study.preload_n},
           {"flat_stiffness_n_mm_per_rad2", study.at_flat.stiffness_n_mm(study.preload_n)},
+          {"flat_frequency_hz", study.frequency_hz},
           {"stiffest_flat_n", study.at_flat.best_n()},
           {"none_left_n", study.at_flat.none_left_n()},
           {"best_n", study.best.preload_n},

@@ -56,11 +56,10 @@ std::string bent_friction_text(const solver::BentPanels& study, const solver::Be
 
 std::string preload_text(const solver::PreloadStudy& study) {
   std::string text = fmt::format(
-      "preload: {:g} N at flat, where the motion to it has {:.4g} N mm per rad^2; stiffest with "
-      "{:.3g} "
-      "N, none left from {:.3g} N on\n",
-      study.preload_n, study.at_flat.stiffness_n_mm(study.preload_n), study.at_flat.best_n(),
-      study.at_flat.none_left_n());
+      "preload: {:g} N at flat, where the motion to it has {:.4g} N mm per rad^2, {:.3g} Hz; "
+      "stiffest with {:.3g} N, none left from {:.3g} N on\n",
+      study.preload_n, study.at_flat.stiffness_n_mm(study.preload_n), study.frequency_hz,
+      study.at_flat.best_n(), study.at_flat.none_left_n());
   if (study.best.preload_n > 0) {
     text += fmt::format("most static friction is overcome with {:.3g} N: {:.4g} N mm per mm\n",
                         study.best.preload_n, study.best.static_n_mm_per_mm);

@@ -108,8 +108,8 @@ class Run {
   // By a stop at flat; there it stays if what is left does not take it out of flat's neighbourhood.
   std::optional<Outcome> bounced(const MotionState& here) {
     const MotionState back{here.time, 0, -*options_.restitution * here.rate};
-    const EnergyAt flat = sheet_.at(0);
-    if (flat.potential + kinetic(flat, back.rate) <= well_at(0).edge) {
+    const EnergyAt flat = sheet_.at(0), beside = sheet_.at(way_.x_of(options_.flat_deg));
+    if (flat.potential + kinetic(flat, back.rate) <= beside.potential) {
       add_row({here.time, 0, 0}, DeploymentEvent::end);
       return Outcome::flat;
     }

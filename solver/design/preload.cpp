@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace misalign::solver {
 namespace {
@@ -125,8 +126,12 @@ PreloadStudy study_preload(const Sheet& sheet, const DeployOptions& deploying,
   const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
   const double n_per_mm = springs.stiffness_n_per_mm;
   const PreloadAtFlat at_flat = preload_at_flat(sheet, material, bent.thickness_mm);
+  const double pilot_rate = sheet.way()->pilot_rate(0);
+  const double mass = rigid.at(0).mass / (pilot_rate * pilot_rate),  // t mm^2 by the pilot's angle
+      stiffness = std::max(0.0, at_flat.stiffness_n_mm(springs.preload_n));
   return {springs.preload_n, at_flat, find_flat_modes(way.panels(), {n_per_mm, rigid.relaxed_mm()}),
-          best_preload(way, n_per_mm, bent.options.to_deg, at_flat)};
+          best_preload(way, n_per_mm, bent.options.to_deg, at_flat),
+          std::sqrt(stiffness / mass) / (2 * std::numbers::pi)};
 }
 
 }  // namespace misalign::solver

@@ -49,6 +49,9 @@ struct PreloadStudy {
   PreloadAtFlat at_flat;
   FlatModes modes;
   BestPreload best;
+  /// With which its one motion would swing about flat, held there against all others; against a
+  /// stop, half of each period. 0 where the preload does not hold it.
+  double frequency_hz;
 };
 /// Of the springs with which the panels were bent (`bend_panels` of the same sheet and options).
 PreloadStudy study_preload(const Sheet& sheet, const DeployOptions& deploying,

@@ -128,6 +128,28 @@ TEST_F(Oscillator, BouncesOffAStop) {
   EXPECT_EQ(released().outcome, Outcome::flat);
 }
 
+// Weight that presses on the stop does not take it through, nor does weight that lifts it off.
+TEST_F(Oscillator, RestsOnAStopUnderItsWeight) {
+  run.restitution = 0.5;
+  run.time_limit_s = 20;
+  options.joints.friction_n_mm_per_mm = 0.0002;
+  int pressed = 0;
+  for (const double g : {-9806.65, 9806.65}) {
+    options.held = HeldPanel{0, {0, 0, g}};
+    const DeployingSheet weighed = sheet(options);
+    std::vector<double> wells_x;
+    for (const Equilibrium& at : find_equilibria(weighed)) {
+      if (at.is_well) wells_x.push_back(at.x);
+    }
+    const Deployment deployment = deploy(weighed, wells_x, run);
+    for (const DeploymentRow& row : deployment.rows) EXPECT_GE(row.pilot_deg, -1e-6) << g;
+    const bool is_pressed = weighed.at(0.01).slope > weighed.at(0).friction;
+    EXPECT_EQ(deployment.outcome == Outcome::flat, is_pressed) << g;
+    pressed += is_pressed;
+  }
+  EXPECT_EQ(pressed, 1);
+}
+
 // With dry friction each way up ends where the energy after the bounce is spent, and nowhere
 // before.
 TEST_F(Oscillator, BouncesAgainstFriction) {
