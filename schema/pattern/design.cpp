@@ -6,8 +6,7 @@
 #include <string_view>
 
 #include "schema/files/json_values.hpp"
-#include "solver/design/backlash.hpp"
-#include "solver/design/bent_panels.hpp"
+#include "solver/design/wanted.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -85,7 +84,7 @@ constexpr DesignNumber kNumbers[] = {
      "margin_to_deg",
      &Design::margin_to_deg,
      {0.1, 180},
-     solver::BentPanelsOptions{}.to_deg,
+     solver::kMarginTo_deg,
      "try 1: margins are asked from from_deg down to this angle"},
     {"wanted",
      "energy_margin",

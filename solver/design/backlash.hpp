@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "solver/design/backlash_follower.hpp"
+#include "solver/design/wanted.hpp"
 
 namespace misalign::solver {
-
-/// This share of the trials is wanted of the largest backlash.
-inline constexpr double kWantedShare = 0.95;
 
 /// "flat", ...: as in files.
 const char* name_of(BranchEnd end);

@@ -13,6 +13,7 @@
 #include "solver/design/bent_state.hpp"
 #include "solver/design/deploy.hpp"
 #include "solver/design/energy_curve.hpp"
+#include "solver/design/wanted.hpp"
 
 namespace misalign::solver {
 
@@ -20,7 +21,7 @@ enum class BendMethod { linear, newton };
 
 struct BentPanelsOptions {
   PanelMaterial material;
-  double to_deg = 1;                 ///< margins are asked from the start down to this angle
+  double to_deg = kMarginTo_deg;     ///< margins are asked from the start down to this angle
   int angles = 16;                   ///< at which the panels are bent
   std::optional<BendMethod> method;  ///< none: as kLinearError says
 };
@@ -127,7 +128,6 @@ struct BentAdvice {
   std::optional<double> least_thickness_mm;
 };
 inline constexpr double kMostThick_mm = 50;
-inline constexpr double kWantedMargin = 1;  ///< AIAA S-114: 1 at every position
 
 /// `study`: of this sheet and these options.
 BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,

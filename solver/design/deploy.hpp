@@ -8,12 +8,10 @@
 #include "solver/design/equilibria.hpp"
 #include "solver/design/joint_forces.hpp"
 #include "solver/design/studied.hpp"
+#include "solver/design/wanted.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
-
-/// Where a sheet is let go if nothing else is said: the paper's "20 % folded".
-inline constexpr double kDeployFrom_deg = 36;
 
 struct DeployOptions {
   std::optional<double> from_deg;  ///< none: kDeployFrom_deg, or D where that is less

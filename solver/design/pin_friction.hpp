@@ -43,6 +43,6 @@ struct PinStudy {
 /// From the start down to `to_deg`; closer to flat the joints' forces are singular. Faults: of the
 /// angles as `deploy`. Nothing where the path is lost.
 Studied<PinStudy> study_pins(const Sheet& sheet, const DeployOptions& deploying, double own_mm,
-                             double to_deg = 1);
+                             double to_deg = kMarginTo_deg);
 
 }  // namespace misalign::solver
