@@ -14,7 +14,7 @@ namespace misalign::search {
 /// table of studies that is found (schema/catalogue/study_table.cpp), of any draw of its campaign,
 /// with the campaign's design, as the study's verb says it: null where there is none. Models are
 /// made when first asked for; what was found is kept as long as the connection. A query that calls
-/// one of `deploy` ends with SQLITE_ABORT where this build is without SUNDIALS.
+/// one of a motion ends with SQLITE_ABORT where this build is without SUNDIALS.
 void add_study_functions(SQLite::Database& database, const std::string& path);
 /// The same by this campaign, with its design; it must outlive the queries.
 void add_study_functions(SQLite::Database& database, const schema::Campaign& campaign);
