@@ -90,7 +90,7 @@ constexpr DesignNumber kNumbers[] = {
      "energy_margin",
      &Design::energy_margin,
      {0, 1e9},
-     1,
+     solver::kWantedMargin,
      "write 1: twice the friction that is there"},
     {"wanted",
      "yield",

@@ -53,7 +53,7 @@ std::string card(const PatternSource& source, const std::string& design, std::ui
                  int jobs) {
   return unlocked([&] {
     const Subject subject(source.sheet, design_of(design));
-    return card_said(subject, card_of(subject, {trials, jobs})).dump();
+    return card_said(subject, card_of(subject, {trials, jobs}).card).dump();
   });
 }
 

@@ -52,7 +52,7 @@ class CardMaker {
     release_.from_deg = release_deg();
   }
 
-  schema::Card make() {
+  StudiedCard make() {
     geometry();
     sheet_.base().springs.at_vertices() ? bent() : rigid();
     released();
@@ -60,7 +60,7 @@ class CardMaker {
     springs();
     copies();
     facts();
-    return {sheet_.name(), used_deg_, design_, std::move(lines_)};
+    return {{sheet_.name(), used_deg_, design_, std::move(lines_)}, std::move(springs_)};
   }
 
  private:
@@ -111,7 +111,8 @@ class CardMaker {
     const double own = release_.sheet.joints.friction_n_mm_per_mm;
     const solver::BentFriction& friction = panels.friction;
     margin("energy_margin", "energy margin over the hinges' friction" + bend,
-           design_.energy_margin.value_or(1), friction.critical_n_mm_per_mm, own);
+           design_.energy_margin.value_or(solver::kWantedMargin), friction.critical_n_mm_per_mm,
+           own);
     const Number least = friction.static_n_mm_per_mm;
     margin("static_margin",
            fmt::format("static margin over it at every angle down to {:g} deg{}",
@@ -158,8 +159,8 @@ class CardMaker {
         found(solver::standstill(sheet_, release_),
               sheet_.name() + ": its folding path is lost (a numerical failure)");
     margin("energy_margin", "energy margin over the hinges' friction, panels rigid",
-           design_.energy_margin.value_or(1), study.friction.critical_n_mm_per_mm,
-           release_.sheet.joints.friction_n_mm_per_mm);
+           design_.energy_margin.value_or(solver::kWantedMargin),
+           study.friction.critical_n_mm_per_mm, release_.sheet.joints.friction_n_mm_per_mm);
     lines_.back().note = "panels that bend, and a static margin, are of springs on the vertices";
   }
 
@@ -200,7 +201,7 @@ class CardMaker {
          {std::tuple(&study->in_middle, "pin_margin_in_middle", "one in the middle of each hinge"),
           std::tuple(&study->at_ends, "pin_margin_at_ends", "one at each end")}) {
       margin(key, fmt::format("energy margin over pins' friction, {}, panels rigid", where),
-             design_.energy_margin.value_or(1), pins->critical_mm, own);
+             design_.energy_margin.value_or(solver::kWantedMargin), pins->critical_mm, own);
       if (const auto stall_deg = pins->stall_deg(own)) {
         lines_.back().note = fmt::format("moving slowly it locks at {:.3g} deg", *stall_deg);
       }
@@ -290,7 +291,7 @@ class CardMaker {
 
 }  // namespace
 
-schema::Card card_of(const Subject& subject, const CardOptions& options) {
+StudiedCard card_of(const Subject& subject, const CardOptions& options) {
   return CardMaker(subject, options).make();
 }
 

@@ -3,6 +3,7 @@
 
 #include "schema/exchange/card_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
+#include "solver/design/actuation.hpp"
 
 namespace misalign::search {
 
@@ -11,7 +12,12 @@ struct CardOptions {
   int jobs = 1;
 };
 
+struct StudiedCard {
+  schema::Card card;
+  solver::Actuation springs;  ///< the design's, from the card's angle of use
+};
+
 /// UserError: 3 where the sheet deploys from nothing, 1 where its path is lost.
-schema::Card card_of(const Subject& subject, const CardOptions& options);
+StudiedCard card_of(const Subject& subject, const CardOptions& options);
 
 }  // namespace misalign::search

@@ -33,14 +33,9 @@ void show_card(CardCall call) {
   }
   call.options.jobs = call.jobs.value_or(usable_threads());
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
-  const schema::Card card = card_of(subject, call.options);
+  const auto [card, springs] = card_of(subject, call.options);
   if (!call.output.empty()) {
-    const double d_deg = subject.sheet.deploys_from_deg();
-    const auto from_deg = card.from_deg < d_deg ? std::optional(card.from_deg) : std::nullopt;
-    schema::write_text_file(
-        call.output,
-        schema::card_page(card, subject.sheet,
-                          solver::actuate(subject.sheet, card.design.actuators(), from_deg)));
+    schema::write_text_file(call.output, schema::card_page(card, subject.sheet, springs));
   }
   if (!call.json) return put(card_text(card));
   put_json(card_said(subject, card));
