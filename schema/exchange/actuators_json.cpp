@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/preload_json.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -59,7 +60,7 @@ Json actuation_json(const FoldingView& view, const solver::Actuation& actuation)
                {"stroke_limit", or_null(limit)},
                {"energy_n_mm", actuation.energy_n_mm[static_cast<std::size_t>(actuation.from_row)]},
                {"forces", forces}};
-  if (actuation.actuators.preload_n != 0) json["preload_n"] = actuation.actuators.preload_n;
+  add_preload(actuation.actuators.preload, json);
   if (actuation.from_deg) json["from_deg"] = *actuation.from_deg;
   json.update(limits_json(actuation));
   for (const char* key : {"few", "over_stroke"}) {

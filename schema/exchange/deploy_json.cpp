@@ -2,6 +2,7 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/preload_json.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -31,7 +32,7 @@ Json springs_json(const solver::Mechanism& mechanism, const solver::Springs& spr
                {"rest_deg", springs.rest_deg},
                {"other_rests_deg", others},
                {"pull_only", springs.pull_only}};
-  if (springs.preload_n != 0) json["preload_n"] = springs.preload_n;
+  add_preload(springs.preload, json);
   return json;
 }
 

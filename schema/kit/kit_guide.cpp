@@ -143,11 +143,11 @@ class Guide {
     text +=
         "<li>Fold the sheet, without springs: it has one way to go. It looks like this:</li>\n" +
         folded();
-    return text +
-           fmt::format(
-               "<li>Unfold it flat, and hang in the springs, which then {}.</li>\n<li>Fold "
-               "it, and let go.</li>\n</ol>\n",
-               input_.actuation.actuators.preload_n == 0 ? "are relaxed" : "pull or push already");
+    return text + fmt::format(
+                      "<li>Unfold it flat, and hang in the springs, which then {}.</li>\n<li>Fold "
+                      "it, and let go.</li>\n</ol>\n",
+                      !input_.actuation.actuators.preload.is_any() ? "are relaxed"
+                                                                   : "pull or push already");
   }
 
   // At a sixth of the way, half of it, and the angle of use.

@@ -8,6 +8,7 @@
 #include "schema/exchange/xml_text.hpp"
 #include "schema/files/printable.hpp"
 #include "schema/kit/kit_hinges.hpp"
+#include "schema/pattern/preload_json.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -77,9 +78,9 @@ std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& ac
   std::string text = fmt::format(
       "<h2>Springs</h2>\n<p>{}; folded to {:.10g}° a spring that is longer than when it is free "
       "pulls, one that is shorter pushes.</p>\n<table>\n",
-      springs.preload_n == 0
+      !springs.preload.is_any()
           ? "All are relaxed where the sheet is flat"
-          : fmt::format("Where the sheet is flat each has {:g} N left", springs.preload_n),
+          : fmt::format("Where the sheet is flat each has {} left", preload_words(springs.preload)),
       actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)]);
   text += table_row({"no.", "from vertex to vertex", "does", "enough", "free, mm", "flat, mm",
                      "folded, mm", "stroke, %", "force, N"},

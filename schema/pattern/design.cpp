@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/preload_json.hpp"
 #include "solver/design/wanted.hpp"
 
 namespace misalign::schema {
@@ -202,6 +203,7 @@ Design Design::instead_of(Design other) const {
   const auto take = [&](auto member) {
     if (this->*member) other.*member = this->*member;
   };
+  if (preload_n || !other_preloads.empty()) other.other_preloads = other_preloads;
   for (const DesignNumber& one : kNumbers) take(one.number);
   take(&Design::hinge_kind);
   take(&Design::film);
@@ -215,7 +217,7 @@ solver::Actuators Design::actuators() const {
   solver::Actuators actuators;
   actuators.stiffness_n_per_mm = stiffness_n_per_mm.value_or(actuators.stiffness_n_per_mm);
   actuators.stroke_limit = stroke_limit;
-  actuators.preload_n = preload_n.value_or(0);
+  actuators.preload = {preload_n.value_or(0), other_preloads};
   return actuators;
 }
 
@@ -253,6 +255,7 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
     const std::string name(block);
     ObjectReader part(part_of(reader, name.c_str()), reader.name(name), faults);
     read_numbers(part, block, design);
+    if (block == "springs") read_preloads(part, design.other_preloads);
     if (block == "hinges") {
       read_hinge_kind(part, design.hinge_kind);
       read_film(part, design.film);
@@ -283,6 +286,7 @@ Json design_json(const Design& design) {
     Json& block = one.block.empty() ? json : json[std::string(one.block)];
     block[std::string(one.key)] = or_null(said ? said : one.standard);
   }
+  json["springs"]["preloads_n"] = preloads_json(design.other_preloads);
   json["hinges"]["kind"] = nullptr;
   for (const CreaseCutName& one : kCreaseCuts) {
     if (design.hinge_kind == one.cut) json["hinges"]["kind"] = one.name;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "schema/files/input.hpp"
 #include "schema/pattern/material.hpp"
@@ -34,6 +35,8 @@ struct Design {
   std::optional<double> from_deg;  ///< the sheet is used between this pilot angle and flat
   /// "springs", on every diagonal: also what is left in each at flat, and the most each bears.
   std::optional<double> stiffness_n_per_mm, stroke_limit, preload_n, largest_force_n;
+  /// "springs.preloads_n": of those that have another one; goes with `preload_n`.
+  std::vector<solver::Preload::OfOne> other_preloads;
   /// "hinges": dry friction per length of crease, and stiffness for each rad.
   std::optional<double> friction_n_mm_per_mm, hinge_stiffness_n_mm_per_mm;
   std::optional<double> pin_friction_mm;  ///< mu r of hinges' pins and ball joints

@@ -122,8 +122,13 @@ function weakest_marks(weakest, log) {
   ];
 }
 
-const at_flat = ({ actuators: { preload_n } }) =>
-  preload_n ? `with ${number(preload_n)} N each on the flat sheet` : "relaxed on the flat sheet";
+const at_flat = ({ diagonals }) => {
+  const preloads_n = diagonals.map(({ preload_n }) => preload_n);
+  const [least_n, most_n] = [Math.min(...preloads_n), Math.max(...preloads_n)];
+  if (!most_n) return "relaxed on the flat sheet";
+  const each = least_n === most_n ? `${number(most_n)} N each` : `up to ${number(most_n)} N`;
+  return `with ${each} on the flat sheet`;
+};
 
 const quantities = (decoded) => [
   { id: "energy", values: decoded.energy_n_mm, label: "energy", unit: "N mm", log: "energy-log" },

@@ -205,7 +205,7 @@ function diagonal_row(diagonal, d, detail, decoded, state) {
 
 /** Each diagonal with its direction and elongation; focus or hover marks it in all views. */
 export function make_diagonal_list(box, report, detail, decoded, state) {
-  const { stiffness_n_per_mm: k_n_per_mm, preload_n } = report.actuators;
+  const { stiffness_n_per_mm: k_n_per_mm } = report.actuators;
   const rows = report.diagonals.map((diagonal, d) =>
     diagonal_row(diagonal, d, detail, decoded, state),
   );
@@ -231,6 +231,7 @@ export function make_diagonal_list(box, report, detail, decoded, state) {
       rows.forEach(({ now, force }, d) => {
         const elongation = decoded.relative(k, d) - 1;
         now.textContent = signed_percent(elongation);
+        const { preload_n } = report.diagonals[d];
         const at_flat = decoded.grows[d] ? preload_n : -preload_n;
         force.textContent = `${fixed(at_flat + k_n_per_mm * decoded.flat_mm[d] * elongation, 1)} N`;
       });

@@ -92,7 +92,9 @@ Json details_json(SQLite::Database& database, const schema::Campaign& campaign, 
   return json;
 }
 
-Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mechanism) {
+Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mechanism,
+                    const solver::Preload& preload) {
+  const Eigen::VectorXd preload_n = preload.forces_n(mechanism.diagonals);
   Json diagonals = Json::array();
   for (const solver::Diagonal& diagonal : mechanism.diagonals) {
     diagonals.push_back({{"diagonal", diagonals.size()},
@@ -100,7 +102,8 @@ Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mec
                          {"from", solver::vertex_label(diagonal.from)},
                          {"to", solver::vertex_label(diagonal.to)},
                          {"from_vertex", diagonal.from},
-                         {"to_vertex", diagonal.to}});
+                         {"to_vertex", diagonal.to},
+                         {"preload_n", preload_n(static_cast<Eigen::Index>(diagonals.size()))}});
   }
   return diagonals;
 }
@@ -194,10 +197,9 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
 Json folding_json(const FoldingModel& model) {
   const solver::Actuators actuators = model.actuators();
   return {{"sheet", schema::sheet_json(model.base(), model.mechanism())},
-          {"diagonals", diagonals_json(model.base(), model.mechanism())},
+          {"diagonals", diagonals_json(model.base(), model.mechanism(), actuators.preload)},
           {"actuators",
            {{"stiffness_n_per_mm", actuators.stiffness_n_per_mm},
-            {"preload_n", actuators.preload_n},
             {"stroke_limit", schema::or_null(actuators.stroke_limit)}}}};
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "schema/exchange/actuators_json.hpp"
+#include "schema/pattern/preload_json.hpp"
 
 namespace misalign::search {
 namespace {
@@ -19,9 +20,9 @@ std::string springs_summary(const solver::Mechanism& mechanism, const Actuation&
       actuation.from_deg ? fmt::format("{:.10g} deg", *actuation.from_deg) : "D";
   std::string text = fmt::format(
       "springs of {:g} N/mm on every diagonal, {}{}\n", actuation.actuators.stiffness_n_per_mm,
-      actuation.actuators.preload_n == 0
+      !actuation.actuators.preload.is_any()
           ? std::string("relaxed when flat")
-          : fmt::format("with {:g} N when flat", actuation.actuators.preload_n),
+          : fmt::format("with {} when flat", schema::preload_words(actuation.actuators.preload)),
       limit ? fmt::format("; stroke limit {:.10g} %", 100 * *limit) : "");
   if (actuation.weakest) {
     text += fmt::format("weakest at {:g} deg: {:.4g} N mm about the pilot crease\n",

@@ -88,7 +88,7 @@ solver::DeployOptions deploy_options(const schema::Design& design, const solver:
   solver::DeployOptions options;
   options.from_deg = design.from_deg;
   options.sheet.springs.stiffness_n_per_mm = design.actuators().stiffness_n_per_mm;
-  options.sheet.springs.preload_n = design.actuators().preload_n;
+  options.sheet.springs.preload = design.actuators().preload;
   options.sheet.joints.friction_n_mm_per_mm = design.hinge_friction_n_mm_per_mm();
   options.sheet.joints.stiffness_n_mm_per_mm = design.hinge_elastic_n_mm_per_mm();
   options.sheet.plates = design.plates();
@@ -112,7 +112,7 @@ solver::DeployOptions DeployInput::of(const solver::Sheet& sheet,
   solver::DeployOptions fitted = options;
   fitted.from_deg = its.from_deg;
   fitted.sheet.springs.stiffness_n_per_mm = its.sheet.springs.stiffness_n_per_mm;
-  fitted.sheet.springs.preload_n = its.sheet.springs.preload_n;
+  fitted.sheet.springs.preload = its.sheet.springs.preload;
   fitted.sheet.joints.friction_n_mm_per_mm = its.sheet.joints.friction_n_mm_per_mm;
   fitted.sheet.joints.stiffness_n_mm_per_mm = its.sheet.joints.stiffness_n_mm_per_mm;
   fitted.sheet.plates = its.sheet.plates;
@@ -151,7 +151,7 @@ schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOpt
   solver::BentPanels panels = found(solver::bend_panels(sheet, deploying, bending(design)),
                                     lost(sheet, "its panels cannot be bent"));
   std::optional<solver::PreloadStudy> preload;
-  if (deploying.sheet.springs.preload_n != 0) preload = study_preload(sheet, deploying, panels);
+  if (deploying.sheet.springs.preload.is_any()) preload = study_preload(sheet, deploying, panels);
   const double wanted = design.static_margin.value_or(solver::kWantedMargin);
   const solver::BentAdvice advice = advise(sheet, deploying, panels, wanted);
   return {design.material.value_or(schema::Material{}), std::move(panels), advice, preload};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "schema/exchange/actuators_json.hpp"
+#include "schema/pattern/preload_json.hpp"
 
 namespace misalign::search {
 namespace {
@@ -26,9 +27,10 @@ std::string released_sheet_text(const DeploymentStudy& study) {
       when_flat ? "when flat" : fmt::format("at {:g} deg", springs.rest_deg),
       springs.other_rests_deg.empty() ? "" : " (some elsewhere)", plates.thickness_mm,
       study.mass_t * 1e6, study.sheet.held ? "one panel held" : "free in space");
-  if (springs.preload_n != 0) {
-    text += fmt::format("preload: {:g} N in each at flat, so they are relaxed {:.4g} mm off that\n",
-                        springs.preload_n, springs.preload_n / springs.stiffness_n_per_mm);
+  if (springs.preload.is_any()) {
+    text += fmt::format("preload: {} in each at flat, so they are relaxed {:.4g} mm off that\n",
+                        schema::preload_words(springs.preload),
+                        springs.preload.largest_n() / springs.stiffness_n_per_mm);
   }
   const solver::JointResistance& joints = study.sheet.joints;
   std::string hinges;

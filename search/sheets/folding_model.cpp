@@ -1,6 +1,7 @@
 #include "search/sheets/folding_model.hpp"
 
 #include "schema/exchange/actuators_json.hpp"
+#include "schema/pattern/preload_json.hpp"
 #include "solver/pattern/half_angle.hpp"
 
 namespace misalign::search {
@@ -11,14 +12,18 @@ FoldingModel::FoldingModel(const schema::Pattern& base, const schema::Sampling& 
       sampling_(sampling),
       design_(design),
       model_(model_of(base, sampling, stations)),
-      solver_(model_) {}
+      solver_(model_) {
+  schema::check_preloads(design_.other_preloads, mechanism());
+}
 
 FoldingModel::FoldingModel(const schema::Campaign& campaign, const StationOptions& stations)
     : base_(campaign.pattern),
       sampling_(campaign.sampling()),
       design_(campaign.design),
       model_(model_of(campaign, stations)),
-      solver_(model_) {}
+      solver_(model_) {
+  schema::check_preloads(design_.other_preloads, mechanism());
+}
 
 schema::Json springs_json(const schema::FoldingView& view, const solver::Actuation& actuation) {
   schema::Json json = schema::actuation_history_json(view, actuation);

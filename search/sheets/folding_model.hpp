@@ -13,7 +13,8 @@ namespace misalign::search {
 
 class FoldingModel {
  public:
-  /// `base` must outlive this object; its own shifts do not matter.
+  /// `base` must outlive this object; its own shifts do not matter. UserError where the design
+  /// names springs that the sheet has not.
   FoldingModel(const schema::Pattern& base, const schema::Sampling& sampling,
                const schema::Design& design, const StationOptions& stations = {});
   /// A campaign's, with its design.

@@ -92,9 +92,9 @@ Eigen::Matrix3Xd flat_shape(const solver::FlatVertices& vertices_mm) {
 schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& sheet,
                                const ReleaseOptions& options, const std::string& title) {
   need_springs_at_vertices(sheet.base().springs, "what other programs simulate");
-  if (const double preload_n = model.actuators().preload_n; preload_n != 0) {
+  if (const solver::Preload& preload = model.actuators().preload; preload.is_any()) {
     throw UserError(solver::OptionFault{
-        "preload_n", shown_number(preload_n),
+        "preload_n", shown_number(preload.largest_n()),
         "is not known to files of other programs, whose springs are relaxed at an angle",
         "add " + schema::parameter("preload_n", "0") + " for springs that are relaxed when flat"});
   }

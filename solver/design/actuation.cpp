@@ -74,12 +74,15 @@ void find_over_stroke(const FoldingHistory& history, Actuation& actuation) {
   }
 }
 
-std::vector<double> free_lengths_mm(const FoldingHistory& history, const Actuators& actuators) {
+std::vector<double> free_lengths_mm(const Sheet& sheet, const Actuators& actuators) {
+  const FoldingHistory& history = sheet.history();
   std::vector<double> free_mm = history.flat_mm;
-  if (actuators.preload_n == 0 || history.length_mm.rows() == 0) return free_mm;
+  if (!actuators.preload.is_any() || history.length_mm.rows() == 0) return free_mm;
+  const Eigen::VectorXd preload_n = actuators.preload.forces_n(sheet.mechanism().diagonals);
   for (std::size_t d = 0; d < free_mm.size(); ++d) {
     const bool lengthens = history.length_mm(0, static_cast<Index>(d)) > free_mm[d];
-    free_mm[d] -= (lengthens ? 1 : -1) * actuators.preload_n / actuators.stiffness_n_per_mm;
+    free_mm[d] -=
+        (lengthens ? 1 : -1) * preload_n(static_cast<Index>(d)) / actuators.stiffness_n_per_mm;
   }
   return free_mm;
 }
@@ -108,7 +111,7 @@ Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<
                       .from_deg = from_deg,
                       .from_row = row_of_use(sheet, from_deg),
                       .pilot_deg = {0},
-                      .free_mm = free_lengths_mm(history, actuators),
+                      .free_mm = free_lengths_mm(sheet, actuators),
                       .force_n = {},
                       .moment_by_n_mm = {},
                       .energy_n_mm = {},

@@ -46,8 +46,8 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const DeployOptions& 
 
 // A preload stands for where springs are relaxed.
 std::optional<OptionFault> preload_fault(const Springs& springs) {
-  if (springs.preload_n == 0) return {};
-  const std::string value = shown("%g", springs.preload_n);
+  if (!springs.preload.is_any()) return {};
+  const std::string value = shown("%g", springs.preload.largest_n());
   if (springs.rest_deg != 0 || !springs.other_rests_deg.empty()) {
     return OptionFault{"preload_n", value,
                        "is what springs are left with at flat, and these are relaxed at an angle",

@@ -27,11 +27,12 @@ VectorXd relaxed_lengths(const FoldingWay& way, const Springs& springs) {
     way.find_lengths(way.x_of(rest_deg), lengths_mm, rates);
     relaxed_mm(diagonal) = lengths_mm(diagonal);
   }
-  if (springs.preload_n != 0) {
+  if (springs.preload.is_any()) {
     // Which way a diagonal goes shows next to flat, and is the same on the way to D.
     way.find_lengths(way.x_of_station(0), lengths_mm, rates);
-    const double pulled_mm = springs.preload_n / springs.stiffness_n_per_mm;
-    relaxed_mm -= pulled_mm * (lengths_mm - way.flat_mm()).cwiseSign();
+    const VectorXd forces_n = springs.preload.forces_n(way.mechanism().diagonals);
+    relaxed_mm -= forces_n.cwiseProduct((lengths_mm - way.flat_mm()).cwiseSign()) /
+                  springs.stiffness_n_per_mm;
   }
   return relaxed_mm;
 }

@@ -20,7 +20,7 @@ struct Springs {
   double rest_deg = 0;
   std::vector<std::pair<int, double>> other_rests_deg;
   bool pull_only = false;  ///< wires: no force where they are shorter than relaxed
-  double preload_n = 0;    ///< as in Actuators
+  Preload preload;
 };
 
 /// Resistance of the joints.

@@ -45,7 +45,7 @@ Matrix3Xd settled_in_plane(const ElasticSheet& sheet, const DiagonalSprings& spr
 }  // namespace
 
 PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
-                              double thickness_mm) {
+                              double thickness_mm, const VectorXd& shares) {
   const ElasticSheet panels(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals,
                             material, thickness_mm, kStiffer);
   const FoldingWay& way = *sheet.way();
@@ -56,8 +56,9 @@ PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
   const Compliance near =
       find_compliance(panels, sheet.model().shape().vertices_mm(geometry, state)).value();
   const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2);
-  const VectorXd longer = near.lengths_mm - panels.flat_lengths_mm(), signs = longer.cwiseSign();
-  return {longer.cwiseAbs().sum() / square, signs.dot(near.mm_per_n * signs) / square};
+  const VectorXd longer = near.lengths_mm - panels.flat_lengths_mm(),
+                 forces = shares.cwiseProduct(longer.cwiseSign());
+  return {forces.dot(longer) / square, forces.dot(near.mm_per_n * forces) / square};
 }
 
 FlatModes find_flat_modes(const ElasticSheet& sheet, const DiagonalSprings& springs) {
@@ -83,12 +84,12 @@ FlatModes find_flat_modes(const ElasticSheet& sheet, const DiagonalSprings& spri
 }
 
 BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
-                         const PreloadAtFlat& at_flat) {
-  const VectorXd signs =
-      (way.compliances().front().lengths_mm - way.panels().flat_lengths_mm()).cwiseSign();
+                         const PreloadAtFlat& at_flat, const VectorXd& shares) {
+  const VectorXd longer = way.compliances().front().lengths_mm - way.panels().flat_lengths_mm(),
+                 forces = shares.cwiseProduct(longer.cwiseSign());
   const auto with = [&](double preload_n) {
     const DiagonalSprings springs{n_per_mm,
-                                  way.panels().flat_lengths_mm() - preload_n / n_per_mm * signs};
+                                  way.panels().flat_lengths_mm() - preload_n / n_per_mm * forces};
     const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
     return find_bent_friction(curve, to_deg, 0,
                               [](double) {
@@ -125,12 +126,14 @@ PreloadStudy study_preload(const Sheet& sheet, const DeployOptions& deploying,
                     bent.options.angles);
   const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
   const double n_per_mm = springs.stiffness_n_per_mm;
-  const PreloadAtFlat at_flat = preload_at_flat(sheet, material, bent.thickness_mm);
+  const double preload_n = springs.preload.largest_n();
+  const VectorXd shares = springs.preload.forces_n(sheet.mechanism().diagonals) / preload_n;
+  const PreloadAtFlat at_flat = preload_at_flat(sheet, material, bent.thickness_mm, shares);
   const double pilot_rate = sheet.way()->pilot_rate(0);
   const double mass = rigid.at(0).mass / (pilot_rate * pilot_rate),  // t mm^2 by the pilot's angle
-      stiffness = std::max(0.0, at_flat.stiffness_n_mm(springs.preload_n));
-  return {springs.preload_n, at_flat, find_flat_modes(way.panels(), {n_per_mm, rigid.relaxed_mm()}),
-          best_preload(way, n_per_mm, bent.options.to_deg, at_flat),
+      stiffness = std::max(0.0, at_flat.stiffness_n_mm(preload_n));
+  return {preload_n, at_flat, find_flat_modes(way.panels(), {n_per_mm, rigid.relaxed_mm()}),
+          best_preload(way, n_per_mm, bent.options.to_deg, at_flat, shares),
           std::sqrt(stiffness / mass) / (2 * std::numbers::pi)};
 }
 

@@ -12,10 +12,11 @@ namespace misalign::solver {
 /// always wins. A force F of each at flat, pulling on diagonals that lengthen as the sheet folds
 /// and pushing on those that shorten, gives one that goes with the angle. With rho the pilot's
 /// angle, diagonals longer by L2 rho^2 and panels that give by C = C2 rho^2,
-///   d2E/drho2 (flat) = 2 F sum |L2| - F^2 s . C2 s,  s the signs of L2:
-/// too much of it bends the panels instead, and none is left at twice the best.
+///   d2E/drho2 (flat) = 2 F s . L2 - F^2 s . C2 s,
+/// s the signs of L2, and of a spring with a share of F that share: too much of it bends the panels
+/// instead, and none is left at twice the best. F is that of the spring with the most.
 struct PreloadAtFlat {
-  double lead_mm;        ///< sum |L2|, per rad^2
+  double lead_mm;        ///< s . L2, per rad^2
   double give_mm_per_n;  ///< s . C2 s, per rad^2
   double stiffness_n_mm(double preload_n) const {
     return preload_n * (2 * lead_mm - preload_n * give_mm_per_n);
@@ -24,9 +25,9 @@ struct PreloadAtFlat {
   double none_left_n() const { return 2 * best_n(); }
 };
 
-/// Panels that only bend; from a state next to flat.
+/// Panels that only bend; from a state next to flat. `shares`: of F in each spring.
 PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
-                              double thickness_mm);
+                              double thickness_mm, const Eigen::VectorXd& shares);
 
 /// Small motions of the flat sheet out of its plane in which no panel bends, its one motion among
 /// them, and how many of them the springs' forces push on: each lowers the energy. A free sheet
@@ -42,8 +43,9 @@ struct BestPreload {
   double preload_n, static_n_mm_per_mm;
 };
 BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
-                         const PreloadAtFlat& at_flat);
+                         const PreloadAtFlat& at_flat, const Eigen::VectorXd& shares);
 
+/// Forces are those of the spring with the most; the others keep their shares of it.
 struct PreloadStudy {
   double preload_n;
   PreloadAtFlat at_flat;

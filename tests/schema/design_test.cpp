@@ -25,7 +25,7 @@ Design read(const Json& value) {
 Json full() {
   return Json::parse(R"({"from_deg": 140.0,
     "springs": {"stiffness_n_per_mm": 2.0, "stroke_limit": 0.08, "preload_n": 3.0,
-                "largest_force_n": 25.0},
+                "preloads_n": {"A9-A15": 2.0}, "largest_force_n": 25.0},
     "hinges": {"friction_n_mm_per_mm": 0.02, "stiffness_n_mm_per_mm": 0.3, "kind": "dash",
                "pin_friction_mm": 0.075,
                "film": {"thickness_mm": 0.05, "e_gpa": 2.5, "length_mm": 1.0, "loss": 0.01}},
@@ -60,7 +60,9 @@ TEST(Design, SaysWhatStudiesTake) {
   EXPECT_EQ(*design.actuators().stroke_limit, 0.08);
   EXPECT_EQ(design.plates().thickness_mm, 1.5);
   EXPECT_EQ(design.plates().density_g_per_cm3, 0.68);
-  EXPECT_EQ(design.actuators().preload_n, 3);
+  EXPECT_EQ(design.actuators().preload.each_n, 3);
+  const solver::Diagonal named{0, 1, 3, 14, 8}, other{0, 2, 0, 8, 15};
+  EXPECT_EQ(design.actuators().preload.forces_n({other, named}), Eigen::Vector2d(3, 2));
   EXPECT_EQ(design.hinge_friction_n_mm_per_mm(), 0.02);
   EXPECT_EQ(design.hinge_elastic_n_mm_per_mm(), 0.3);
   EXPECT_EQ(Design().actuators().stiffness_n_per_mm, 50) << "the paper's";
@@ -96,6 +98,9 @@ TEST(Design, OptionsGoBeforeFiles) {
   wanted["springs"]["stroke_limit"] = 0.01;
   wanted["hinges"]["kind"] = "cut";
   EXPECT_EQ(both, wanted);
+  // A preload of all goes before the file's of one.
+  typed.preload_n = 0;
+  EXPECT_FALSE(typed.instead_of(file).actuators().preload.is_any());
 }
 
 // Older campaigns say "actuators"; of two the newer name holds.

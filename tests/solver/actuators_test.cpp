@@ -15,7 +15,7 @@
 namespace misalign::solver {
 namespace {
 
-constexpr Actuators kSprings{20, {}};
+const Actuators kSprings{20, {}};
 
 struct Table1 : testing::Test {
   Table1()

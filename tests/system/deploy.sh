@@ -92,6 +92,21 @@ sed 's/"holes"/"design": { "hinges": { "pin_friction_mm": 0.075 } }, "holes"/' "
 "$program" deploy "$table1" --panels bend --thickness 4 --preload 3 > words || fail "--preload"
 grep -q '^flat is not held by it: [89] of the 18 ways' words || fail "modes at flat"
 grep -q '^preload: 3 N in each at flat' words || fail "the preload in words"
+# Springs with their own: by their diagonals, in any order of vertices; the same force in each is that force of all.
+"$program" actuators "$table1" --json > relaxed.json && "$program" actuators "$table1" --preload 3 --json > all.json || fail "actuators"
+named=$(sqlite3 :memory: "SELECT json_group_object(value->>'to' || '-' || (value->>'from'), 3)
+  FROM json_each(readfile('relaxed.json'), '\$.forces')")
+with() { sed "s/\"holes\"/\"design\": { \"springs\": { $1 } }, \"holes\"/" "$table1" > own.json; }
+with "\"preloads_n\": $named" && "$program" actuators own.json --json > named.json || fail "preloads by name"
+[ "$(sqlite3 :memory: "SELECT json_extract(readfile('named.json'), '\$.forces') = json_extract(readfile('all.json'), '\$.forces')
+  AND json_extract(readfile('all.json'), '\$.forces') <> json_extract(readfile('relaxed.json'), '\$.forces')")" = 1 ] ||
+  fail "a preload of each, named"
+with '"preload_n": 1, "preloads_n": { "A17-A11": 4 }' && "$program" deploy own.json --panels bend > words &&
+  grep -q '^preload: up to 4 N in each at flat' words || fail "preloads in words"
+with '"preloads_n": { "A9-A16": 4, "B1": 2, "A1-A2": -1 }' && "$program" actuators own.json > words 2> err
+[ $? = 3 ] && [ "$(grep -c 'is no force of a spring' err)" = 2 ] || fail "bad preloads: $(cat err)"
+with '"preloads_n": { "A9-A16": 4 }' && "$program" actuators own.json > words 2> err
+[ $? = 3 ] && grep -q 'preloads_n.A9-A16 (is no diagonal of a hole' err || fail "no such diagonal: $(cat err)"
 
 # Of a draw: functions in SQL give what the verb gives, and choose.
 "$program" deploy a.db "$draw" --json > drawn.json || fail "deploy of a draw"

@@ -1,0 +1,80 @@
+#include "schema/pattern/preload_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "schema/pattern/design.hpp"
+#include "schema/pattern/pattern_file.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using solver::Preload;
+
+constexpr char kKey[] = "preloads_n";
+constexpr char kSuggestion[] = R"(write {"A9-A15": 2}: a diagonal's vertices, and a force in N)";
+
+std::optional<Preload::OfOne> read_one(const std::string& label, const Json& force) {
+  constexpr int kAnyVertex = 1 << 24;  // which are there says the sheet
+  const auto [least, most] = design_bounds("springs.preload_n");
+  const auto dash = label.find('-');
+  if (dash == std::string::npos || !force.is_number()) return {};
+  const Preload::OfOne one{vertex_of_label(label.substr(0, dash), kAnyVertex),
+                           vertex_of_label(label.substr(dash + 1), kAnyVertex),
+                           force.get<double>()};
+  if (one.from < 0 || one.to < 0 || !(one.n >= least && one.n <= most)) return {};
+  return one;
+}
+
+}  // namespace
+
+void read_preloads(ObjectReader& reader, std::vector<Preload::OfOne>& preloads) {
+  const Json* value = reader.find(kKey);
+  if (!value || value->is_null()) return;
+  if (!value->is_object()) {
+    return reader.faults().add(reader.shown(kKey), "is no object of forces", kSuggestion);
+  }
+  for (const auto& [label, force] : value->items()) {
+    if (const auto one = read_one(label, force)) {
+      preloads.push_back(*one);
+    } else {
+      reader.faults().add(reader.name(kKey) + "." + printable(label) + " = " + force.dump(),
+                          "is no force of a spring, from 0 to 1e+06 N", kSuggestion);
+    }
+  }
+}
+
+Json preloads_json(const std::vector<Preload::OfOne>& preloads) {
+  if (preloads.empty()) return nullptr;
+  Json json = Json::object();
+  for (const Preload::OfOne& one : preloads) json[solver::line_label(one.from, one.to)] = one.n;
+  return json;
+}
+
+void check_preloads(const std::vector<Preload::OfOne>& preloads,
+                    const solver::Mechanism& mechanism) {
+  InputFaults faults;
+  for (const solver::Preload::OfOne& one : preloads) {
+    const auto has_its_spring = [&](const auto& diagonal) { return one.is_on(diagonal); };
+    if (std::ranges::any_of(mechanism.diagonals, has_its_spring)) continue;
+    const solver::Diagonal& first = mechanism.diagonals.front();
+    faults.add("springs.preloads_n." + solver::line_label(one.from, one.to),
+               "is no diagonal of a hole of this sheet",
+               "name one such as " + solver::line_label(first.from, first.to));
+  }
+  faults.refuse("design");
+}
+
+void add_preload(const Preload& preload, Json& springs) {
+  if (!preload.is_any()) return;
+  springs["preload_n"] = preload.each_n;
+  if (!preload.others.empty()) springs["preloads_n"] = preloads_json(preload.others);
+}
+
+std::string preload_words(const Preload& preload) {
+  return fmt::format("{}{:g} N", preload.others.empty() ? "" : "up to ", preload.largest_n());
+}
+
+}  // namespace misalign::schema
