@@ -1,6 +1,7 @@
 #include "search/verbs/agreement.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
@@ -16,11 +17,16 @@ class Comparison {
   Comparison(const schema::Campaign& campaign, solver::InstructionSet set)
       : campaign_(campaign), set_(set) {}
 
-  AgreementReport run(std::uint64_t draws) {
+  AgreementReport run(std::uint64_t draws, Against against) {
     report_.draws = draws;
     judge_all(draws);
+    expected_ = full_path_;
+    if (against == Against::reference) judge_again(draws);
+    std::set<int> thresholds = {model_of(campaign_).threshold_sample()};
     for (double angle_deg = 10; angle_deg <= campaign_.end_deg; angle_deg += 10) {
-      const int threshold = static_cast<int>(angle_deg / campaign_.sample_deg + 0.5);
+      thresholds.insert(static_cast<int>(angle_deg / campaign_.sample_deg + 0.5));
+    }
+    for (const int threshold : thresholds) {
       if (threshold >= 1) decide(threshold, [](const solver::Verdict&) { return true; });
     }
     const int last = static_cast<int>(campaign_.end_deg / campaign_.sample_deg * (1 + 1e-9));
@@ -38,24 +44,31 @@ class Comparison {
  private:
   void judge_all(std::uint64_t draws) {
     DrawEvaluator evaluator(campaign_, set_);
-    ReferenceRun reference(campaign_, evaluator.mechanism());
-    ReferenceRun careful(campaign_, evaluator.mechanism(), kCarefulStep_deg);
     for (std::uint64_t lo = 0; lo < draws; lo += evaluator.largest_block()) {
       const schema::DrawRange block{lo, std::min(draws, lo + evaluator.largest_block())};
       const auto& verdicts = evaluator.judge(block);
       full_path_.insert(full_path_.end(), verdicts.begin(), verdicts.end());
     }
+    report_.undecided += static_cast<std::uint64_t>(
+        std::ranges::count(full_path_, solver::Fault::undecided, &solver::Verdict::first_fault));
+  }
+
+  void judge_again(std::uint64_t draws) {
+    const solver::Model model = model_of(campaign_);
+    ReferenceRun reference(campaign_, model.mechanism());
     for (std::uint64_t draw = 0; draw < draws; ++draw) {
-      expected_.push_back(reference.judge(draw));
+      solver::Verdict& expected = expected_[draw] = reference.judge(draw);
       const solver::Verdict& found = full_path_[draw];
-      if (found.first_fault == solver::Fault::undecided) ++report_.undecided;
-      if (same(expected_.back(), found)) continue;
-      expected_.back() = careful.judge(draw);
-      if (same(expected_.back(), found)) {
+      if (same(expected, found)) continue;
+      for (const double step_deg : kCarefulSteps_deg) {
+        expected = ReferenceRun(campaign_, model.mechanism(), step_deg).judge(draw);
+        if (same(expected, found)) break;
+      }
+      if (same(expected, found)) {
         ++report_.reference_jumped;
-      } else if (expected_.back().first_fault == solver::Fault::undecided) {
+      } else if (expected.first_fault == solver::Fault::undecided) {
         ++report_.reference_lost;
-        expected_.back() = found;
+        expected = found;
       } else {
         ++report_.verdicts_differ;
         note(draw);
@@ -118,8 +131,8 @@ class Comparison {
 }  // namespace
 
 AgreementReport compare(const schema::Campaign& campaign, solver::InstructionSet set,
-                        std::uint64_t draws) {
-  return Comparison(campaign, set).run(draws);
+                        std::uint64_t draws, Against against) {
+  return Comparison(campaign, set).run(draws, against);
 }
 
 schema::Json report_json(const AgreementReport& report) {
@@ -133,11 +146,14 @@ schema::Json report_json(const AgreementReport& report) {
           {"differing_draws", report.differing_draws}};
 }
 
-void print_agreement(const AgreementReport& report) {
-  put("{} draws: {} verdicts differ (in {} more the reference had jumped), {} of {} "
-      "decisions differ, {} undecided\n",
-      report.draws, report.verdicts_differ, report.reference_jumped, report.decisions_differ,
-      report.decisions, report.undecided);
+void print_agreement(const AgreementReport& report, Against against) {
+  put("{} draws: ", report.draws);
+  if (against == Against::reference) {
+    put("{} verdicts differ (in {} more the reference had jumped), ", report.verdicts_differ,
+        report.reference_jumped);
+  }
+  put("{} of {} decisions differ, {} undecided\n", report.decisions_differ, report.decisions,
+      report.undecided);
   if (report.reference_lost > 0) {
     put("{} could not be compared: the reference lost their paths\n", report.reference_lost);
   }

@@ -23,8 +23,8 @@ using schema::Json;
 struct BenchCall {
   std::string campaign_path;  // empty: the default campaign
   double seconds = 3;         // for each solver, and a third of it for its full paths; in turns
-  // Instead of speed: every verdict on so many draws, at many thresholds.
-  std::optional<std::uint64_t> agree_draws;
+  // Instead of speed: every verdict, or every rejection, on so many draws, at many thresholds.
+  std::optional<std::uint64_t> agree_draws, rejection_draws;
   bool json = false;
 };
 
@@ -198,10 +198,12 @@ bool bench(const BenchCall& call) {
   const schema::Campaign campaign = call.campaign_path.empty()
                                         ? schema::default_campaign()
                                         : schema::read_campaign_file(call.campaign_path);
-  if (call.agree_draws) {
+  if (call.agree_draws || call.rejection_draws) {
+    const Against against = call.agree_draws ? Against::reference : Against::full_path;
     const AgreementReport report =
-        compare(campaign, solver::available_instruction_sets().back(), *call.agree_draws);
-    call.json ? put_json(report_json(report)) : print_agreement(report);
+        compare(campaign, solver::available_instruction_sets().back(),
+                call.agree_draws ? *call.agree_draws : *call.rejection_draws, against);
+    call.json ? put_json(report_json(report)) : print_agreement(report, against);
     return report.verdicts_differ + report.decisions_differ + report.undecided == 0;
   }
   const SpeedReport report = measure_speed(campaign, call.seconds);
@@ -222,12 +224,18 @@ Action bench_verb(CLI::App& verb) {
   verb.add_option("--seconds", call->seconds, "how long to run each solver, seconds [3]")
       ->check(within(0.01, 1e6))
       ->type_name("SECONDS");
-  verb.add_option(
-          "--agree", call->agree_draws,
-          "instead of speed: compare the verdicts of N draws with the reference's, at thresholds "
-          "every 10 degrees, at the draw's own D and one sample above")
+  auto* agree =
+      verb.add_option("--agree", call->agree_draws,
+                      "instead of speed: compare the verdicts of N draws with the reference's, at "
+                      "thresholds every 10 degrees, at the draw's own D and one sample above")
+          ->check(counted(1, 100000000))
+          ->type_name("N");
+  verb.add_option("--rejections", call->rejection_draws,
+                  "instead of speed: follow N draws on their full paths, and say whether a test "
+                  "turns one away that deploys from such a threshold, or the campaign's")
       ->check(counted(1, 100000000))
-      ->type_name("N");
+      ->type_name("N")
+      ->excludes(agree);
   verb.add_flag("--json", call->json, "as JSON");
   return [call] { return bench(*call) ? 0 : exit_code_of(schema::Cause::check_failed); };
 }

@@ -6,6 +6,7 @@
 
 #include "solver/linear/pivot_order.hpp"
 #include "solver/model/miscut_margin.hpp"
+#include "solver/model/rejection_test.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -154,9 +155,8 @@ void Model::choose_tests() {
   const auto sample_at = [&](double angle_deg) {
     return static_cast<int>(std::floor(angle_deg / sample_deg_ * (1 + 1e-9)));
   };
-  // One sample short of the threshold: a slope there speaks of the samples on both sides.
-  const int far =
-      std::min(sample_at(kSafeFromBase_deg / 180 * base_.folding.end_deg()), threshold_sample_ - 1);
+  const int far = std::min(sample_at(kSafeFromBase_deg / 180 * base_.folding.end_deg()),
+                           last_sample_of_slopes(threshold_sample_, sample_deg_));
   const int near = static_cast<int>(std::lround(kNearShare * far));
   for (const int sample : {far, near}) {
     if (sample < 1 || sample >= far + (sample == far)) continue;

@@ -84,9 +84,9 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
   // Of so many steps one at least is longer than the band.
   const double flat_margin = now.length_error + kStepBand_widths * model_.threshold_sample();
   const double earlier_margin = flat_margin + earlier_error_[sheet];
-  const bool slopes_count = now.slopes &&
-                            model_.sample_deg() <= kRejection.longest_sample_for_slopes_deg &&
-                            now.sample < model_.threshold_sample();
+  const bool slopes_count =
+      now.slopes && model_.sample_deg() <= kRejection.longest_sample_for_slopes_deg &&
+      now.sample <= last_sample_of_slopes(model_.threshold_sample(), model_.sample_deg());
   const double slope_margin = now.slope_error + kRejection.least_slope_widths_per_deg / kRadPerDeg;
   for (std::size_t i = 0; i < diagonals_; ++i) {
     bool grows = direction_[first + i] > 0, shrinks = direction_[first + i] < 0;

@@ -4,6 +4,7 @@
 // of both sides.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct RejectionTolerances {
   double least_slope_widths_per_deg = 1e-6;
   /// Slopes speak of the samples next to theirs only if those are close.
   double longest_sample_for_slopes_deg = 2;
+  /// And only so far below the threshold: a fold limit less than 0.1 degrees beyond it let a
+  /// diagonal turn round and back again about the last sample (2 of 100,000 sheets of 4 x 4).
+  double slopes_before_threshold_deg = 2;
   /// How well a fold limit on the approach to the threshold is known, and how far below the
   /// threshold it must lie to be certain.
   double approach_limit_deg = 0.1;
@@ -43,6 +47,12 @@ struct RejectionTolerances {
   double longest_half_sine = 0.5, longest_correction_rad = 0.15;
 };
 inline constexpr RejectionTolerances kRejection;
+
+/// The last sample whose slopes count.
+inline int last_sample_of_slopes(int threshold_sample, double sample_deg) {
+  return threshold_sample -
+         static_cast<int>(std::ceil(kRejection.slopes_before_threshold_deg / sample_deg - 1e-9));
+}
 
 /// What became of one sheet.
 struct Rejection {

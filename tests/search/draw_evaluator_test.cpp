@@ -69,6 +69,18 @@ TEST(DrawEvaluator, CandidatesAreWhatTheirDrawsGive) {
   }
 }
 
+// `search/campaigns/miura-4x4.json` with a threshold next to their fold limits, 161.079 and 161.033
+// degrees: A18-A12 goes back between 159.88 degrees and a little beyond 160.
+TEST(DrawEvaluator, TurnsAboutTheLastSampleAreNoReason) {
+  const schema::Campaign campaign = miura_4x4(161);
+  DrawEvaluator evaluator(campaign);
+  for (const std::uint64_t draw : {62899, 92700}) {
+    const solver::Verdict verdict = reference_verdict(campaign, evaluator, draw);
+    EXPECT_EQ(verdict.deploys_from_sample, 161) << "draw " << draw;
+    EXPECT_EQ(work_off(evaluator, {draw, draw + 1}).accepted, 1u) << "draw " << draw;
+  }
+}
+
 // Metrics again from the history, by loops of their own.
 TEST(DrawEvaluator, MetricsFromTheHistory) {
   DrawEvaluator evaluator(miura_4x4());

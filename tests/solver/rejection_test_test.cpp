@@ -169,12 +169,15 @@ TEST_F(RejectionRules, SlopeMarginFromBothSides) {
   }
 }
 
-// A slope speaks of the step to the next sample, which at the threshold is nobody's business.
-TEST_F(RejectionRules, SlopesAreIgnoredAtTheThreshold) {
-  for (const int sample : {kThreshold - 1, kThreshold}) {
+// Next to the threshold a fold limit beyond it may turn a slope round and back again.
+TEST_F(RejectionRules, SlopesAreIgnoredNextToTheThreshold) {
+  for (const int sample : {kThreshold - 2, kThreshold - 1, kThreshold}) {
     begin(rejection_);
-    EXPECT_EQ(rejects(sample, 1e-3, -0.1), sample < kThreshold);
+    EXPECT_EQ(rejects(sample, 1e-3, -0.1), sample < kThreshold - 1);
   }
+  EXPECT_EQ(last_sample_of_slopes(150, 2), 149);
+  EXPECT_EQ(last_sample_of_slopes(30, 5), 29);
+  EXPECT_EQ(last_sample_of_slopes(1500, 0.1), 1480);
 }
 
 TEST_F(RejectionRules, SlopesAreIgnoredForCoarseSamples) {

@@ -109,6 +109,8 @@ echo '{"pattern": {"family": "miura", "rows": 4, "columns": 4}, "misalignment": 
        "path": {"sample_deg": 10}, "accept": {"deploys_from_deg": 150, "between_samples": true}}' > bumps.json
 "$program" bench bumps.json --agree 60 > agreement || fail "bench forgets accept.between_samples: $(cat agreement)"
 sed 's/"between_samples": true/"between_samples": "exact"/' bumps.json > exact.json
+"$program" bench bumps.json --rejections 500 > agreement && grep -q ' 0 of [0-9]* decisions differ' agreement ||
+  fail "bench --rejections: $(cat agreement)"
 "$program" bench exact.json --agree 20 > agreement ||
   fail "another verdict between the samples than the reference's: $(cat agreement)"
 
