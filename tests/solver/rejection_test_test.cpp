@@ -12,7 +12,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // As RejectionTolerances has it, per radian.
-constexpr double kLeastSlope_widths_per_rad = 1e-6 / kRadPerDeg;
+constexpr double kLeastSlope_widths_per_rad = 1e-5 / kRadPerDeg;
 
 // Newton's own sequence e' = K e^2 in one unknown: its corrections are e - e'. The error left must
 // not be more than what is said, whatever K is.
