@@ -12,5 +12,6 @@ void bind_foldings(pybind11::module_& module);
 void bind_judging(pybind11::module_& module);
 void bind_catalogues(pybind11::module_& module);
 void bind_studies(pybind11::module_& module);
+void bind_gradients(pybind11::module_& module);
 
 }  // namespace misalign::search::python

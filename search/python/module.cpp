@@ -9,4 +9,5 @@ PYBIND11_MODULE(_misalign, module) {
   bind_judging(module);
   bind_catalogues(module);
   bind_studies(module);
+  bind_gradients(module);
 }

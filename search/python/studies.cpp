@@ -49,6 +49,23 @@ std::string deploy(const PatternSource& source, const std::string& design,
   });
 }
 
+std::string optimise(const PatternSource& source, const std::string& design,
+                     const std::string& goal, std::optional<double> amplitude_mm,
+                     std::optional<double> deploys_from_deg, bool ternary) {
+  return unlocked([&] {
+    const auto* const named = std::ranges::find(schema::kGoalNames, goal, &schema::GoalName::name);
+    if (named == std::end(schema::kGoalNames)) {
+      throw schema::UserError(schema::Cause::bad_request,
+                              "goal: " + schema::printable(goal) + " is none; name one such as " +
+                                  std::string(schema::kGoalNames[0].name));
+    }
+    Subject subject(source.sheet, design_of(design));
+    return optimise_said(subject,
+                         optimised(subject, {named->goal, amplitude_mm, deploys_from_deg, ternary}))
+        .dump();
+  });
+}
+
 std::string card(const PatternSource& source, const std::string& design, std::uint64_t trials,
                  int jobs) {
   return unlocked([&] {
@@ -94,6 +111,8 @@ void bind_studies(py::module_& module) {
   module.def("contact", &contact, py::arg("sheet"), py::arg("design"), py::arg("trim_mm"));
   module.def("actuators", &actuators, py::arg("sheet"), py::arg("design"));
   module.def("deploy", &deploy, py::arg("sheet"), py::arg("design"), py::arg("bends"));
+  module.def("optimise", &optimise, py::arg("sheet"), py::arg("design"), py::arg("goal"),
+             py::arg("amplitude_mm"), py::arg("deploys_from_deg"), py::arg("ternary"));
   module.def("card", &card, py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));
   module.def("certify", &certify, py::arg("sheet"), py::arg("design"), py::arg("contact"));

@@ -41,6 +41,12 @@ schema::Json deploy_said(const Subject& subject, const solver::DeployOptions& op
   return said_of(subject, std::move(json));
 }
 
+schema::Json optimise_said(Subject& subject, const ProvenBetter& better) {
+  const solver::Sheet sheet = subject.model.sheet(better.found.best().shifts_mm);
+  return schema::optimise_json(subject.model.base(), subject.model.design(), sheet, better.found,
+                               better.certified_deg);
+}
+
 schema::Json card_said(const Subject& subject, const schema::Card& card) {
   return said_of(subject, schema::card_json(card));
 }

@@ -23,6 +23,7 @@ Action certify_verb(CLI::App& verb, const Words& typed);
 Action completion_verb(CLI::App& verb);
 Action config_verb(CLI::App& verb);
 Action construct_verb(CLI::App& verb);
+Action optimise_verb(CLI::App& verb);
 Action contact_verb(CLI::App& verb);
 Action deploy_verb(CLI::App& verb);
 Action doctor_verb(CLI::App& verb);
@@ -53,6 +54,7 @@ inline std::vector<Verb> all_verbs(const Words& typed) {
           {"fold", fold_verb},
           {"perforations", perforations_verb},
           {"construct", construct_verb},
+          {"optimise", optimise_verb},
           {"replay", replay_verb},
           {"query", query_verb},
           {"export", export_verb},

@@ -81,7 +81,8 @@ class Tableau {
   double value() const { return cells_(rows_, variables_); }
 
   LinearOptimum optimum(LinearEnd end, int pivots) const {
-    LinearOptimum found{end, Eigen::VectorXd::Zero(variables_), value(), {}, pivots};
+    LinearOptimum found{end,    Eigen::VectorXd::Zero(variables_), value(), {},
+                        pivots, Eigen::VectorXd::Zero(rows_)};
     for (int r = 0; r < rows_; ++r) {
       const int variable = inside_[static_cast<std::size_t>(r)];
       if (variable < variables_) found.x(variable) = std::max(0.0, cells_(r, variables_));
@@ -90,6 +91,7 @@ class Tableau {
       const int variable = outside_[static_cast<std::size_t>(k)];
       if (variable >= variables_ && cells_(rows_, k) > kNoGain) {
         found.binding.push_back(variable - variables_);
+        found.price(variable - variables_) = cells_(rows_, k);
       }
     }
     std::sort(found.binding.begin(), found.binding.end());

@@ -24,6 +24,7 @@ struct LinearOptimum {
   double value = 0;
   std::vector<int> binding;  ///< rows that hold the value down, ascending
   int pivots = 0;
+  Eigen::VectorXd price;  ///< of each row: what the value gains by one more of its bound
 };
 
 LinearOptimum maximize(const LinearProgram& program);

@@ -32,6 +32,31 @@ class Studies(unittest.TestCase):
         said = {key: value for key, value in plain(said).items() if key not in ("draw", "pattern", *but)}
         self.assertEqual(said, program_said)
 
+    def test_gradients_are_those_of_folded_neighbours(self):
+        sheet = misalign.read(TABLE1)
+        stations, vertex, step_mm = [30, 120], sheet.vertex_labels.index("A17"), 1e-3
+        found = sheet.gradient(stations)
+        for axis in (0, 1):
+            folded = []
+            for sign in (-1, 1):
+                shifts_mm = sheet.shifts_mm.copy()
+                shifts_mm[vertex, axis] += sign * step_mm
+                folded.append(sheet.with_shifts(shifts_mm).fold(stations))
+            by = (folded[1].length_mm - folded[0].length_mm) / (2 * step_mm)
+            np.testing.assert_allclose(found["length_by_mm"][:, :, vertex, axis], by, atol=1e-6)
+            self.assertGreater(abs(by).max(), 1e-2)
+        self.assertTrue(np.isnan(sheet.gradient([170])["length_mm"]).all())
+        with self.assertRaises(misalign.Error):
+            sheet.gradient([20, 10])
+
+    def test_optimises_as_the_program(self):
+        sheet = misalign.read(TABLE1)
+        better, said = sheet.optimise(deploys_from_deg=150, ternary=True, stroke_limit=0.1)
+        self.assertEqual(said, program_json("optimise", TABLE1, "--deploys-from", 150, "--ternary", "--stroke-limit", 0.1))
+        self.assertEqual(better.deploy()["critical_friction_n_mm_per_mm"], said["after_n_mm_per_mm"])
+        with self.assertRaisesRegex(misalign.Error, "goal: most is none"):
+            sheet.optimise("most")
+
     def test_are_those_of_the_program(self):
         sheet = self.catalogue.pattern(self.draw)
         self.same(sheet.contact(), program_json("contact", CATALOGUE, self.draw))

@@ -34,6 +34,8 @@ sql() { sqlite3 -readonly "$1" "$2"; }
 
 # field FILE PATH: what JSON has there; true is 1.
 field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
+# json_test FILE CONDITION: in SQL, of the document j.
+json_test() { [ "$(sqlite3 :memory: "WITH f AS (SELECT readfile('$1') AS j) SELECT $2 FROM f")" = 1 ]; }
 
 # No test fails for want of time: it waits for what is to happen, and only what is stuck is given up.
 patience_s=600

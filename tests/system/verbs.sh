@@ -8,7 +8,7 @@ grep -q "1200 draws" summary || fail "the summary"
 [ "$(wc -l < summary)" = 1 ] || fail "more than the summary on stdout"
 
 "$program" --help | grep -q replay || fail "--help"
-for verb in search status fold perforations construct replay query export report watch actuators deploy stress verify certify tolerance \
+for verb in search status fold perforations construct replay query export report watch actuators deploy optimise stress verify certify tolerance \
   merge config doctor bench completion; do
   "$program" $verb --help | grep -q Example || fail "$verb --help has no example"
 done

@@ -184,6 +184,41 @@ class Pattern:
         return _said(_misalign.deploy(self._sheet, _design(
             from_deg, stiffness_n_per_mm, None, friction_n_mm_per_mm, thickness_mm, preload_n=preload_n), bend))
 
+    def gradient(self, stations: npt.ArrayLike) -> dict[str, Any]:
+        """How it changes with where its vertices lie on the flat sheet, the pilot's angle held: exact, by the adjoint.
+
+        `stations`  pilot angles in degrees, ascending, 0 for flat; NaN beyond the path's end
+
+        Arrays: `length_mm` [S, G] and `length_by_mm` [S, G, V, 2] of the diagonals, `fold_deg` [S, C] and `fold_by_mm`
+        [S, C, V, 2] of the creases (degrees per mm), `fold_limit_by_mm` [V, 2], None where it folds to 180 degrees.
+
+        >>> found = misalign.read("search/patterns/table1.json").gradient([36, 90])
+        >>> found["length_by_mm"].shape, found["fold_by_mm"].shape, found["fold_limit_by_mm"].shape
+        ((2, 16, 49, 2), (2, 28, 49, 2), (49, 2))
+        """
+        found: dict[str, Any] = _misalign.gradient(self._sheet, stations)
+        return found
+
+    def optimise(self, goal: str = "critical_friction_n_mm_per_mm", amplitude_mm: float | None = None,
+                 deploys_from_deg: float | None = None, ternary: bool = False, from_deg: float | None = None,
+                 stiffness_n_per_mm: float | None = None, stroke_limit: float | None = None,
+                 preload_n: float | None = None, thickness_mm: float | None = None) -> tuple[Pattern, dict[str, Any]]:
+        """A better sheet near this one, and what `misalign optimise --json` says of it.
+
+        `goal`              also `bent_critical_friction_n_mm_per_mm`, `static_friction_n_mm_per_mm`
+        `amplitude_mm`      no vertex farther in x or y; none: the largest of its own shifts
+        `deploys_from_deg`  it still deploys from there; none: its own D
+        `ternary`           shifts of nothing or the amplitude alone
+
+        >>> better, said = misalign.read("search/patterns/table1.json").optimise(deploys_from_deg=150, ternary=True)
+        >>> said["after_n_mm_per_mm"] > 5 * said["before_n_mm_per_mm"], better.fold().deploys_from_deg >= 150
+        (True, True)
+        """
+        said: dict[str, Any] = json.loads(_misalign.optimise(
+            self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit, None, thickness_mm, preload_n=preload_n),
+            goal, amplitude_mm, deploys_from_deg, ternary))
+        return Pattern(_misalign.read_document(json.dumps(said["pattern"]), "optimised")), said
+
     def card(self, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:
         """What its design asks and what was found: what `misalign card --json` says.
 

@@ -1,0 +1,77 @@
+#include "schema/exchange/optimise_json.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "schema/exchange/actuators_json.hpp"
+#include "schema/files/json_values.hpp"
+#include "schema/pattern/pattern_file.hpp"
+
+namespace misalign::schema {
+namespace {
+
+const char* name_of(solver::OptimiseEnd end) {
+  switch (end) {
+    case solver::OptimiseEnd::most_steps:
+      return "most_steps";
+    case solver::OptimiseEnd::stopped:
+      return "stopped";
+    case solver::OptimiseEnd::no_step_is_better:
+      break;
+  }
+  return "no_step_is_better";
+}
+
+Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseLimits& limits) {
+  Json turning = Json::array();
+  for (const auto& [diagonal, pilot_deg, per_mm] : limits.turning) {
+    turning.push_back({{"diagonal", diagonal_label(mechanism, diagonal)},
+                       {"pilot_deg", pilot_deg},
+                       {"per_mm", per_mm}});
+  }
+  return {{"per_share_of_stroke", limits.per_share_of_stroke},
+          {"per_mm_of_amplitude", limits.per_mm_of_amplitude},
+          {"turning", turning},
+          {"fold_limit", limits.by_fold_limit}};
+}
+
+}  // namespace
+
+const GoalName& name_of(solver::OptimiseGoal goal) {
+  const auto* const named = std::ranges::find(kGoalNames, goal, &GoalName::goal);
+  assert(named != std::end(kGoalNames));
+  return *named;
+}
+
+Json optimised_pattern_json(const Pattern& base, const Design& design,
+                            const solver::Optimised& found) {
+  Json made = pattern_json(base, found.best().shifts_mm);
+  const Json said = said_design_json(design);
+  if (!said.empty()) made["design"] = said;
+  return made;
+}
+
+Json optimise_json(const Pattern& base, const Design& design, const solver::Sheet& sheet,
+                   const solver::Optimised& found, std::optional<double> certified_deg) {
+  const solver::OptimiseOptions& options = found.options;
+  Json json = {{"goal", name_of(options.goal).name},
+               {"from_deg", found.from_deg},
+               {"before_n_mm_per_mm", found.start().value},
+               {"after_n_mm_per_mm", found.best().value},
+               {"amplitude_mm", options.amplitude_mm},
+               {"ternary", options.ternary},
+               {"stroke_limit", or_null(options.stroke_limit)},
+               {"steps", found.steps()},
+               {"sheets_folded", found.looks},
+               {"end", name_of(found.end)},
+               {"asked_deg", sheet.sample_deg(options.deploys_from_sample)},
+               {"deploys_from_deg", sheet.deploys_from_deg()},
+               {"certified_deg", or_null(certified_deg)},
+               {"stroke", sheet.metrics()->stroke_max},
+               {"limits", nullptr},
+               {"pattern", optimised_pattern_json(base, design, found)}};
+  if (found.limits) json["limits"] = limits_json(sheet.mechanism(), *found.limits);
+  return json;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,32 @@
+// A sheet that was made better, as JSON: its pattern, what it is worth, and what limits it.
+#pragma once
+
+#include "schema/exchange/folding_json.hpp"
+#include "schema/pattern/design.hpp"
+#include "solver/design/optimise.hpp"
+
+namespace misalign::schema {
+
+/// The names of goals, which are those of functions (schema/catalogue/study_table).
+struct GoalName {
+  std::string_view name;
+  solver::OptimiseGoal goal;
+  const char* words;
+};
+inline constexpr GoalName kGoalNames[] = {
+    {"critical_friction_n_mm_per_mm", solver::OptimiseGoal::critical_friction,
+     "critical friction, panels rigid"},
+    {"bent_critical_friction_n_mm_per_mm", solver::OptimiseGoal::bent_critical_friction,
+     "critical friction, panels bent"},
+    {"static_friction_n_mm_per_mm", solver::OptimiseGoal::static_friction,
+     "static friction, panels bent"}};
+const GoalName& name_of(solver::OptimiseGoal goal);
+
+/// The sheet that was found as a pattern file of its own, with the design.
+Json optimised_pattern_json(const Pattern& base, const Design& design,
+                            const solver::Optimised& found);
+/// `sheet`: the one that was found, proven up to `certified_deg`.
+Json optimise_json(const Pattern& base, const Design& design, const solver::Sheet& sheet,
+                   const solver::Optimised& found, std::optional<double> certified_deg);
+
+}  // namespace misalign::schema

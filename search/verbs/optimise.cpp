@@ -1,0 +1,99 @@
+// `misalign optimise`: a better sheet near one.
+#include <fmt/format.h>
+
+#include "schema/catalogue/study_table.hpp"
+#include "schema/files/text_file.hpp"
+#include "search/sheets/sheet_said.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct OptimiseCall {
+  std::string path;                   // a catalogue or a pattern file
+  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+  schema::Design design;
+  std::string material_file, output;
+  OptimiseInput input;
+  bool json = false;
+};
+
+void show_optimised(OptimiseCall call) {
+  if (!call.material_file.empty()) {
+    call.design.material = schema::read_material_file(call.material_file);
+  }
+  Subject subject = choose_sheet(call.path, call.draw, call.design);
+  const ProvenBetter better = optimised(subject, call.input);
+  if (!call.output.empty()) {
+    const schema::Json made =
+        schema::optimised_pattern_json(subject.model.base(), subject.model.design(), better.found);
+    schema::write_text_file(call.output, made.dump(1) + "\n");
+  }
+  if (call.json) return put_json(optimise_said(subject, better));
+  const auto& shifts_mm = better.found.best().shifts_mm;
+  put(optimise_text(subject, subject.model.sheet(shifts_mm, "the sheet that was found"), better));
+}
+
+}  // namespace
+
+Action optimise_verb(CLI::App& verb) {
+  verb.description(schema::study_named("optimise").about);
+  verb.footer(
+      "From the sheet it goes in steps to shifts near its own with which it does better, until\n"
+      "none is found: no random numbers, the same sheet again on every machine. Every step is\n"
+      "folded, and must deploy from the angle that is asked, within the amplitude and the "
+      "design's\n"
+      "stroke limit. With --ternary a step changes one coordinate or two, to nothing or the\n"
+      "amplitude. Otherwise shifts are free, and it also says what limits it.\n"
+      "Where it ends depends on where it begins: try several candidates.\n\n"
+      "Examples:\n  misalign optimise results/miura-6x6-1a2b3c4d.db 1234 --output better.json\n"
+      "  misalign optimise search/patterns/table1.json --amplitude 1 --deploys-from 140\n"
+      "  misalign optimise search/patterns/table1.json --goal static_friction_n_mm_per_mm "
+      "--thickness 2 --preload 0.1");
+  auto call = std::make_shared<OptimiseCall>();
+  schema::Design& design = call->design;
+  add_catalogue_or_pattern(verb, call->path);
+  add_draw_of_catalogue(verb, call->draw);
+  Names<solver::OptimiseGoal> goals;
+  for (const schema::GoalName& one : schema::kGoalNames)
+    goals.emplace_back(std::string(one.name), one.goal);
+  verb.add_option("--goal", call->input.goal,
+                  fmt::format("what is to be as large as can be [{}]", schema::kGoalNames[0].name))
+      ->transform(one_of<solver::OptimiseGoal>(goals));
+  verb.add_option("--amplitude", call->input.amplitude_mm,
+                  "shift no vertex by more in x or y, mm [the campaign's, or the largest of its "
+                  "own shifts]")
+      ->check(within(1e-6, 1e6))
+      ->type_name("MM");
+  verb.add_option("--deploys-from", call->input.deploys_from_deg,
+                  "it still deploys from this pilot angle [the campaign's, or its own D]")
+      ->check(within(0.01, 180))
+      ->type_name("DEG");
+  verb.add_flag("--ternary", call->input.ternary, "shift by nothing or the amplitude only");
+  verb.add_option("--steps", call->input.most_steps,
+                  fmt::format("end after so many [{}]", call->input.most_steps))
+      ->check(counted(1, 100000))
+      ->type_name("N");
+  add_release_from(verb, design.from_deg, 0.01);
+  add_springs(verb, design);
+  add_thickness(verb, design.thickness_mm);
+  verb.add_option("--friction", design.friction_n_mm_per_mm,
+                  "dry friction of creases, N mm per mm [the design's, or 0]")
+      ->check(within("hinges.friction_n_mm_per_mm"))
+      ->type_name("N");
+  verb.add_option("--material", call->material_file,
+                  "JSON file with name, e_gpa, poisson, density_g_per_cm3 [the design's, or "
+                  "aluminium]")
+      ->type_name("FILE");
+  verb.add_option("--output", call->output, "write the sheet to this pattern file")
+      ->type_name("FILE");
+  verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");
+  return [call] {
+    show_optimised(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search

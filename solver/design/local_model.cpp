@@ -1,0 +1,203 @@
+#include "solver/design/local_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/design/path_gradients.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Directions are looked at in long steps up to so far below the angle asked for, then in short
+// ones: near fold limits diagonals turn within degrees.
+constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24;
+// At which the goal of rigid panels is looked at, beside flat.
+constexpr int kGoalAngles = 6;
+// A fold limit stays so far beyond the angle asked for.
+constexpr double kBeforeLimit_deg = 0.05;
+// Fold angles are asked for from here on.
+constexpr double kFoldedFar_deg = 150;
+
+class Builder {
+ public:
+  Builder(const Sheet& sheet, const OptimiseOptions& options)
+      : sheet_(sheet), options_(options), gradients_(sheet), flat_(at(0)) {}
+
+  std::optional<LocalModel> build() {
+    add_directions();
+    add_goals();
+    if (!is_known_) return {};
+    return std::move(model_);
+  }
+
+ private:
+  AngleGradients at(double pilot_deg, bool with_folds = false) {
+    auto found = gradients_.at(pilot_deg, with_folds);
+    if (found) return std::move(*found);
+    is_known_ = false;
+    return flat_;
+  }
+
+  // Of all vertices' coordinates those that may change.
+  VectorXd of_shifted(const Eigen::RowVectorXd& all) const {
+    VectorXd row(2 * std::ssize(options_.shifted));
+    Index k = 0;
+    for (const int vertex : options_.shifted) {
+      row(k++) = all(2 * vertex);
+      row(k++) = all(2 * vertex + 1);
+    }
+    return row;
+  }
+
+  void add(LocalRow::Of of, Index where, double pilot_deg, double slack,
+           const Eigen::RowVectorXd& all) {
+    model_.rows.push_back({of, static_cast<int>(where), pilot_deg, slack, of_shifted(all)});
+  }
+
+  std::vector<double> angles_of_directions() const {
+    const double to_deg = sheet_.sample_deg(options_.deploys_from_sample);
+    std::vector<double> angles_deg;
+    for (double angle_deg = kLong_deg; angle_deg < to_deg;
+         angle_deg += angle_deg < to_deg - kNearEnd_deg ? kLong_deg : kShort_deg) {
+      angles_deg.push_back(angle_deg);
+    }
+    angles_deg.push_back(to_deg);
+    return angles_deg;
+  }
+
+  void add_directions() {
+    AngleGradients last = flat_;
+    for (const double pilot_deg : angles_of_directions()) {
+      AngleGradients here = at(pilot_deg);
+      const double middle_rad = (pilot_deg + last.pilot_deg) / 2 * kRadPerDeg;
+      const double least_mm =
+          options_.least_slope_mm_per_deg * std::sin(middle_rad) * (pilot_deg - last.pilot_deg);
+      for (Index d = 0; d < here.length_mm.size(); ++d) {
+        const double longer_mm = here.length_mm(d) - last.length_mm(d);
+        const double side = longer_mm < 0 ? -1 : 1;
+        add(LocalRow::Of::direction, d, pilot_deg, side * longer_mm - least_mm,
+            side * (here.length_by_mm.row(d) - last.length_by_mm.row(d)));
+      }
+      last = std::move(here);
+    }
+    if (last.pilot_deg >= kFoldedFar_deg) add_folds(last.pilot_deg);
+    if (options_.stroke_limit) add_strokes(sheet_.deploys_from_deg());
+  }
+
+  void add_folds(double pilot_deg) {
+    const AngleGradients here = at(pilot_deg, true);
+    for (Index c = 0; c < here.fold_deg.size(); ++c) {
+      if (static_cast<int>(c) == sheet_.mechanism().pilot) continue;
+      const double side = here.fold_deg(c) < 0 ? -1 : 1;
+      add(LocalRow::Of::fold_angle, c, pilot_deg, 180 - side * here.fold_deg(c),
+          -side * here.fold_by_mm.row(c));
+    }
+    if (const auto limit = gradients_.fold_limit()) {
+      add(LocalRow::Of::fold_limit, 0, limit->fold_limit_deg,
+          limit->fold_limit_deg - pilot_deg - kBeforeLimit_deg, limit->by_mm);
+    }
+  }
+
+  // Diagonals go one way up to D: there they are longest or shortest.
+  void add_strokes(double d_deg) {
+    const AngleGradients here = at(d_deg);
+    const double limit = *options_.stroke_limit;
+    for (Index d = 0; d < here.length_mm.size(); ++d) {
+      const double longer_mm = here.length_mm(d) - flat_.length_mm(d);
+      const double side = longer_mm < 0 ? -1 : 1;
+      add(LocalRow::Of::stroke, d, d_deg, limit * flat_.length_mm(d) - side * longer_mm,
+          limit * flat_.length_by_mm.row(d) -
+              side * (here.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
+    }
+  }
+
+  // Energy, what the creases have turned, and how the first changes, at an angle.
+  LocalGoal energy_at(double pilot_deg, double n_mm, const VectorXd& forces_n) {
+    const AngleGradients here = at(pilot_deg);
+    VectorXd folds_rad, rates;
+    const FoldingWay& way = *sheet_.way();
+    way.find_creases(way.x_of(pilot_deg), folds_rad, rates);
+    double turned_mm = 0;
+    for (Index c = 0; c < folds_rad.size(); ++c) {
+      const Crease& crease = sheet_.mechanism().creases[static_cast<std::size_t>(c)];
+      turned_mm +=
+          (sheet_.point_mm(crease.b) - sheet_.point_mm(crease.a)).norm() * std::abs(folds_rad(c));
+    }
+    return {n_mm, turned_mm,
+            of_shifted(forces_n.transpose() * (here.length_by_mm - flat_.length_by_mm))};
+  }
+
+  // In ascending angles, flat first.
+  std::vector<LocalGoal> energies() {
+    const DeployOptions& deploying = options_.deploying;
+    std::vector<LocalGoal> all;
+    if (options_.goal == OptimiseGoal::critical_friction) {
+      const double from_deg = fitted_release(sheet_, deploying).study->motion.from_deg;
+      const DeployingSheet rigid(*sheet_.way(), sheet_.model().shape(), sheet_.base(),
+                                 deploying.sheet);
+      all.push_back({rigid.unit_springs(0).energy, 0, VectorXd()});
+      for (int k = 1; k <= kGoalAngles; ++k) {
+        const double angle_deg = from_deg * k / kGoalAngles, x = sheet_.way()->x_of(angle_deg);
+        all.push_back(energy_at(angle_deg, rigid.unit_springs(x).energy, rigid.spring_forces_n(x)));
+      }
+      const double n_per_mm = deploying.sheet.springs.stiffness_n_per_mm;
+      for (LocalGoal& one : all) one.n_mm *= n_per_mm;
+    } else {
+      const auto bent = bend_panels(sheet_, deploying, options_.bending).study;
+      if (!bent) {
+        is_known_ = false;
+        return {};
+      }
+      const double flat_n_mm =
+          bent->angles.front().bent.n_mm - bent->curve.at(bent->angles.front().pilot_deg).n_mm;
+      all.push_back({flat_n_mm, 0, VectorXd()});
+      for (const BentAngle& angle : bent->angles) {
+        all.push_back(energy_at(angle.pilot_deg, angle.bent.n_mm, angle.bent.forces_n));
+      }
+    }
+    all.front().row = VectorXd::Zero(2 * std::ssize(options_.shifted));
+    return all;
+  }
+
+  void add_goals() {
+    const std::vector<LocalGoal> all = energies();
+    if (all.empty()) return;
+    const auto add_between = [&](const LocalGoal& high, const LocalGoal& low) {
+      model_.goals.push_back(
+          {high.n_mm - low.n_mm, high.turned_mm - low.turned_mm, high.row - low.row});
+    };
+    const bool is_static = options_.goal == OptimiseGoal::static_friction;
+    for (std::size_t k = is_static ? 1 : 0; k + 1 < all.size(); ++k) {
+      add_between(is_static ? all[k + 1] : all.back(), all[k]);
+    }
+  }
+
+  const Sheet& sheet_;
+  const OptimiseOptions& options_;
+  PathGradients gradients_;
+  bool is_known_ = true;
+  AngleGradients flat_;
+  LocalModel model_;
+};
+
+}  // namespace
+
+double LocalModel::goal(const VectorXd& change_mm) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const LocalGoal& one : goals) {
+    least = std::min(least, (one.n_mm + one.row.dot(change_mm)) / one.turned_mm);
+  }
+  return least;
+}
+
+std::optional<LocalModel> local_model(const Sheet& sheet, const OptimiseOptions& options) {
+  if (!sheet.way() || sheet.model().has_spare_equations()) return {};
+  return Builder(sheet, options).build();
+}
+
+}  // namespace misalign::solver

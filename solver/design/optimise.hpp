@@ -1,0 +1,83 @@
+// The study of better sheets: from one, step by step, to shifts near its own with which it does
+// better, until no step is found.
+//
+// With free shifts a step is a linear program: energies, the way each diagonal goes between
+// neighbouring angles, elongations, fold limit and fold angles change as their gradients say
+// (PathGradients), within a box that shrinks where that was wrong (a sequence of linear programs
+// with a trust region). With ternary shifts a step changes one coordinate or two: the same
+// gradients say which to look at first. Either way a sheet is taken only if it, folded itself, fits
+// and does better.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "solver/design/bent_panels.hpp"
+
+namespace misalign::solver {
+
+enum class OptimiseGoal {
+  critical_friction,       ///< of rigid panels, as `deploy` has it
+  bent_critical_friction,  ///< of panels that bend
+  static_friction          ///< of panels that bend, moving slowly: at every angle
+};
+
+struct OptimiseOptions {
+  OptimiseGoal goal = OptimiseGoal::critical_friction;
+  DeployOptions deploying;             ///< springs, hinges, panels, and from where it is let go
+  BentPanelsOptions bending;           ///< where the goal is of panels that bend
+  std::vector<int> shifted;            ///< the vertices that may be shifted
+  double amplitude_mm = 0.4;           ///< no farther in x, nor in y
+  bool ternary = false;                ///< only by nothing or that much
+  int deploys_from_sample = 1;         ///< D at least
+  std::optional<double> stroke_limit;  ///< |L - L0| / L0 of every diagonal, up to D
+  /// What free shifts leave every diagonal: so much times the sine of the pilot's angle, mm per
+  /// degree. A diagonal that hardly goes on cannot be built, nor certified.
+  double least_slope_mm_per_deg = 1e-3;
+  int most_steps = 200;
+  int most_looks = 400;  ///< sheets that are folded for one step of ternary shifts
+  /// Asked before each step: whether to go on.
+  std::function<bool()> goes_on = [] { return true; };
+};
+
+enum class OptimiseEnd { no_step_is_better, most_steps, stopped };
+
+/// What keeps it from doing better, at the end: by how much the goal would grow with a little more
+/// room (to first order; 0: it does not limit).
+struct OptimiseLimits {
+  double per_share_of_stroke = 0;  ///< for each 1 of the stroke limit
+  double per_mm_of_amplitude = 0;  ///< for each mm of amplitude
+  /// Diagonals that would turn back, where: the one with the largest price first.
+  struct Turning {
+    int diagonal;
+    double pilot_deg, per_mm;
+  };
+  std::vector<Turning> turning;
+  bool by_fold_limit = false;
+};
+
+struct Optimised {
+  OptimiseOptions options;
+  double from_deg;
+  /// The start, then the sheet after each step; what each is worth, N mm per mm.
+  struct Taken {
+    Eigen::Matrix2Xd shifts_mm;
+    double value;
+  };
+  std::vector<Taken> taken;
+  OptimiseEnd end;
+  int looks = 0;                         ///< sheets that were folded
+  std::optional<OptimiseLimits> limits;  ///< of free shifts, at the last sheet
+
+  const Taken& start() const { return taken.front(); }
+  const Taken& best() const { return taken.back(); }
+  int steps() const { return static_cast<int>(taken.size()) - 1; }
+};
+
+/// From `start`. Faults: of the angles as deploy(); amplitude_mm where its own shifts are larger or
+/// not ternary; deploys_from_deg and stroke_limit where it does not keep them; goal where nothing
+/// drives it to flat. Nothing where its path is lost.
+Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
+
+}  // namespace misalign::solver

@@ -1,0 +1,50 @@
+// How what a sheet does along its way changes with where its vertices lie on the flat sheet.
+//
+// Each is one transposed solve of the loop closure (the adjoint, as in FlatGradient), so that all
+// vertices together cost little more than one. With x the unknowns but the pilot, v the vertices:
+//   F(x, pilot, v) = 0,  dq/dv = q_v - (J^-T q_x) . F_v  of any quantity q, pilot held;
+// and where the pilot turns, J is singular: with its left null vector w,
+//   d(limit)/dv = -(w . F_v) / (w . F_pilot).
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "solver/sheet/sheet.hpp"
+
+namespace misalign::solver {
+
+/// At one pilot angle, which is held. A row of numbers each: x and y of each vertex in turn, per
+/// mm.
+struct AngleGradients {
+  double pilot_deg;
+  Eigen::VectorXd length_mm;     ///< of the diagonals' springs
+  Eigen::MatrixXd length_by_mm;  ///< diagonals x (2 vertices): mm per mm
+  Eigen::VectorXd fold_deg;      ///< of the creases, valleys positive
+  Eigen::MatrixXd fold_by_mm;    ///< creases x (2 vertices): deg per mm
+};
+
+struct LimitGradient {
+  double fold_limit_deg;
+  Eigen::RowVectorXd by_mm;  ///< deg per mm
+};
+
+class PathGradients {
+ public:
+  /// `sheet`, which has a way and no spare equations, must outlive this object.
+  explicit PathGradients(const Sheet& sheet);
+  ~PathGradients();
+
+  /// On the way, between flat and its end: states are corrected there. Flat, only lengths change.
+  /// None where the correction fails.
+  std::optional<AngleGradients> at(double pilot_deg, bool with_folds = true);
+  /// None where the way does not end at a fold limit.
+  std::optional<LimitGradient> fold_limit();
+
+ private:
+  struct Workspace;
+  const Sheet& sheet_;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,172 @@
+// Better sheets, against what their own studies and all of their neighbours say.
+#include "solver/design/optimise.hpp"
+
+#include <random>
+
+#include "sheets.hpp"
+#include "solver/design/local_model.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Matrix2Xd;
+using Eigen::VectorXd;
+
+class Optimising : public testing::Test {
+ protected:
+  Optimising() {
+    options_.shifted = base_.shifted_vertices;
+    options_.deploys_from_sample = 150;
+    options_.deploying.from_deg = 36;
+  }
+
+  // The next ones of a random sequence that deploy from 150 degrees.
+  Matrix2Xd next_start(bool ternary) {
+    for (;;) {
+      Matrix2Xd shifts_mm = Matrix2Xd::Zero(2, base_.base.sheet.vertex_count());
+      for (const int vertex : base_.shifted_vertices) {
+        for (double& shift : shifts_mm.col(vertex)) {
+          shift = ternary ? 0.4 * (static_cast<int>(random_() % 3) - 1)
+                          : 0.8 * (static_cast<double>(random_() % 1000) / 999 - 0.5);
+        }
+      }
+      const Sheet sheet(solver_, shifts_mm);
+      if (sheet.deploys_from_deg() >= 150 && friction(sheet) > 0) return shifts_mm;
+    }
+  }
+
+  double friction(const Sheet& sheet) const {
+    return standstill(sheet, options_.deploying).study->friction.critical_n_mm_per_mm.value_or(0);
+  }
+  double friction(const Matrix2Xd& shifts_mm) { return friction(Sheet(solver_, shifts_mm)); }
+
+  const std::uint64_t seed_ = 20261129;
+  std::mt19937_64 random_{seed_};
+  DrawableSheet base_{4, 4};
+  Model model_{base_.base};
+  SheetSolver solver_{model_};
+  OptimiseOptions options_;
+};
+
+// What is said of sheets near one, against their own lengths and studies: the error goes with the
+// square of the change.
+TEST_F(Optimising, TheLocalModelForeseesItsNeighbours) {
+  for (int trial = 0; trial < 5; ++trial) {
+    const Matrix2Xd shifts_mm = next_start(false);
+    const Sheet own(solver_, shifts_mm);
+    options_.stroke_limit = 0.2;
+    const LocalModel model = *local_model(own, options_);
+    EXPECT_NEAR(model.goal(VectorXd::Zero(model.goals[0].row.size())) / friction(own), 1, 1e-3);
+    for (const double size_mm : {1e-3, 1e-4}) {
+      VectorXd change_mm(model.goals[0].row.size());
+      Matrix2Xd changed_mm = shifts_mm;
+      for (Eigen::Index k = 0; k < change_mm.size(); ++k) {
+        change_mm(k) = size_mm * (static_cast<double>(random_() % 1000) / 500 - 1);
+        changed_mm(k % 2, options_.shifted[static_cast<std::size_t>(k / 2)]) += change_mm(k);
+      }
+      const Sheet other(solver_, changed_mm);
+      const LocalModel there = *local_model(other, options_);
+      ASSERT_EQ(there.rows.size(), model.rows.size());
+      double worst = 0;
+      for (std::size_t k = 0; k < model.rows.size(); ++k) {
+        const LocalRow& row = model.rows[k];
+        // A fold limit's place changes unevenly next to where it is flat folded.
+        if (row.of == LocalRow::Of::fold_limit || row.pilot_deg != there.rows[k].pilot_deg)
+          continue;
+        worst = std::max(worst, std::abs(row.slack + row.row.dot(change_mm) - there.rows[k].slack));
+      }
+      EXPECT_LE(worst, 100 * size_mm * size_mm) << "seed " << seed_ << ", trial " << trial;
+      EXPECT_NEAR(friction(other) - friction(own),
+                  model.goal(change_mm) - model.goal(0 * change_mm),
+                  0.3 * size_mm * std::abs(friction(own)) + 10 * size_mm * size_mm)
+          << "trial " << trial;
+    }
+  }
+}
+
+TEST_F(Optimising, EndsFitAndNoFlipDoesBetter) {
+  options_.ternary = true;
+  for (int trial = 0; trial < 3; ++trial) {
+    const Matrix2Xd start = next_start(true);
+    const Optimised found = *optimise(Sheet(solver_, start), options_).study;
+    EXPECT_EQ(found.start().value, friction(start));
+    EXPECT_EQ(found.best().value, friction(found.best().shifts_mm));
+    EXPECT_GT(found.best().value, found.start().value);
+    for (std::size_t k = 1; k < found.taken.size(); ++k) {
+      EXPECT_GT(found.taken[k].value, found.taken[k - 1].value);
+      EXPECT_GE(Sheet(solver_, found.taken[k].shifts_mm).history().verdict.deploys_from_sample,
+                150);
+    }
+    for (const int vertex : options_.shifted) {
+      for (const int axis : {0, 1}) {
+        for (const double to_mm : {-0.4, 0.0, 0.4}) {
+          Matrix2Xd flipped = found.best().shifts_mm;
+          EXPECT_TRUE(flipped(axis, vertex) == 0 || std::abs(flipped(axis, vertex)) == 0.4);
+          flipped(axis, vertex) = to_mm;
+          const Sheet other(solver_, flipped);
+          if (other.deploys_from_deg() < 150) continue;
+          EXPECT_LE(friction(other), found.best().value * (1 + 1e-4)) << "trial " << trial;
+        }
+      }
+    }
+  }
+}
+
+// Free shifts do at least as well as the ternary ones that they begin with, keep the stroke limit,
+// and say what a larger amplitude would give.
+TEST_F(Optimising, FreeShiftsGoOnFromTernaryOnes) {
+  options_.ternary = true;
+  options_.stroke_limit = 0.03;
+  Matrix2Xd start = next_start(true);
+  while (Sheet(solver_, start).metrics()->stroke_max > 0.03) start = next_start(true);
+  const Optimised flipped = *optimise(Sheet(solver_, start), options_).study;
+  options_.ternary = false;
+  const Optimised found = *optimise(Sheet(solver_, flipped.best().shifts_mm), options_).study;
+  EXPECT_GE(found.best().value, flipped.best().value);
+  EXPECT_LE(found.best().shifts_mm.cwiseAbs().maxCoeff(), 0.4 * (1 + 1e-12));
+  const Sheet end(solver_, found.best().shifts_mm);
+  EXPECT_LE(end.metrics()->stroke_max, 0.03);
+  ASSERT_TRUE(found.limits);
+  if (found.end != OptimiseEnd::no_step_is_better) return;
+  EXPECT_GT(found.limits->per_share_of_stroke + found.limits->per_mm_of_amplitude, 0);
+}
+
+TEST_F(Optimising, BentPanelsHaveTheirOwnGoals) {
+  options_.ternary = true;
+  options_.deploying.sheet.springs.preload.each_n = 0.02;
+  for (const OptimiseGoal goal :
+       {OptimiseGoal::bent_critical_friction, OptimiseGoal::static_friction}) {
+    options_.goal = goal;
+    const Matrix2Xd start = next_start(true);
+    const Optimised found = *optimise(Sheet(solver_, start), options_).study;
+    const Sheet end(solver_, found.best().shifts_mm);
+    const BentFriction friction =
+        bend_panels(end, options_.deploying, options_.bending).study->friction;
+    EXPECT_EQ(found.best().value, goal == OptimiseGoal::static_friction
+                                      ? friction.static_n_mm_per_mm
+                                      : *friction.critical_n_mm_per_mm);
+    EXPECT_GT(found.best().value, found.start().value);
+  }
+}
+
+TEST_F(Optimising, RefusesWhatDoesNotFit) {
+  const Matrix2Xd start = next_start(true);
+  const Sheet sheet(solver_, start);
+  const auto fault_of = [&](auto change) {
+    OptimiseOptions options = options_;
+    change(options);
+    return optimise(sheet, options).fault.value().name;
+  };
+  EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.amplitude_mm = 0.3; }), "amplitude_mm");
+  EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.amplitude_mm = 0.5, o.ternary = true; }),
+            "amplitude_mm");
+  EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.deploys_from_sample = 180; }), "deploys_from_deg");
+  EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.stroke_limit = 1e-6; }), "stroke_limit");
+  EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.deploying.from_deg = 179.99; }), "from_deg");
+  const Sheet correct(solver_, 0 * start);
+  options_.deploys_from_sample = 0;
+  EXPECT_EQ(optimise(correct, options_).fault.value().name, "goal");
+}
+
+}  // namespace
+}  // namespace misalign::solver

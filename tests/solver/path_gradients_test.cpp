@@ -1,0 +1,119 @@
+// Gradients along a way, against differences between whole ways of sheets that are cut a little
+// otherwise.
+#include "solver/design/path_gradients.hpp"
+
+#include <random>
+
+#include "sheets.hpp"
+#include "solver/linear/newton.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// Of five points: what is left goes with the fourth power of the step.
+template <class Quantity>
+auto difference(const Quantity& at, double step_mm) -> decltype(at(0)) {
+  return ((at(-2) - at(2)) / 12 + (at(1) - at(-1)) * 2 / 3) / step_mm;
+}
+
+// Lengths (mm), then fold angles (deg).
+Eigen::VectorXd folded(const Model& model, const FlatVertices& vertices_mm,
+                       const FoldState<double>& near) {
+  SheetGeometry<double> geometry;
+  place(model.mechanism(), vertices_mm, geometry);
+  FoldState<double> state = near;
+  Newton newton(model.mechanism());
+  EXPECT_EQ(newton.correct(geometry, state).end, NewtonEnd::converged);
+  const Mechanism& mechanism = model.mechanism();
+  const Eigen::Index diagonals = mechanism.diagonal_count();
+  Eigen::VectorXd numbers(diagonals + std::ssize(mechanism.creases));
+  folded_lengths(mechanism, geometry, state, numbers.data());
+  numbers.head(diagonals) *= mechanism.panel_width_mm;
+  for (std::size_t c = 0; c < mechanism.creases.size(); ++c) {
+    numbers(diagonals + static_cast<Eigen::Index>(c)) =
+        mechanism.side * angle_deg(state.creases[c]);
+  }
+  return numbers;
+}
+
+TEST(PathGradients, EqualDifferencesBetweenWays) {
+  const std::uint64_t seed = 20261127;
+  std::mt19937_64 random(seed);
+  constexpr double kStep_mm = 0.02;
+  double worst = 0, most = 0;
+  for (const auto& [size, amplitude_mm] : {std::pair{4, 0.4}, {6, 0.4}, {6, 4.0}}) {
+    std::uniform_real_distribution<double> shift(-amplitude_mm, amplitude_mm);
+    const DrawableSheet sheet{size, size};
+    const Model model(sheet.base);
+    SheetSolver solver(model);
+    Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, sheet.base.sheet.vertex_count());
+    for (const int vertex : sheet.shifted_vertices) {
+      shifts_mm.col(vertex) << shift(random), shift(random);
+    }
+    const Sheet own(solver, shifts_mm);
+    ASSERT_TRUE(own.way());
+    PathGradients gradients(own);
+    for (const double pilot_deg : {5.0, 36.0, 100.0}) {
+      const AngleGradients found = *gradients.at(pilot_deg);
+      FoldState<double> state = own.way()->stations().front().state;
+      own.way()->find_state(own.way()->x_of(pilot_deg), state);
+      for (Eigen::Index k = 0; k < 2 * shifts_mm.cols(); ++k) {
+        const Eigen::VectorXd by = difference(
+            [&](int steps) {
+              FlatVertices vertices_mm = own.vertices_mm();
+              vertices_mm.data()[k] += steps * kStep_mm;
+              return folded(model, vertices_mm, state);
+            },
+            kStep_mm);
+        Eigen::VectorXd foreseen(by.size());
+        foreseen << found.length_by_mm.col(k), found.fold_by_mm.col(k);
+        worst = std::max(worst, (by - foreseen).cwiseAbs().maxCoeff());
+        most = std::max(most, found.length_by_mm.col(k).cwiseAbs().maxCoeff());
+      }
+    }
+  }
+  RecordProperty("worst", scientific(worst));
+  EXPECT_GT(most, 0.1);
+  EXPECT_LE(worst, 1e-7) << "seed " << seed;
+}
+
+TEST(PathGradients, FoldLimitsMoveAsTheySay) {
+  const std::uint64_t seed = 20261128;
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> shift(-0.4, 0.4);
+  const DrawableSheet sheet{4, 4};
+  const Model model(sheet.base);
+  SheetSolver solver(model);
+  int limits = 0;
+  double worst = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, sheet.base.sheet.vertex_count());
+    for (const int vertex : sheet.shifted_vertices) {
+      shifts_mm.col(vertex) << shift(random), shift(random);
+    }
+    const Sheet own(solver, shifts_mm);
+    if (!own.way() || !own.way()->ends_at_limit()) continue;
+    ++limits;
+    const LimitGradient found = *PathGradients(own).fold_limit();
+    Eigen::Matrix2Xd direction = Eigen::Matrix2Xd::Zero(2, shifts_mm.cols());
+    for (const int vertex : sheet.shifted_vertices) {
+      direction.col(vertex) << shift(random), shift(random);
+    }
+    constexpr double kStep = 0.004;  // next to flat folded limits move by degrees per mm, unevenly
+    const double by = difference(
+        [&](int steps) {
+          const Sheet other(solver, shifts_mm + steps * kStep * direction);
+          return other.way()->end_deg();
+        },
+        kStep);
+    const double foreseen =
+        found.by_mm * Eigen::Map<const Eigen::VectorXd>(direction.data(), direction.size());
+    worst = std::max(worst, std::abs(by - foreseen) / (found.by_mm.norm() * direction.norm()));
+  }
+  RecordProperty("worst", scientific(worst));
+  EXPECT_GE(limits, 10);
+  EXPECT_LE(worst, 5e-5) << "seed " << seed << ": limits are known to 1e-7 degrees";
+}
+
+}  // namespace
+}  // namespace misalign::solver

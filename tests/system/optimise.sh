@@ -1,0 +1,43 @@
+# A better sheet: worth what other verbs say of the file, within what was asked, proven; and what is refused.
+. "$(dirname "$0")/lib.sh"
+table1=$source_dir/search/patterns/table1.json
+"$program" search "$source_dir/search/campaigns/miura-6x6.json" --draws 10000 --catalogue six.db > /dev/null 2>&1 || fail "search"
+draw=$(sql six.db 'SELECT min(draw) FROM candidates')
+for kind in --ternary ''; do
+  # shellcheck disable=SC2086
+  "$program" optimise six.db "$draw" $kind --json --output better.json > said.json 2> err || fail "optimise $kind: $(cat err)"
+  "$program" deploy better.json --json > let_go.json || fail "deploy"
+  "$program" fold better.json --json > folded.json || fail "fold"
+  json_test said.json "abs(json_extract(j, '\$.after_n_mm_per_mm') / $(field let_go.json critical_friction_n_mm_per_mm) - 1) < 1e-9
+    AND json_extract(j, '\$.after_n_mm_per_mm') > 4 * json_extract(j, '\$.before_n_mm_per_mm')
+    AND json_extract(j, '\$.certified_deg') >= 170" || fail "worth $kind"
+  [ "$(field folded.json verdict.deploys_from_deg | cut -d. -f1)" -ge 170 ] || fail "D $kind"
+  [ "$(sqlite3 :memory: "SELECT max(abs(xy.value)) <= 0.4 FROM json_each(readfile('better.json'), '\$.displacements_mm') v, json_each(v.value) xy")" = 1 ] ||
+    fail "amplitude $kind"
+done
+"$program" optimise six.db "$draw" --json > again.json && cmp -s said.json again.json || fail "not the same sheet again"
+# From an exported pattern as from its draw.
+"$program" export six.db --draw "$draw" --output out > exported && "$program" optimise "$(cat exported)" --ternary --amplitude 0.4 --deploys-from 170 --json > of_file.json &&
+  "$program" optimise six.db "$draw" --ternary --json > of_draw.json || fail "of an export"
+[ "$(field of_file.json after_n_mm_per_mm)" = "$(field of_draw.json after_n_mm_per_mm)" ] || fail "an export ends elsewhere"
+"$program" optimise "$table1" --deploys-from 150 --stroke-limit 0.1 > words || fail "words"
+grep -q '^table1: critical friction, panels rigid from 36 deg' words && grep -q 'proven up to 150' words || fail "words: $(cat words)"
+"$program" optimise "$table1" --deploys-from 150 --goal static_friction_n_mm_per_mm --thickness 2 --preload 0.1 --ternary --json > bent.json ||
+  fail "panels that bend"
+json_test bent.json "json_extract(j, '\$.after_n_mm_per_mm') > 2 * json_extract(j, '\$.before_n_mm_per_mm')" || fail "static friction"
+
+refused() {  # CODE WORDS OPTION...
+  local code=$1 words=$2 got=0
+  shift 2
+  "$program" optimise "$@" > out.txt 2> err || got=$?
+  [ "$got" = "$code" ] && [ ! -s out.txt ] && grep -q -- "$words" err || fail "$*: $got, $(cat err)"
+  [ ! -e none.json ] || fail "$*: something was written"
+}
+refused 2 "--amplitude 0.3: the sheet that it starts from has a shift of" "$table1" --amplitude 0.3 --output none.json
+refused 2 "and ternary shifts are 0 or the amplitude" "$table1" --amplitude 0.5 --ternary
+refused 2 "--deploys-from 179: the sheet that it starts from deploys from 156 deg" "$table1" --deploys-from 179
+refused 2 "--stroke-limit 0.001: a diagonal of the sheet that it starts from elongates by more" "$table1" --stroke-limit 0.001
+refused 2 "static_friction_n_mm_per_mm" "$table1" --goal static_friction
+refused 2 "nothing drives the sheet that it starts from to flat" "$table1" --goal static_friction_n_mm_per_mm --preload 5
+refused 3 "nowhere.json" nowhere.json
+finish
