@@ -10,18 +10,6 @@
 namespace misalign::schema {
 namespace {
 
-const char* name_of(solver::OptimiseEnd end) {
-  switch (end) {
-    case solver::OptimiseEnd::most_steps:
-      return "most_steps";
-    case solver::OptimiseEnd::stopped:
-      return "stopped";
-    case solver::OptimiseEnd::no_step_is_better:
-      break;
-  }
-  return "no_step_is_better";
-}
-
 Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseLimits& limits) {
   Json turning = Json::array();
   for (const auto& [diagonal, pilot_deg, per_mm] : limits.turning) {
@@ -30,6 +18,7 @@ Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseLimit
                        {"per_mm", per_mm}});
   }
   return {{"per_share_of_stroke", limits.per_share_of_stroke},
+          {"per_n_of_force", limits.per_n_of_force},
           {"per_mm_of_amplitude", limits.per_mm_of_amplitude},
           {"turning", turning},
           {"fold_limit", limits.by_fold_limit}};
@@ -54,22 +43,24 @@ Json optimised_pattern_json(const Pattern& base, const Design& design,
 Json optimise_json(const Pattern& base, const Design& design, const solver::Sheet& sheet,
                    const solver::Optimised& found, std::optional<double> certified_deg) {
   const solver::OptimiseOptions& options = found.options;
-  Json json = {{"goal", name_of(options.goal).name},
-               {"from_deg", found.from_deg},
-               {"before_n_mm_per_mm", found.start().value},
-               {"after_n_mm_per_mm", found.best().value},
-               {"amplitude_mm", options.amplitude_mm},
-               {"ternary", options.ternary},
-               {"stroke_limit", or_null(options.stroke_limit)},
-               {"steps", found.steps()},
-               {"sheets_folded", found.looks},
-               {"end", name_of(found.end)},
-               {"asked_deg", sheet.sample_deg(options.deploys_from_sample)},
-               {"deploys_from_deg", sheet.deploys_from_deg()},
-               {"certified_deg", or_null(certified_deg)},
-               {"stroke", sheet.metrics()->stroke_max},
-               {"limits", nullptr},
-               {"pattern", optimised_pattern_json(base, design, found)}};
+  Json json = {
+      {"goal", name_of(options.goal).name},
+      {"from_deg", found.from_deg},
+      {"before_n_mm_per_mm", found.start().value},
+      {"after_n_mm_per_mm", found.best().value},
+      {"amplitude_mm", options.amplitude_mm},
+      {"ternary", options.ternary},
+      {"stroke_limit", or_null(options.stroke_limit)},
+      {"largest_force_n", or_null(options.largest_force_n)},
+      {"steps", found.steps()},
+      {"sheets_folded", found.looks},
+      {"end", found.end == solver::OptimiseEnd::most_steps ? "most_steps" : "no_step_is_better"},
+      {"asked_deg", sheet.sample_deg(options.deploys_from_sample)},
+      {"deploys_from_deg", sheet.deploys_from_deg()},
+      {"certified_deg", or_null(certified_deg)},
+      {"stroke", sheet.metrics()->stroke_max},
+      {"limits", nullptr},
+      {"pattern", optimised_pattern_json(base, design, found)}};
   if (found.limits) json["limits"] = limits_json(sheet.mechanism(), *found.limits);
   return json;
 }

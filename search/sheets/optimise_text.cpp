@@ -22,6 +22,10 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
     text += fmt::format("  the stroke: a limit 1 % larger would give {:.3g} more\n",
                         limits.per_share_of_stroke / 100);
   }
+  if (limits.per_n_of_force > 0) {
+    text += fmt::format("  the springs: 1 N more that they bear would give {:.3g} more\n",
+                        limits.per_n_of_force);
+  }
   if (limits.per_mm_of_amplitude > 0) {
     text += fmt::format("  the amplitude: 0.1 mm more would give {:.3g} more\n",
                         limits.per_mm_of_amplitude / 10);
@@ -66,7 +70,9 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   options.deploying = deploy_options(design, sheet);
   options.bending = bending(design);
   options.stroke_limit = design.stroke_limit;
+  options.largest_force_n = design.largest_force_n;
   options.ternary = input.ternary;
+  options.least_slope_mm_per_deg = input.least_slope_mm_per_deg;
   options.most_steps = input.most_steps;
   options.shifted = solver::interior_vertices(sheet.base().sheet);
   options.amplitude_mm = input.amplitude_mm.value_or(sheet.shifts_mm().cwiseAbs().maxCoeff());

@@ -14,6 +14,7 @@ struct OptimiseInput {
   std::optional<double> amplitude_mm;      ///< none: the campaign's, or the largest of its shifts
   std::optional<double> deploys_from_deg;  ///< none: the campaign's, or its own D
   bool ternary = false;
+  double least_slope_mm_per_deg = solver::OptimiseOptions{}.least_slope_mm_per_deg;
   int most_steps = solver::OptimiseOptions{}.most_steps;
 };
 

@@ -42,11 +42,10 @@ Action optimise_verb(CLI::App& verb) {
   verb.description(schema::study_named("optimise").about);
   verb.footer(
       "From the sheet it goes in steps to shifts near its own with which it does better, until\n"
-      "none is found: no random numbers, the same sheet again on every machine. Every step is\n"
-      "folded, and must deploy from the angle that is asked, within the amplitude and the "
-      "design's\n"
-      "stroke limit. With --ternary a step changes one coordinate or two, to nothing or the\n"
-      "amplitude. Otherwise shifts are free, and it also says what limits it.\n"
+      "none is found: without random numbers, so that it finds the same again. Every step is\n"
+      "folded, and must deploy from the angle that is asked, within the amplitude, the design's\n"
+      "stroke limit and its largest force. With --ternary a step changes one coordinate or two,\n"
+      "to nothing or the amplitude. Otherwise shifts are free, and it also says what limits it.\n"
       "Where it ends depends on where it begins: try several candidates.\n\n"
       "Examples:\n  misalign optimise results/miura-6x6-1a2b3c4d.db 1234 --output better.json\n"
       "  misalign optimise search/patterns/table1.json --amplitude 1 --deploys-from 140\n"
@@ -72,6 +71,12 @@ Action optimise_verb(CLI::App& verb) {
       ->check(within(0.01, 180))
       ->type_name("DEG");
   verb.add_flag("--ternary", call->input.ternary, "shift by nothing or the amplitude only");
+  verb.add_option("--least-slope", call->input.least_slope_mm_per_deg,
+                  fmt::format("what free shifts leave every diagonal, mm per degree at 90 deg and "
+                              "less by the sine elsewhere: against miscuts [{}]",
+                              call->input.least_slope_mm_per_deg))
+      ->check(within(0, 1e6))
+      ->type_name("MM_PER_DEG");
   verb.add_option("--steps", call->input.most_steps,
                   fmt::format("end after so many [{}]", call->input.most_steps))
       ->check(counted(1, 100000))

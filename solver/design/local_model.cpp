@@ -86,7 +86,18 @@ class Builder {
       last = std::move(here);
     }
     if (last.pilot_deg >= kFoldedFar_deg) add_folds(last.pilot_deg);
-    if (options_.stroke_limit) add_strokes(sheet_.deploys_from_deg());
+    if (options_.stroke_limit) {
+      add_elongations(LocalRow::Of::stroke, sheet_.deploys_from_deg(), *options_.stroke_limit,
+                      Eigen::ArrayXd::Zero(flat_.length_mm.size()));
+    }
+    if (options_.largest_force_n) {
+      const DeployOptions let_go = *fitted_release(sheet_, options_.deploying).study;
+      const double n_per_mm = let_go.sheet.springs.stiffness_n_per_mm;
+      const VectorXd preload_n =
+          let_go.sheet.springs.preload.forces_n(sheet_.mechanism().diagonals);
+      add_elongations(LocalRow::Of::force, let_go.motion.from_deg, 0,
+                      (*options_.largest_force_n - preload_n.array()) / n_per_mm);
+    }
   }
 
   void add_folds(double pilot_deg) {
@@ -103,15 +114,16 @@ class Builder {
     }
   }
 
-  // Diagonals go one way up to D: there they are longest or shortest.
-  void add_strokes(double d_deg) {
-    const AngleGradients here = at(d_deg);
-    const double limit = *options_.stroke_limit;
+  // No diagonal by more than a share of its own and so many mm. Diagonals go one way up to D: at an
+  // angle they have not been longer or shorter before.
+  void add_elongations(LocalRow::Of of, double pilot_deg, double share,
+                       const Eigen::ArrayXd& most_mm) {
+    const AngleGradients here = at(pilot_deg);
     for (Index d = 0; d < here.length_mm.size(); ++d) {
       const double longer_mm = here.length_mm(d) - flat_.length_mm(d);
       const double side = longer_mm < 0 ? -1 : 1;
-      add(LocalRow::Of::stroke, d, d_deg, limit * flat_.length_mm(d) - side * longer_mm,
-          limit * flat_.length_by_mm.row(d) -
+      add(of, d, pilot_deg, share * flat_.length_mm(d) + most_mm(d) - side * longer_mm,
+          share * flat_.length_by_mm.row(d) -
               side * (here.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
     }
   }

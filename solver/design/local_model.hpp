@@ -11,7 +11,7 @@ namespace misalign::solver {
 /// Of one inequality: slack + row . (shifts - its own) >= 0. Coordinates: x and y of each vertex
 /// that may be shifted, in turn.
 struct LocalRow {
-  enum class Of { direction, stroke, fold_limit, fold_angle } of;
+  enum class Of { direction, stroke, force, fold_limit, fold_angle } of;
   int where;         ///< diagonal or crease
   double pilot_deg;  ///< where on the way
   double slack;

@@ -52,15 +52,17 @@ class Optimiser {
     found_.taken.push_back({shifts_mm, value});
     double box_mm = kFirstBox * options_.amplitude_mm;
     Worthy now{std::make_unique<const Sheet>(solver_, shifts_mm), value};
-    for (found_.end = OptimiseEnd::no_step_is_better;;) {
-      if (found_.steps() == options_.most_steps) found_.end = OptimiseEnd::most_steps;
-      if (!options_.goes_on()) found_.end = OptimiseEnd::stopped;
-      if (found_.end != OptimiseEnd::no_step_is_better) break;
+    found_.end = OptimiseEnd::most_steps;
+    while (found_.steps() < options_.most_steps) {
       const auto model = local_model(*now.sheet, options_);
-      if (!model) break;
-      auto next = options_.ternary ? std::nullopt : moved(now, *model, box_mm);
-      if (!next && (next = flipped(now, *model))) box_mm = kFirstBox * options_.amplitude_mm;
-      if (!next) break;
+      auto next = options_.ternary || !model ? std::nullopt : moved(now, *model, box_mm);
+      if (!next && model && (next = flipped(now, *model))) {
+        box_mm = kFirstBox * options_.amplitude_mm;
+      }
+      if (!next) {
+        found_.end = OptimiseEnd::no_step_is_better;
+        break;
+      }
       now = std::move(*next);
       found_.taken.push_back({now.sheet->shifts_mm(), now.value});
     }
@@ -85,7 +87,12 @@ class Optimiser {
 
   bool fits(const Sheet& sheet) const {
     return sheet.verdict().deploys_from_sample >= options_.deploys_from_sample && sheet.way() &&
-           (!options_.stroke_limit || stroke(sheet) <= *options_.stroke_limit);
+           sheet.way()->end_deg() > *options_.deploying.from_deg &&
+           (!options_.stroke_limit || stroke(sheet) <= *options_.stroke_limit) &&
+           is_strong_enough(sheet);
+  }
+  bool is_strong_enough(const Sheet& sheet) const {
+    return !options_.largest_force_n || force_n(sheet) <= *options_.largest_force_n;
   }
 
  private:
@@ -93,6 +100,14 @@ class Optimiser {
   static double stroke(const Sheet& sheet) {
     return measure(sheet.base(), sheet.vertices_mm(), sheet.record(), sheet.model().sample_deg())
         .stroke_max;
+  }
+
+  double force_n(const Sheet& sheet) const {
+    const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(),
+                               options_.deploying.sheet);
+    return rigid.spring_forces_n(sheet.way()->x_of(*options_.deploying.from_deg))
+        .cwiseAbs()
+        .maxCoeff();
   }
 
   Index coordinates() const { return 2 * std::ssize(options_.shifted); }
@@ -248,6 +263,8 @@ class Optimiser {
       if (price == 0) continue;
       if (one.of == LocalRow::Of::stroke) {
         limits.per_share_of_stroke += price * sheet.way()->flat_mm()(one.where);
+      } else if (one.of == LocalRow::Of::force) {
+        limits.per_n_of_force += price / options_.deploying.sheet.springs.stiffness_n_per_mm;
       } else if (one.of == LocalRow::Of::direction) {
         limits.turning.push_back({one.where, one.pilot_deg, price});
       } else {
@@ -304,6 +321,11 @@ Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options) 
   OptimiseOptions from = options;
   from.deploying.from_deg = fitted.study->motion.from_deg;
   Optimiser optimiser(start.model(), from);
+  if (!optimiser.is_strong_enough(start)) {
+    return OptionFault{"largest_force_n", shown("%g", *options.largest_force_n),
+                       "a spring of the sheet that it starts from pulls or pushes with more",
+                       "name a larger one, weaker springs, or another sheet"};
+  }
   if (!optimiser.fits(start)) {
     return OptionFault{"stroke_limit", shown("%g", options.stroke_limit.value_or(0)),
                        "a diagonal of the sheet that it starts from elongates by more",

@@ -9,7 +9,6 @@
 // and does better.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,28 +24,28 @@ enum class OptimiseGoal {
 
 struct OptimiseOptions {
   OptimiseGoal goal = OptimiseGoal::critical_friction;
-  DeployOptions deploying;             ///< springs, hinges, panels, and from where it is let go
-  BentPanelsOptions bending;           ///< where the goal is of panels that bend
-  std::vector<int> shifted;            ///< the vertices that may be shifted
-  double amplitude_mm = 0.4;           ///< no farther in x, nor in y
-  bool ternary = false;                ///< only by nothing or that much
-  int deploys_from_sample = 1;         ///< D at least
-  std::optional<double> stroke_limit;  ///< |L - L0| / L0 of every diagonal, up to D
+  DeployOptions deploying;                ///< springs, hinges, panels, and from where it is let go
+  BentPanelsOptions bending;              ///< where the goal is of panels that bend
+  std::vector<int> shifted;               ///< the vertices that may be shifted
+  double amplitude_mm = 0.4;              ///< no farther in x, nor in y
+  bool ternary = false;                   ///< only by nothing or that much
+  int deploys_from_sample = 1;            ///< D at least
+  std::optional<double> stroke_limit;     ///< |L - L0| / L0 of every diagonal, up to D
+  std::optional<double> largest_force_n;  ///< of every spring where it is let go, panels rigid
   /// What free shifts leave every diagonal: so much times the sine of the pilot's angle, mm per
   /// degree. A diagonal that hardly goes on cannot be built, nor certified.
   double least_slope_mm_per_deg = 1e-3;
   int most_steps = 200;
   int most_looks = 400;  ///< sheets that are folded for one step of ternary shifts
-  /// Asked before each step: whether to go on.
-  std::function<bool()> goes_on = [] { return true; };
 };
 
-enum class OptimiseEnd { no_step_is_better, most_steps, stopped };
+enum class OptimiseEnd { no_step_is_better, most_steps };
 
 /// What keeps it from doing better, at the end: by how much the goal would grow with a little more
 /// room (to first order; 0: it does not limit).
 struct OptimiseLimits {
   double per_share_of_stroke = 0;  ///< for each 1 of the stroke limit
+  double per_n_of_force = 0;       ///< for each N of the largest force
   double per_mm_of_amplitude = 0;  ///< for each mm of amplitude
   /// Diagonals that would turn back, where: the one with the largest price first.
   struct Turning {
@@ -76,7 +75,8 @@ struct Optimised {
 };
 
 /// From `start`. Faults: of the angles as deploy(); amplitude_mm where its own shifts are larger or
-/// not ternary; deploys_from_deg and stroke_limit where it does not keep them; goal where nothing
+/// not ternary; deploys_from_deg, stroke_limit and largest_force_n where
+/// it does not keep them; goal where nothing
 /// drives it to flat. Nothing where its path is lost.
 Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
 

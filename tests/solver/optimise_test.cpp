@@ -4,6 +4,7 @@
 #include <random>
 
 #include "sheets.hpp"
+#include "solver/design/actuation.hpp"
 #include "solver/design/local_model.hpp"
 
 namespace misalign::solver {
@@ -112,6 +113,24 @@ TEST_F(Optimising, EndsFitAndNoFlipDoesBetter) {
   }
 }
 
+TEST_F(Optimising, KeepsWhatItsSpringsBear) {
+  for (const bool ternary : {true, false}) {
+    options_.ternary = ternary;
+    const Matrix2Xd start = next_start(true);
+    const Sheet sheet(solver_, start);
+    const auto force_n = [](const Sheet& of) {
+      const Actuation springs = actuate(of, {}, 36);
+      return springs.force_n.row(springs.from_row).cwiseAbs().maxCoeff();
+    };
+    options_.largest_force_n = 1.2 * force_n(sheet);
+    const Optimised found = *optimise(sheet, options_).study;
+    EXPECT_LE(force_n(Sheet(solver_, found.best().shifts_mm)),
+              *options_.largest_force_n * (1 + 1e-9));
+    options_.largest_force_n.reset();
+    EXPECT_GT(optimise(sheet, options_).study->best().value, found.best().value);
+  }
+}
+
 // Free shifts do at least as well as the ternary ones that they begin with, keep the stroke limit,
 // and say what a larger amplitude would give.
 TEST_F(Optimising, FreeShiftsGoOnFromTernaryOnes) {
@@ -162,6 +181,7 @@ TEST_F(Optimising, RefusesWhatDoesNotFit) {
             "amplitude_mm");
   EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.deploys_from_sample = 180; }), "deploys_from_deg");
   EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.stroke_limit = 1e-6; }), "stroke_limit");
+  EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.largest_force_n = 1e-6; }), "largest_force_n");
   EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.deploying.from_deg = 179.99; }), "from_deg");
   const Sheet correct(solver_, 0 * start);
   options_.deploys_from_sample = 0;
