@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/vertex_labels.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::schema {

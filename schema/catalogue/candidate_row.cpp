@@ -2,6 +2,7 @@
 
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/pattern_file.hpp"
+#include "schema/pattern/vertex_labels.hpp"
 
 namespace misalign::schema {
 

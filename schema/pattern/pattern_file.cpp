@@ -1,7 +1,6 @@
 #include "schema/pattern/pattern_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 
@@ -11,6 +10,7 @@
 #include "schema/pattern/mesh_family.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "schema/pattern/spring_ends_json.hpp"
+#include "schema/pattern/vertex_labels.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -285,15 +285,6 @@ int facet_of_json(const Pattern& pattern, const Json& place) {
   const auto& places = pattern.base.sheet.places;
   const auto at = std::ranges::find_if(places, [&](const auto& own) { return place == Json(own); });
   return at == places.end() ? -1 : static_cast<int>(at - places.begin());
-}
-
-int vertex_of_label(const std::string& label, int vertex_count) {
-  int number = 0;
-  const char* const end = label.data() + label.size();
-  if (label.size() < 2 || label[0] != 'A' || label[1] == '0') return -1;
-  const auto [stop, error] = std::from_chars(label.data() + 1, end, number);
-  if (error != std::errc{} || stop != end || number < 1 || number > vertex_count) return -1;
-  return number - 1;
 }
 
 }  // namespace misalign::schema

@@ -63,7 +63,4 @@ Json facet_json(const Pattern& pattern, int facet);
 /// The facet there; -1 if the sheet has none.
 int facet_of_json(const Pattern& pattern, const Json& place);
 
-/// Vertex of a label, -1 if the sheet has no such vertex.
-int vertex_of_label(const std::string& label, int vertex_count);
-
 }  // namespace misalign::schema

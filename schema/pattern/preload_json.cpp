@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "schema/pattern/design.hpp"
-#include "schema/pattern/pattern_file.hpp"
+#include "schema/pattern/vertex_labels.hpp"
+#include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::schema {
 namespace {

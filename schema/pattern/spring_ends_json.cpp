@@ -8,6 +8,7 @@
 
 #include "schema/pattern/pattern_file.hpp"
 #include "schema/pattern/perforation_check.hpp"
+#include "schema/pattern/vertex_labels.hpp"
 #include "solver/kinematics/diagonals.hpp"
 
 namespace misalign::schema {

@@ -4,6 +4,7 @@
 #include "schema/catalogue/yield.hpp"
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/deploy_json.hpp"
+#include "schema/pattern/vertex_labels.hpp"
 #include "schema_agreement.hpp"
 #include "solver/certificate/certifier.hpp"
 

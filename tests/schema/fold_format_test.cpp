@@ -6,6 +6,7 @@
 
 #include "fold_meshes.hpp"
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/pattern/vertex_labels.hpp"
 #include "solver/pattern/perforation.hpp"
 #include "solver/records/history.hpp"
 #include "tests/folder.hpp"

@@ -2,6 +2,7 @@
 #include "schema/pattern/pattern_file.hpp"
 
 #include "campaign_faults.hpp"
+#include "schema/pattern/vertex_labels.hpp"
 
 namespace misalign::schema {
 namespace {
