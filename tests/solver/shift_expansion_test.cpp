@@ -102,8 +102,8 @@ TEST_P(ShiftExpansions, SayWhatThePathShows) {
 INSTANTIATE_TEST_SUITE_P(Drawn, ShiftExpansions,
                          testing::Values(ExpandedSheet{6, 6, Shifted::interior, 170, 15, 120},
                                          ExpandedSheet{6, 6, Shifted::ring, 170, 15, 120},
-                                         ExpandedSheet{4, 4, Shifted::interior, 150, 14, 119},
-                                         ExpandedSheet{8, 6, Shifted::interior, 150, 14, 119}));
+                                         ExpandedSheet{4, 4, Shifted::interior, 150, 14, 118},
+                                         ExpandedSheet{8, 6, Shifted::interior, 150, 14, 118}));
 
 TEST(ShiftExpansion, SpeaksOfTernaryShiftsOnly) {
   const DrawableSheet sheets(4, 4);
