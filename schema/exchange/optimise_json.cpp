@@ -5,7 +5,6 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/files/json_values.hpp"
-#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -32,16 +31,8 @@ const GoalName& name_of(solver::OptimiseGoal goal) {
   return *named;
 }
 
-Json optimised_pattern_json(const Pattern& base, const Design& design,
-                            const solver::Optimised& found) {
-  Json made = pattern_json(base, found.best().shifts_mm);
-  const Json said = said_design_json(design);
-  if (!said.empty()) made["design"] = said;
-  return made;
-}
-
-Json optimise_json(const Pattern& base, const Design& design, const solver::Sheet& sheet,
-                   const solver::Optimised& found, std::optional<double> certified_deg) {
+Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
+                   std::optional<double> certified_deg, const Json& pattern) {
   const solver::OptimiseOptions& options = found.options;
   Json json = {
       {"goal", name_of(options.goal).name},
@@ -60,7 +51,7 @@ Json optimise_json(const Pattern& base, const Design& design, const solver::Shee
       {"certified_deg", or_null(certified_deg)},
       {"stroke", sheet.metrics()->stroke_max},
       {"limits", nullptr},
-      {"pattern", optimised_pattern_json(base, design, found)}};
+      {"pattern", pattern}};
   if (found.limits) json["limits"] = limits_json(sheet.mechanism(), *found.limits);
   return json;
 }

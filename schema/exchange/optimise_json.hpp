@@ -2,7 +2,6 @@
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
-#include "schema/pattern/design.hpp"
 #include "solver/design/optimise.hpp"
 
 namespace misalign::schema {
@@ -22,11 +21,8 @@ inline constexpr GoalName kGoalNames[] = {
      "static friction, panels bent"}};
 const GoalName& name_of(solver::OptimiseGoal goal);
 
-/// The sheet that was found as a pattern file of its own, with the design.
-Json optimised_pattern_json(const Pattern& base, const Design& design,
-                            const solver::Optimised& found);
-/// `sheet`: the one that was found, proven up to `certified_deg`.
-Json optimise_json(const Pattern& base, const Design& design, const solver::Sheet& sheet,
-                   const solver::Optimised& found, std::optional<double> certified_deg);
+/// `sheet`: the one that was found, proven up to `certified_deg`, and its pattern file.
+Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
+                   std::optional<double> certified_deg, const Json& pattern);
 
 }  // namespace misalign::schema

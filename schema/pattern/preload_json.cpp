@@ -57,13 +57,18 @@ Json preloads_json(const std::vector<Preload::OfOne>& preloads) {
 void check_preloads(const std::vector<Preload::OfOne>& preloads,
                     const solver::Mechanism& mechanism) {
   InputFaults faults;
-  for (const solver::Preload::OfOne& one : preloads) {
-    const auto has_its_spring = [&](const auto& diagonal) { return one.is_on(diagonal); };
-    if (std::ranges::any_of(mechanism.diagonals, has_its_spring)) continue;
-    const solver::Diagonal& first = mechanism.diagonals.front();
-    faults.add("springs.preloads_n." + solver::line_label(one.from, one.to),
-               "is no diagonal of a hole of this sheet",
-               "name one such as " + solver::line_label(first.from, first.to));
+  for (const Preload::OfOne& one : preloads) {
+    const std::string name = "springs.preloads_n." + solver::line_label(one.from, one.to);
+    const auto on_one = [&](const auto& diagonal) { return one.is_on(diagonal); };
+    const auto at = std::ranges::find_if(mechanism.diagonals, on_one);
+    if (at == mechanism.diagonals.end()) {
+      const solver::Diagonal& first = mechanism.diagonals.front();
+      faults.add(name, "is no diagonal of a hole of this sheet",
+                 "name one such as " + solver::line_label(first.from, first.to));
+    } else if (std::ranges::count_if(preloads,
+                                     [&](const auto& other) { return other.is_on(*at); }) > 1) {
+      faults.add(name, "is named twice, once by its vertices in the other order", "name it once");
+    }
   }
   faults.refuse("design");
 }

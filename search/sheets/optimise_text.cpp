@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "schema/exchange/actuators_json.hpp"
@@ -65,6 +66,13 @@ ProvenBetter proven(const Subject& subject, solver::Optimised found, double to_d
 ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   const auto& [chosen, model, sheet] = subject;
   const schema::Design& design = model.design();
+  if (sheet.model().has_spare_equations()) {
+    throw schema::UserError(schema::Cause::bad_request,
+                            sheet.name() +
+                                ": has fewer holes than count to one degree of freedom "
+                                "(next to it only sheets of its parallel family fold); "
+                                "`misalign construct` makes the best of these");
+  }
   solver::OptimiseOptions options;
   options.goal = input.goal;
   options.deploying = deploy_options(design, sheet);
@@ -83,11 +91,17 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
     options.amplitude_mm = input.amplitude_mm.value_or(campaign.misalignment.amplitude_mm);
     deploys_from_deg = input.deploys_from_deg.value_or(campaign.threshold_deg);
   }
-  options.deploys_from_sample =
-      static_cast<int>(std::ceil(deploys_from_deg / sheet.model().sample_deg() - 1e-9));
+  const double sample = std::ceil(deploys_from_deg / sheet.model().sample_deg() - 1e-9);
+  options.deploys_from_sample = std::max(1, static_cast<int>(sample));
   return proven(subject,
                 found(solver::optimise(sheet, options), sheet.name() + ": its path is lost"),
                 options.deploys_from_sample * sheet.model().sample_deg());
+}
+
+schema::Json better_pattern(const Subject& subject, const ProvenBetter& better) {
+  const FoldingModel& model = subject.model;
+  return schema::pattern_file_json(model.base(), better.found.best().shifts_mm, model.sampling(),
+                                   model.design());
 }
 
 std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,

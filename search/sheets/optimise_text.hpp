@@ -30,6 +30,9 @@ struct ProvenBetter {
 /// 2 where an option does not fit it, 1 where its path is lost.
 ProvenBetter optimised(const Subject& subject, const OptimiseInput& input);
 
+/// The sheet that was found as a pattern file, with the subject's sampling and design.
+schema::Json better_pattern(const Subject& subject, const ProvenBetter& better);
+
 /// `sheet`: the one that was found.
 std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
                           const ProvenBetter& better);

@@ -43,8 +43,8 @@ schema::Json deploy_said(const Subject& subject, const solver::DeployOptions& op
 
 schema::Json optimise_said(Subject& subject, const ProvenBetter& better) {
   const solver::Sheet sheet = subject.model.sheet(better.found.best().shifts_mm);
-  return schema::optimise_json(subject.model.base(), subject.model.design(), sheet, better.found,
-                               better.certified_deg);
+  return schema::optimise_json(sheet, better.found, better.certified_deg,
+                               better_pattern(subject, better));
 }
 
 schema::Json card_said(const Subject& subject, const schema::Card& card) {

@@ -28,9 +28,7 @@ struct CardCall {
 };
 
 void show_card(CardCall call) {
-  if (!call.material_file.empty()) {
-    call.design.material = schema::read_material_file(call.material_file);
-  }
+  read_material(call.material_file, call.design);
   call.options.jobs = call.jobs.value_or(usable_threads());
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
   const auto [card, springs] = card_of(subject, call.options);
@@ -80,10 +78,7 @@ Action card_verb(CLI::App& verb) {
   number("--miscut", design.miscut_mm, "largest error of a vertex, mm", "miscut_mm", "MM");
   number("--play", design.play_mm, "radius of the ball in which each joint settles, mm", "play_mm",
          "MM");
-  verb.add_option("--material", call->material_file,
-                  "JSON file with name, e_gpa, poisson, density_g_per_cm3, strength_mpa [the "
-                  "design's, or aluminium]")
-      ->type_name("FILE");
+  add_material(verb, call->material_file);
   verb.add_option("--trials", call->options.trials,
                   fmt::format("how many miscut copies, and how often loose joints settle [{}]",
                               call->options.trials))

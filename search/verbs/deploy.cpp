@@ -30,9 +30,7 @@ struct DeployCall {
 };
 
 void show_deployment(DeployCall call) {
-  if (!call.material_file.empty()) {
-    call.input.design.material = schema::read_material_file(call.material_file);
-  }
+  read_material(call.material_file, call.input.design);
   const Subject subject = choose_sheet(call.path, call.draw, call.input.design);
   const auto& [chosen, model, sheet] = subject;
   solver::DeployOptions options = call.input.of(sheet, chosen.design);
@@ -97,10 +95,7 @@ Action deploy_verb(CLI::App& verb) {
                   "rigid, or as plates that bend [bend where the design or --material names a "
                   "material]")
       ->transform(one_of<PanelKind>({{"rigid", PanelKind::rigid}, {"bend", PanelKind::bend}}));
-  verb.add_option(
-          "--material", call->material_file,
-          "JSON file with name, e_gpa, poisson, density_g_per_cm3 [the design's, or aluminium]")
-      ->type_name("FILE");
+  add_material(verb, call->material_file);
   verb.add_option("--margin-to", call->input.design.margin_to_deg,
                   fmt::format("the angle down to which margins of panels that bend, and pins, are "
                               "asked [the design's, or {:g}]",

@@ -166,7 +166,7 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
 void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) {
   const std::string& path = call.files.read_from;
   refuse_idle_options(call.files, call.kit, verb);
-  read_material(call.deck, call.release.design);
+  read_material(call.deck.material_file, call.release.design);
   call.files.warn = [](const std::string& words) { spdlog::warn("{}", words); };
   const std::string chosen_by = first_given(choice);
   if (is_pattern_file(path)) {

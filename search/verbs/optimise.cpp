@@ -21,15 +21,11 @@ struct OptimiseCall {
 };
 
 void show_optimised(OptimiseCall call) {
-  if (!call.material_file.empty()) {
-    call.design.material = schema::read_material_file(call.material_file);
-  }
+  read_material(call.material_file, call.design);
   Subject subject = choose_sheet(call.path, call.draw, call.design);
   const ProvenBetter better = optimised(subject, call.input);
   if (!call.output.empty()) {
-    const schema::Json made =
-        schema::optimised_pattern_json(subject.model.base(), subject.model.design(), better.found);
-    schema::write_text_file(call.output, made.dump(1) + "\n");
+    schema::write_text_file(call.output, better_pattern(subject, better).dump(1) + "\n");
   }
   if (call.json) return put_json(optimise_said(subject, better));
   const auto& shifts_mm = better.found.best().shifts_mm;
@@ -88,10 +84,7 @@ Action optimise_verb(CLI::App& verb) {
                   "dry friction of creases, N mm per mm [the design's, or 0]")
       ->check(within("hinges.friction_n_mm_per_mm"))
       ->type_name("N");
-  verb.add_option("--material", call->material_file,
-                  "JSON file with name, e_gpa, poisson, density_g_per_cm3 [the design's, or "
-                  "aluminium]")
-      ->type_name("FILE");
+  add_material(verb, call->material_file);
   verb.add_option("--output", call->output, "write the sheet to this pattern file")
       ->type_name("FILE");
   verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");

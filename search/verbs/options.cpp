@@ -109,15 +109,20 @@ void add_deck(CLI::App& verb, DeckCall& call) {
                   fmt::format("elements along a panel's side [{}]", call.deck.elements))
       ->check(counted(2, 40))
       ->type_name("N");
-  verb.add_option("--material", call.material_file,
-                  fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3 [the "
-                              "design's, or {}]",
-                              call.deck.material.name))
+  add_material(verb, call.material_file);
+}
+
+void add_material(CLI::App& verb, std::string& file) {
+  verb.add_option(
+          "--material", file,
+          fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3, strength_mpa "
+                      "[the design's, or {}]",
+                      schema::Material{}.name))
       ->type_name("FILE");
 }
 
-void read_material(const DeckCall& deck, schema::Design& design) {
-  if (!deck.material_file.empty()) design.material = schema::read_material_file(deck.material_file);
+void read_material(const std::string& file, schema::Design& design) {
+  if (!file.empty()) design.material = schema::read_material_file(file);
 }
 
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm) {

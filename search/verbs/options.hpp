@@ -53,8 +53,9 @@ struct DeckCall {
   schema::DeckOptions of(const schema::Design& whole) const;
 };
 void add_deck(CLI::App& verb, DeckCall& call);
-/// Reads the material file, if there is one, into what was typed. UserError (3).
-void read_material(const DeckCall& deck, schema::Design& design);
+/// --material, of the panels: a file, and what it says into what was typed. UserError (3).
+void add_material(CLI::App& verb, std::string& file);
+void read_material(const std::string& file, schema::Design& design);
 /// --trim, of the plates' corners.
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm);
 

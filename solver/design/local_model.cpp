@@ -1,6 +1,7 @@
 #include "solver/design/local_model.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -91,12 +92,10 @@ class Builder {
                       Eigen::ArrayXd::Zero(flat_.length_mm.size()));
     }
     if (options_.largest_force_n) {
-      const DeployOptions let_go = *fitted_release(sheet_, options_.deploying).study;
-      const double n_per_mm = let_go.sheet.springs.stiffness_n_per_mm;
-      const VectorXd preload_n =
-          let_go.sheet.springs.preload.forces_n(sheet_.mechanism().diagonals);
-      add_elongations(LocalRow::Of::force, let_go.motion.from_deg, 0,
-                      (*options_.largest_force_n - preload_n.array()) / n_per_mm);
+      const Springs& springs = options_.deploying.sheet.springs;
+      const VectorXd preload_n = springs.preload.forces_n(sheet_.mechanism().diagonals);
+      add_elongations(LocalRow::Of::force, *options_.deploying.from_deg, 0,
+                      (*options_.largest_force_n - preload_n.array()) / springs.stiffness_n_per_mm);
     }
   }
 
@@ -149,7 +148,7 @@ class Builder {
     const DeployOptions& deploying = options_.deploying;
     std::vector<LocalGoal> all;
     if (options_.goal == OptimiseGoal::critical_friction) {
-      const double from_deg = fitted_release(sheet_, deploying).study->motion.from_deg;
+      const double from_deg = *deploying.from_deg;
       const DeployingSheet rigid(*sheet_.way(), sheet_.model().shape(), sheet_.base(),
                                  deploying.sheet);
       all.push_back({rigid.unit_springs(0).energy, 0, VectorXd()});
@@ -207,7 +206,55 @@ double LocalModel::goal(const VectorXd& change_mm) const {
   return least;
 }
 
+VectorXd LocalProgram::change_mm(const LinearOptimum& best) const {
+  const Index count = (linear.gain.size() - 1) / 2;
+  return box_mm * (best.x.head(count) - best.x.segment(count, count));
+}
+
+// Entries of about 1, as the simplex method wants them.
+LocalProgram local_program(const LocalModel& model, double box_mm, const Eigen::ArrayXd& rise_mm,
+                           const Eigen::ArrayXd& fall_mm) {
+  const Index count = rise_mm.size(), goals = std::ssize(model.goals);
+  const double goal = model.goal(VectorXd::Zero(count));
+  LocalProgram program{{}, {}, {}, box_mm, 0};
+  for (const LocalRow& one : model.rows) {
+    const double reach = box_mm * one.row.lpNorm<1>();
+    if (reach > 0 && one.slack < reach) program.reached.push_back(&one);
+  }
+  for (const LocalGoal& one : model.goals) {
+    program.unit =
+        std::max(program.unit, box_mm * one.row.lpNorm<Eigen::Infinity>() / one.turned_mm);
+  }
+  if (program.unit == 0) program.unit = 1;  // nothing changes it
+  const Index rows = std::ssize(program.reached);
+  LinearProgram& linear = program.linear;
+  linear.rows.setZero(rows + goals + 2 * count, 2 * count + 1);
+  linear.bounds.resize(linear.rows.rows());
+  linear.gain = VectorXd::Unit(2 * count + 1, 2 * count);
+  program.scales = VectorXd::Constant(linear.rows.rows(), box_mm);
+  for (Index k = 0; k < rows; ++k) {
+    const LocalRow& one = *program.reached[static_cast<std::size_t>(k)];
+    const double largest = one.row.lpNorm<Eigen::Infinity>();
+    program.scales(k) *= largest;
+    linear.rows.row(k).head(count) = -one.row / largest;
+    linear.rows.row(k).segment(count, count) = one.row / largest;
+    // What does not fit gets no worse.
+    linear.bounds(k) = std::max(one.slack, 0.0) / program.scales(k);
+  }
+  for (Index k = 0; k < goals; ++k) {
+    const LocalGoal& one = model.goals[static_cast<std::size_t>(k)];
+    const VectorXd by = box_mm * one.row / (one.turned_mm * program.unit);
+    linear.rows.row(rows + k) << -by.transpose(), by.transpose(), 1;
+    linear.bounds(rows + k) = std::max(0.0, (one.n_mm / one.turned_mm - goal) / program.unit);
+  }
+  linear.rows.bottomLeftCorner(2 * count, 2 * count).setIdentity();
+  linear.bounds.tail(2 * count) << (rise_mm / box_mm).min(1).max(0),
+      (fall_mm / box_mm).min(1).max(0);
+  return program;
+}
+
 std::optional<LocalModel> local_model(const Sheet& sheet, const OptimiseOptions& options) {
+  assert(options.deploying.from_deg);
   if (!sheet.way() || sheet.model().has_spare_equations()) return {};
   return Builder(sheet, options).build();
 }

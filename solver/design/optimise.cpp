@@ -4,10 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "solver/design/local_model.hpp"
-#include "solver/linear/simplex.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -55,18 +53,15 @@ class Optimiser {
     found_.end = OptimiseEnd::most_steps;
     while (found_.steps() < options_.most_steps) {
       const auto model = local_model(*now.sheet, options_);
-      auto next = options_.ternary || !model ? std::nullopt : moved(now, *model, box_mm);
-      if (!next && model && (next = flipped(now, *model))) {
-        box_mm = kFirstBox * options_.amplitude_mm;
-      }
+      auto next = model ? better(now, *model, box_mm) : std::nullopt;
       if (!next) {
         found_.end = OptimiseEnd::no_step_is_better;
+        if (model && !options_.ternary) find_limits(*now.sheet, *model);
         break;
       }
       now = std::move(*next);
       found_.taken.push_back({now.sheet->shifts_mm(), now.value});
     }
-    if (!options_.ternary) find_limits(*now.sheet);
     return std::move(found_);
   }
 
@@ -131,54 +126,24 @@ class Optimiser {
     return Worthy{std::move(sheet), *value};
   }
 
-  // Within the box: the columns are what each coordinate rises, what each falls, and what the goal
-  // rises, in shares of itself. Rows: those of the model that the box reaches, the goals, the box.
-  struct Program {
-    std::vector<const LocalRow*> reached;
-    LinearProgram linear;
-    double unit;  // of the goal
-
-    VectorXd change_mm(const LinearOptimum& best) const {
-      const Index count = (linear.gain.size() - 1) / 2;
-      return best.x.head(count) - best.x.segment(count, count);
-    }
-  };
-
-  Program program(const Sheet& sheet, const LocalModel& model, double box_mm) const {
-    const Index count = coordinates(), goals = std::ssize(model.goals);
-    const double goal = model.goal(VectorXd::Zero(count));
-    Program program{{}, {}, std::abs(goal)};
-    for (const LocalRow& one : model.rows) {
-      if (one.slack < box_mm * one.row.lpNorm<1>()) program.reached.push_back(&one);
-    }
-    const Index rows = std::ssize(program.reached);
-    LinearProgram& linear = program.linear;
-    linear.rows.setZero(rows + goals + 2 * count, 2 * count + 1);
-    linear.bounds.resize(linear.rows.rows());
-    linear.gain = VectorXd::Unit(2 * count + 1, 2 * count);
-    for (Index k = 0; k < rows; ++k) {
-      const LocalRow& one = *program.reached[static_cast<std::size_t>(k)];
-      linear.rows.row(k).head(count) = -one.row;
-      linear.rows.row(k).segment(count, count) = one.row;
-      linear.bounds(k) = std::max(one.slack, 0.0);  // what does not fit gets no worse
-    }
-    for (Index k = 0; k < goals; ++k) {
-      const LocalGoal& one = model.goals[static_cast<std::size_t>(k)];
-      const VectorXd by = one.row / (one.turned_mm * program.unit);
-      linear.rows.row(rows + k) << -by.transpose(), by.transpose(), 1;
-      linear.bounds(rows + k) = std::max(0.0, (one.n_mm / one.turned_mm - goal) / program.unit);
-    }
-    linear.rows.bottomLeftCorner(2 * count, 2 * count).setIdentity();
+  LocalProgram program(const Sheet& sheet, const LocalModel& model, double box_mm) const {
     const Eigen::ArrayXd own_mm = own(sheet).array();
-    linear.bounds.tail(2 * count) << (options_.amplitude_mm - own_mm).min(box_mm).max(0),
-        (options_.amplitude_mm + own_mm).min(box_mm).max(0);
-    return program;
+    return local_program(model, box_mm, options_.amplitude_mm - own_mm,
+                         options_.amplitude_mm + own_mm);
+  }
+
+  std::optional<Worthy> better(const Worthy& now, const LocalModel& model, double& box_mm) {
+    if (!options_.ternary) {
+      if (auto next = moved(now, model, box_mm)) return next;
+      box_mm = kFirstBox * options_.amplitude_mm;
+    }
+    return flipped(now, model);
   }
 
   // A step of free shifts: the box shrinks until one is right.
   std::optional<Worthy> moved(const Worthy& now, const LocalModel& model, double& box_mm) {
     while (box_mm >= kLastBox * options_.amplitude_mm) {
-      const Program inside = program(*now.sheet, model, box_mm);
+      const LocalProgram inside = program(*now.sheet, model, box_mm);
       const LinearOptimum best = maximize(inside.linear);
       const double foreseen = best.value * inside.unit;
       if (best.end != LinearEnd::optimal || foreseen < kWorth * now.value) return {};
@@ -249,17 +214,15 @@ class Optimiser {
     return {};
   }
 
-  void find_limits(const Sheet& sheet) {
-    const auto model = local_model(sheet, options_);
-    if (!model) return;
+  void find_limits(const Sheet& sheet, const LocalModel& model) {
     const double box_mm = kBoxOfLimits * options_.amplitude_mm;
-    const Program inside = program(sheet, *model, box_mm);
+    const LocalProgram inside = program(sheet, model, box_mm);
     const LinearOptimum best = maximize(inside.linear);
     if (best.end != LinearEnd::optimal) return;
     OptimiseLimits limits;
     for (std::size_t k = 0; k < inside.reached.size(); ++k) {
       const LocalRow& one = *inside.reached[k];
-      const double price = inside.unit * best.price(static_cast<Index>(k));
+      const double price = inside.price(best, static_cast<Index>(k));
       if (price == 0) continue;
       if (one.of == LocalRow::Of::stroke) {
         limits.per_share_of_stroke += price * sheet.way()->flat_mm()(one.where);
@@ -272,11 +235,9 @@ class Optimiser {
       }
     }
     std::ranges::sort(limits.turning, std::ranges::greater(), &OptimiseLimits::Turning::per_mm);
-    const Index count = coordinates();
-    const VectorXd bounds_mm = inside.linear.bounds.tail(2 * count),
-                   prices = inside.unit * best.price.tail(2 * count);
-    for (Index k = 0; k < 2 * count; ++k) {
-      if (bounds_mm(k) < box_mm) limits.per_mm_of_amplitude += prices(k);
+    // Of the box those sides that are the amplitude's.
+    for (Index row = best.price.size() - 2 * coordinates(); row < best.price.size(); ++row) {
+      if (inside.linear.bounds(row) < 1) limits.per_mm_of_amplitude += inside.price(best, row);
     }
     found_.limits = limits;
   }
@@ -288,6 +249,11 @@ class Optimiser {
 
 std::optional<OptionFault> start_fault(const Sheet& start, const OptimiseOptions& options) {
   const double amplitude_mm = options.amplitude_mm;
+  if (amplitude_mm <= 0) {
+    return OptionFault{"amplitude_mm", shown("%g", amplitude_mm),
+                       "leaves no room: the sheet that it starts from is not shifted either",
+                       "name one, such as 0.4"};
+  }
   for (const int vertex : options.shifted) {
     for (const double shift_mm : start.shifts_mm().col(vertex)) {
       const bool is_level = shift_mm == 0 || std::abs(shift_mm) == amplitude_mm;
@@ -313,7 +279,7 @@ std::optional<OptionFault> start_fault(const Sheet& start, const OptimiseOptions
 }  // namespace
 
 Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options) {
-  assert(!options.shifted.empty() && options.amplitude_mm > 0);
+  assert(!options.shifted.empty() && options.deploys_from_sample > 0);
   const Studied<DeployOptions> fitted = fitted_release(start, options.deploying);
   if (fitted.fault) return *fitted.fault;
   if (!fitted.study || start.model().has_spare_equations()) return {};

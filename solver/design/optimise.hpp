@@ -75,7 +75,7 @@ struct Optimised {
 };
 
 /// From `start`. Faults: of the angles as deploy(); amplitude_mm where its own shifts are larger or
-/// not ternary; deploys_from_deg, stroke_limit and largest_force_n where
+/// not ternary, or there is none; deploys_from_deg, stroke_limit and largest_force_n where
 /// it does not keep them; goal where nothing
 /// drives it to flat. Nothing where its path is lost.
 Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);

@@ -184,6 +184,8 @@ constexpr Mutation kRefused[] = {
     {"/design/springs/stiffness_n_per_mm", "1000000001"},
     {"/design/springs/stroke_limit", "0"},
     {"/design/springs/stroke_limit", "8"},
+    {"/design/springs/preloads_n", R"({"A9": 1})"},
+    {"/design/springs/preloads_n", R"({"A9-A15": -1})"},
     {"/design/hinges/extra", "1"},
     {"/design/hinges/friction_n_mm_per_mm", "-0.1"},
     {"/design/hinges/stiffness_n_mm_per_mm", "1000000001"},

@@ -12,7 +12,7 @@ for kind in --ternary ''; do
     AND json_extract(j, '\$.after_n_mm_per_mm') > 4 * json_extract(j, '\$.before_n_mm_per_mm')
     AND json_extract(j, '\$.certified_deg') >= 170" || fail "worth $kind"
   [ "$(field folded.json verdict.deploys_from_deg | cut -d. -f1)" -ge 170 ] || fail "D $kind"
-  [ "$(sqlite3 :memory: "SELECT max(abs(xy.value)) <= 0.4 FROM json_each(readfile('better.json'), '\$.displacements_mm') v, json_each(v.value) xy")" = 1 ] ||
+  [ "$(sqlite3 :memory: "SELECT max(abs(xy.value)) <= 0.4 + 1e-12 FROM json_each(readfile('better.json'), '\$.pattern.displacements_mm') v, json_each(v.value) xy")" = 1 ] ||
     fail "amplitude $kind"
 done
 "$program" optimise six.db "$draw" --json > again.json && cmp -s said.json again.json || fail "not the same sheet again"
@@ -40,4 +40,13 @@ refused 2 "--stroke-limit 0.001: a diagonal of the sheet that it starts from elo
 refused 2 "static_friction_n_mm_per_mm" "$table1" --goal static_friction
 refused 2 "nothing drives the sheet that it starts from to flat" "$table1" --goal static_friction_n_mm_per_mm --preload 5
 refused 3 "nowhere.json" nowhere.json
+tr '\n' ' ' < "$table1" | sed 's/"displacements_mm": {[^}]*}/"displacements_mm": {}/' > plain.json
+refused 2 "--amplitude 0: leaves no room" plain.json --from 10
+refused 2 "the sheet that it starts from deploys from 0 deg" plain.json --amplitude 0.4 --from 10
+# The free shifts of a sheet that is hardly shifted, whose programs are large: none passes the amplitude.
+echo '{ "family": "miura", "rows": 6, "columns": 6, "displacements_mm": { "A17": [0.4, 0], "A18": [0.4, 0] }, "holes": "checkerboard-even" }' > one.json
+"$program" optimise one.json --from 10 --output near.json > words || fail "a sheet that is hardly shifted"
+[ "$(sqlite3 :memory: "SELECT max(abs(xy.value)) <= 0.4 + 1e-12 FROM json_each(readfile('near.json'), '\$.pattern.displacements_mm') v, json_each(v.value) xy")" = 1 ] ||
+  fail "shifts beyond the amplitude: $(cat words)"
+grep -q '"between_samples"' near.json || fail "the sampling is not with it"
 finish
