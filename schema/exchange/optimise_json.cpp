@@ -34,13 +34,16 @@ const GoalName& name_of(solver::OptimiseGoal goal) {
 Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
                    std::optional<double> certified_deg, const Json& pattern) {
   const solver::OptimiseOptions& options = found.options;
+  const GoalName& goal = name_of(options.goal);
   Json json = {
-      {"goal", name_of(options.goal).name},
+      {"goal", goal.name},
       {"from_deg", found.from_deg},
-      {"before_n_mm_per_mm", found.start().value},
-      {"after_n_mm_per_mm", found.best().value},
+      {std::string("before_") + goal.unit, found.start().value},
+      {std::string("after_") + goal.unit, found.best().value},
       {"amplitude_mm", options.amplitude_mm},
       {"ternary", options.ternary},
+      {"grid_mm", options.grid_mm > 0 ? Json(options.grid_mm) : Json()},
+      {"within_family", options.moves.size() > 0},
       {"stroke_limit", or_null(options.stroke_limit)},
       {"largest_force_n", or_null(options.largest_force_n)},
       {"steps", found.steps()},

@@ -51,7 +51,8 @@ std::string deploy(const PatternSource& source, const std::string& design,
 
 std::string optimise(const PatternSource& source, const std::string& design,
                      const std::string& goal, std::optional<double> amplitude_mm,
-                     std::optional<double> deploys_from_deg, bool ternary) {
+                     std::optional<double> deploys_from_deg, bool ternary,
+                     std::optional<double> grid_mm, bool within_family) {
   return unlocked([&] {
     const auto* const named = std::ranges::find(schema::kGoalNames, goal, &schema::GoalName::name);
     if (named == std::end(schema::kGoalNames)) {
@@ -60,8 +61,8 @@ std::string optimise(const PatternSource& source, const std::string& design,
                                   std::string(schema::kGoalNames[0].name));
     }
     Subject subject(source.sheet, design_of(design));
-    return optimise_said(subject,
-                         optimised(subject, {named->goal, amplitude_mm, deploys_from_deg, ternary}))
+    return optimise_said(subject, optimised(subject, {named->goal, amplitude_mm, deploys_from_deg,
+                                                      ternary, grid_mm, within_family}))
         .dump();
   });
 }
@@ -112,7 +113,8 @@ void bind_studies(py::module_& module) {
   module.def("actuators", &actuators, py::arg("sheet"), py::arg("design"));
   module.def("deploy", &deploy, py::arg("sheet"), py::arg("design"), py::arg("bends"));
   module.def("optimise", &optimise, py::arg("sheet"), py::arg("design"), py::arg("goal"),
-             py::arg("amplitude_mm"), py::arg("deploys_from_deg"), py::arg("ternary"));
+             py::arg("amplitude_mm"), py::arg("deploys_from_deg"), py::arg("ternary"),
+             py::arg("grid_mm"), py::arg("within_family"));
   module.def("card", &card, py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));
   module.def("certify", &certify, py::arg("sheet"), py::arg("design"), py::arg("contact"));

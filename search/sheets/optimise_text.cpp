@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "schema/exchange/actuators_json.hpp"
+#include "search/draws/models.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/found_study.hpp"
 #include "search/sheets/row_certifier.hpp"
+#include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {
 namespace {
@@ -43,6 +46,13 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
   return text;
 }
 
+// Margins are up to the threshold, whatever the angle of use.
+std::string goal_text(const solver::Optimised& found) {
+  const schema::GoalName& goal = schema::name_of(found.options.goal);
+  if (goal.goal == solver::OptimiseGoal::miscut_margin) return goal.words;
+  return fmt::format("{} from {:g} deg", goal.words, found.from_deg);
+}
+
 // The last sheet that is proven up to there; where not even the start is, all stay.
 ProvenBetter proven(const Subject& subject, solver::Optimised found, double to_deg) {
   if (!subject.sheet.base().springs.in_mid_plane()) return {std::move(found), {}};
@@ -59,6 +69,24 @@ ProvenBetter proven(const Subject& subject, solver::Optimised found, double to_d
   }
   found.taken = all;
   return {std::move(found), first};
+}
+
+// What moves together within the base's parallel family, of which the sheet is a member.
+void keep_to_family(const solver::Sheet& sheet, solver::OptimiseOptions& options) {
+  const auto refuse = [](const std::string& why, const char* instead) {
+    throw schema::UserError(solver::OptionFault{"within_family", {}, why, instead});
+  };
+  auto found = solver::ParallelFamily::of(sheet.base(), options.shifted);
+  if (const auto* none = std::get_if<solver::NoParallelFamily>(&found)) {
+    refuse("this base has no parallel family: " + none->why(sheet.base().sheet), "take it out");
+  }
+  const auto& family = std::get<solver::ParallelFamily>(found);
+  if (solver::parallel_misfit(sheet.base(), sheet.shifts_mm()).mm > solver::kMemberWithin_mm) {
+    refuse("the sheet that it starts from is no member of the base's parallel family",
+           "begin with one that `misalign construct` makes");
+  }
+  options.shifted = family.vertices();
+  options.moves = family.basis();
 }
 
 }  // namespace
@@ -91,10 +119,26 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
     options.amplitude_mm = input.amplitude_mm.value_or(campaign.misalignment.amplitude_mm);
     deploys_from_deg = input.deploys_from_deg.value_or(campaign.threshold_deg);
   }
+  if (input.within_family) {
+    if (!chosen.drawn) options.shifted = solver::all_vertices(sheet.base().sheet);
+    keep_to_family(sheet, options);
+  }
+  options.grid_mm = input.grid_mm.value_or(0);
   const double sample = std::ceil(deploys_from_deg / sheet.model().sample_deg() - 1e-9);
   options.deploys_from_sample = std::max(1, static_cast<int>(sample));
+  std::unique_ptr<const solver::Model> up_to_there;  // margins are up to a threshold
+  if (options.goal == solver::OptimiseGoal::miscut_margin) {
+    schema::Campaign campaign = chosen.drawn ? chosen.drawn->campaign : chosen.as_campaign();
+    campaign.threshold_deg = options.deploys_from_sample * campaign.sample_deg;
+    campaign.misalignment.vertices = options.shifted;
+    up_to_there.reset(new solver::Model(model_of(campaign)));
+  }
+  solver::SheetSolver solver(up_to_there ? *up_to_there : sheet.model());
+  Eigen::Matrix2Xd shifts_mm = sheet.shifts_mm();
+  if (input.grid_mm) shifts_mm = (shifts_mm.array() / *input.grid_mm).round() * *input.grid_mm;
+  const solver::Sheet start(solver, shifts_mm, sheet.name());
   return proven(subject,
-                found(solver::optimise(sheet, options), sheet.name() + ": its path is lost"),
+                found(solver::optimise(start, options), sheet.name() + ": its path is lost"),
                 options.deploys_from_sample * sheet.model().sample_deg());
 }
 
@@ -108,9 +152,9 @@ std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
                           const ProvenBetter& better) {
   const auto& [found, certified_deg] = better;
   std::string text = fmt::format(
-      "{}: {} from {:g} deg {:.4g} N mm per mm, now {:.4g}: {} steps, {} sheets folded{}\n",
-      subject.sheet.name(), schema::name_of(found.options.goal).words, found.from_deg,
-      found.start().value, found.best().value, found.steps(), found.looks,
+      "{}: {} {:.4g} {}, now {:.4g}: {} steps, {} sheets folded{}\n", subject.sheet.name(),
+      goal_text(found), found.start().value, schema::name_of(found.options.goal).unit_words,
+      found.best().value, found.steps(), found.looks,
       found.end == solver::OptimiseEnd::most_steps ? ", and it goes on" : "");
   text +=
       fmt::format("deploys from {:g} deg{}; largest stroke {:.3g} %, shifts up to {:.4g} mm\n",

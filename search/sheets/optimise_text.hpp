@@ -14,6 +14,8 @@ struct OptimiseInput {
   std::optional<double> amplitude_mm;      ///< none: the campaign's, or the largest of its shifts
   std::optional<double> deploys_from_deg;  ///< none: the campaign's, or its own D
   bool ternary = false;
+  std::optional<double> grid_mm = {};  ///< on which shifts lie, those of the start rounded to it
+  bool within_family = false;          ///< only among members of the base's parallel family
   double least_slope_mm_per_deg = solver::OptimiseOptions{}.least_slope_mm_per_deg;
   int most_steps = solver::OptimiseOptions{}.most_steps;
 };

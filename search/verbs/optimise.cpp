@@ -45,6 +45,7 @@ Action optimise_verb(CLI::App& verb) {
       "Where it ends depends on where it begins: try several candidates.\n\n"
       "Examples:\n  misalign optimise results/miura-6x6-1a2b3c4d.db 1234 --output better.json\n"
       "  misalign optimise search/patterns/table1.json --amplitude 1 --deploys-from 140\n"
+      "  misalign optimise made.json --within-family --deploys-from 179\n"
       "  misalign optimise search/patterns/table1.json --goal static_friction_n_mm_per_mm "
       "--thickness 2 --preload 0.1");
   auto call = std::make_shared<OptimiseCall>();
@@ -67,6 +68,15 @@ Action optimise_verb(CLI::App& verb) {
       ->check(within(0.01, 180))
       ->type_name("DEG");
   verb.add_flag("--ternary", call->input.ternary, "shift by nothing or the amplitude only");
+  verb.add_option("--grid", call->input.grid_mm,
+                  "shift by whole multiples of this only, mm: a cutter's steps")
+      ->check(within(1e-6, 1e3))
+      ->excludes("--ternary")
+      ->type_name("MM");
+  verb.add_flag("--within-family", call->input.within_family,
+                "only among members of the base's parallel family, which fold to 180 deg")
+      ->excludes("--ternary")
+      ->excludes("--grid");
   verb.add_option("--least-slope", call->input.least_slope_mm_per_deg,
                   fmt::format("what free shifts leave every diagonal, mm per degree at 90 deg and "
                               "less by the sine elsewhere: against miscuts [{}]",

@@ -13,8 +13,6 @@ constexpr double kFastEnough = 0.6;
 // Of a solved point's length, and per radian of the segment for each unit of the tangent's misfit.
 constexpr double kNodeError_widths = 1e-11, kErrorPerMisfit = 10;
 
-double angle_rad(const HalfAngle<double>& rho) { return 2 * std::atan2(rho.s, rho.c); }
-
 }  // namespace
 
 PathNode::PathNode(const Mechanism& mechanism)

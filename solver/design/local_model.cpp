@@ -11,6 +11,7 @@ namespace misalign::solver {
 namespace {
 
 using Eigen::Index;
+using Eigen::Matrix2Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -21,15 +22,19 @@ constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24;
 constexpr int kGoalAngles = 6;
 // A fold limit stays so far beyond the angle asked for.
 constexpr double kBeforeLimit_deg = 0.05;
+// Of margins those within so much of the least are followed to second order, by sheets that are
+// shifted by so much: between rounding of gradients, 1e-9, and their curvature.
+constexpr double kNearTheLeast = 1.5, kAlong_mm = 1e-4;
 // Fold angles are asked for from here on.
 constexpr double kFoldedFar_deg = 150;
 
 class Builder {
  public:
   Builder(const Sheet& sheet, const OptimiseOptions& options)
-      : sheet_(sheet), options_(options), gradients_(sheet), flat_(at(0)) {}
+      : sheet_(sheet), options_(options), solver_(sheet.model()), gradients_(sheet), flat_(at(0)) {}
 
   std::optional<LocalModel> build() {
+    add_room();
     add_directions();
     add_goals();
     if (!is_known_) return {};
@@ -44,7 +49,7 @@ class Builder {
     return flat_;
   }
 
-  // Of all vertices' coordinates those that may change.
+  // Of all vertices' coordinates those that may change, or by the moves.
   VectorXd of_shifted(const Eigen::RowVectorXd& all) const {
     VectorXd row(2 * std::ssize(options_.shifted));
     Index k = 0;
@@ -52,7 +57,31 @@ class Builder {
       row(k++) = all(2 * vertex);
       row(k++) = all(2 * vertex + 1);
     }
-    return row;
+    if (options_.moves.size() == 0) return row;
+    return options_.moves.transpose() * row;
+  }
+
+  void add_room() {
+    const Eigen::Map<const Eigen::RowVectorXd> all_mm(sheet_.shifts_mm().data(),
+                                                      sheet_.shifts_mm().size());
+    const double most_mm = options_.amplitude_mm;
+    if (options_.moves.size() == 0) {
+      const VectorXd own_mm = of_shifted(all_mm);
+      model_.coordinates = own_mm.size();
+      model_.rise_mm = most_mm - own_mm.array(), model_.fall_mm = most_mm + own_mm.array();
+      return;
+    }
+    model_.coordinates = options_.moves.cols();
+    model_.rise_mm = model_.fall_mm =
+        Eigen::ArrayXd::Constant(model_.coordinates, std::numeric_limits<double>::infinity());
+    for (Index k = 0; k < options_.moves.rows(); ++k) {
+      const int vertex = options_.shifted[static_cast<std::size_t>(k / 2)];
+      const double own_mm = sheet_.shifts_mm()(k % 2, vertex);
+      for (const double side : {-1.0, 1.0}) {
+        model_.rows.push_back({LocalRow::Of::amplitude, static_cast<int>(k), 0,
+                               most_mm - side * own_mm, -side * options_.moves.row(k)});
+      }
+    }
   }
 
   void add(LocalRow::Of of, Index where, double pilot_deg, double slack,
@@ -75,9 +104,9 @@ class Builder {
     AngleGradients last = flat_;
     for (const double pilot_deg : angles_of_directions()) {
       AngleGradients here = at(pilot_deg);
-      const double middle_rad = (pilot_deg + last.pilot_deg) / 2 * kRadPerDeg;
-      const double least_mm =
-          options_.least_slope_mm_per_deg * std::sin(middle_rad) * (pilot_deg - last.pilot_deg);
+      const double least_mm = options_.least_slope_mm_per_deg *
+                              half_angle_of_deg(pilot_deg + last.pilot_deg).s *
+                              (pilot_deg - last.pilot_deg);
       for (Index d = 0; d < here.length_mm.size(); ++d) {
         const double longer_mm = here.length_mm(d) - last.length_mm(d);
         const double side = longer_mm < 0 ? -1 : 1;
@@ -157,7 +186,7 @@ class Builder {
         all.push_back(energy_at(angle_deg, rigid.unit_springs(x).energy, rigid.spring_forces_n(x)));
       }
       const double n_per_mm = deploying.sheet.springs.stiffness_n_per_mm;
-      for (LocalGoal& one : all) one.n_mm *= n_per_mm;
+      for (LocalGoal& one : all) one.amount *= n_per_mm;
     } else {
       const auto bent = bend_panels(sheet_, deploying, options_.bending).study;
       if (!bent) {
@@ -171,16 +200,69 @@ class Builder {
         all.push_back(energy_at(angle.pilot_deg, angle.bent.n_mm, angle.bent.forces_n));
       }
     }
-    all.front().row = VectorXd::Zero(2 * std::ssize(options_.shifted));
+    all.front().row = VectorXd::Zero(model_.coordinates);
     return all;
   }
 
+  // How far a diagonal goes on in a section of the way, from the one sample to the other.
+  struct Section {
+    Index diagonal;
+    double from_deg, to_deg, side, moved_mm;
+    Eigen::RowVectorXd by_mm;  // of all vertices
+
+    double ratio() const { return moved_mm / by_mm.norm(); }
+  };
+
+  // As solver/model/miscut_margin.hpp has it: the amounts of all sections.
+  void add_margins() {
+    std::vector<Section> sections;
+    AngleGradients last = flat_;
+    for (const int sample : sheet_.model().margin_samples()) {
+      AngleGradients here = at(sheet_.sample_deg(sample));
+      for (Index d = 0; d < here.length_mm.size(); ++d) {
+        const double longer_mm = here.length_mm(d) - last.length_mm(d);
+        const double side = longer_mm < 0 ? -1 : 1;
+        sections.push_back({d, last.pilot_deg, here.pilot_deg, side, std::abs(longer_mm),
+                            side * (here.length_by_mm.row(d) - last.length_by_mm.row(d))});
+      }
+      last = std::move(here);
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (const Section& one : sections) least = std::min(least, one.ratio());
+    for (const Section& one : sections) {
+      Eigen::RowVectorXd row = one.by_mm;
+      // What is divided by changes too; of the least ones that is looked at.
+      if (one.ratio() < kNearTheLeast * least) row -= one.ratio() * norm_by_mm(one);
+      model_.goals.push_back({one.moved_mm, one.by_mm.norm(), of_shifted(row)});
+    }
+  }
+
+  // How the norm of a section's row changes, per mm: by the row of a sheet that is shifted along
+  // it.
+  Eigen::RowVectorXd norm_by_mm(const Section& section) {
+    const Eigen::RowVectorXd along = section.by_mm.normalized();
+    const Matrix2Xd shifts_mm =
+        sheet_.shifts_mm() +
+        kAlong_mm * Eigen::Map<const Matrix2Xd>(along.data(), 2, sheet_.shifts_mm().cols());
+    const Sheet other(solver_, shifts_mm);
+    is_known_ = is_known_ && other.way();
+    if (!is_known_) return 0 * along;
+    PathGradients gradients(other);
+    const auto from = gradients.at(section.from_deg, false),
+               to = gradients.at(section.to_deg, false);
+    is_known_ = from && to;
+    if (!is_known_) return 0 * along;
+    const Eigen::RowVectorXd by_mm = section.side * (to->length_by_mm.row(section.diagonal) -
+                                                     from->length_by_mm.row(section.diagonal));
+    return (by_mm - section.by_mm) / kAlong_mm;
+  }
+
   void add_goals() {
+    if (options_.goal == OptimiseGoal::miscut_margin) return add_margins();
     const std::vector<LocalGoal> all = energies();
     if (all.empty()) return;
     const auto add_between = [&](const LocalGoal& high, const LocalGoal& low) {
-      model_.goals.push_back(
-          {high.n_mm - low.n_mm, high.turned_mm - low.turned_mm, high.row - low.row});
+      model_.goals.push_back({high.amount - low.amount, high.over - low.over, high.row - low.row});
     };
     const bool is_static = options_.goal == OptimiseGoal::static_friction;
     for (std::size_t k = is_static ? 1 : 0; k + 1 < all.size(); ++k) {
@@ -190,6 +272,7 @@ class Builder {
 
   const Sheet& sheet_;
   const OptimiseOptions& options_;
+  SheetSolver solver_;
   PathGradients gradients_;
   bool is_known_ = true;
   AngleGradients flat_;
@@ -201,7 +284,7 @@ class Builder {
 double LocalModel::goal(const VectorXd& change_mm) const {
   double least = std::numeric_limits<double>::infinity();
   for (const LocalGoal& one : goals) {
-    least = std::min(least, (one.n_mm + one.row.dot(change_mm)) / one.turned_mm);
+    least = std::min(least, (one.amount + one.row.dot(change_mm)) / one.over);
   }
   return least;
 }
@@ -212,9 +295,8 @@ VectorXd LocalProgram::change_mm(const LinearOptimum& best) const {
 }
 
 // Entries of about 1, as the simplex method wants them.
-LocalProgram local_program(const LocalModel& model, double box_mm, const Eigen::ArrayXd& rise_mm,
-                           const Eigen::ArrayXd& fall_mm) {
-  const Index count = rise_mm.size(), goals = std::ssize(model.goals);
+LocalProgram local_program(const LocalModel& model, double box_mm) {
+  const Index count = model.coordinates, goals = std::ssize(model.goals);
   const double goal = model.goal(VectorXd::Zero(count));
   LocalProgram program{{}, {}, {}, box_mm, 0};
   for (const LocalRow& one : model.rows) {
@@ -222,8 +304,7 @@ LocalProgram local_program(const LocalModel& model, double box_mm, const Eigen::
     if (reach > 0 && one.slack < reach) program.reached.push_back(&one);
   }
   for (const LocalGoal& one : model.goals) {
-    program.unit =
-        std::max(program.unit, box_mm * one.row.lpNorm<Eigen::Infinity>() / one.turned_mm);
+    program.unit = std::max(program.unit, box_mm * one.row.lpNorm<Eigen::Infinity>() / one.over);
   }
   if (program.unit == 0) program.unit = 1;  // nothing changes it
   const Index rows = std::ssize(program.reached);
@@ -243,13 +324,13 @@ LocalProgram local_program(const LocalModel& model, double box_mm, const Eigen::
   }
   for (Index k = 0; k < goals; ++k) {
     const LocalGoal& one = model.goals[static_cast<std::size_t>(k)];
-    const VectorXd by = box_mm * one.row / (one.turned_mm * program.unit);
+    const VectorXd by = box_mm * one.row / (one.over * program.unit);
     linear.rows.row(rows + k) << -by.transpose(), by.transpose(), 1;
-    linear.bounds(rows + k) = std::max(0.0, (one.n_mm / one.turned_mm - goal) / program.unit);
+    linear.bounds(rows + k) = std::max(0.0, (one.amount / one.over - goal) / program.unit);
   }
   linear.rows.bottomLeftCorner(2 * count, 2 * count).setIdentity();
-  linear.bounds.tail(2 * count) << (rise_mm / box_mm).min(1).max(0),
-      (fall_mm / box_mm).min(1).max(0);
+  linear.bounds.tail(2 * count) << (model.rise_mm / box_mm).min(1).max(0),
+      (model.fall_mm / box_mm).min(1).max(0);
   return program;
 }
 

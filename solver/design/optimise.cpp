@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "solver/design/local_model.hpp"
+#include "solver/design/worth.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -26,138 +27,130 @@ constexpr double kBoxOfLimits = 0.05;
 // are off by 7 % at 120 degrees, and by half at 150.
 constexpr double kEarlyDoubt = 0.15, kLateDoubt = 0.6, kLateFrom_deg = 120;
 
-// A sheet that fits, and what it is worth.
-struct Worthy {
-  std::unique_ptr<const Sheet> sheet;
-  double value;
-};
+// What is rounded to a grid lies on it; 0: there is none.
+double on_grid(double mm, double grid_mm) {
+  return grid_mm > 0 ? std::round(mm / grid_mm) * grid_mm : mm;
+}
 
-// A change of few coordinates, and what it would be worth.
-struct Flip {
-  VectorXd change_mm;
-  double foreseen;
-};
+}  // namespace
 
-class Optimiser {
+// The way of one start.
+class Ascent::Climb {
  public:
-  Optimiser(const Model& model, const OptimiseOptions& options)
-      : options_(options), solver_(model) {
-    found_.options = options;
+  Climb(SheetSolver& solver, const OptimiseOptions& options, const Matrix2Xd& shifts_mm,
+        double value)
+      : options_(options),
+        solver_(solver),
+        box_mm_(kFirstBox * options.amplitude_mm),
+        now_{std::make_unique<const Sheet>(solver, shifts_mm), value},
+        found_{
+            options, *options.deploying.from_deg, {{shifts_mm, value}}, OptimiseEnd::most_steps, 0,
+            {}} {}
+
+  bool step() {
+    if (found_.steps() == options_.most_steps) return false;
+    const auto model = local_model(*now_.sheet, options_);
+    auto next = model ? better(*model) : std::nullopt;
+    if (!next) {
+      found_.end = OptimiseEnd::no_step_is_better;
+      if (model && !options_.ternary) find_limits(*model);
+      return false;
+    }
+    now_ = std::move(*next);
+    found_.taken.push_back({now_.sheet->shifts_mm(), now_.value});
+    return true;
   }
 
-  Optimised run(const Matrix2Xd& shifts_mm, double value) {
-    found_.from_deg = *options_.deploying.from_deg;
-    found_.taken.push_back({shifts_mm, value});
-    double box_mm = kFirstBox * options_.amplitude_mm;
-    Worthy now{std::make_unique<const Sheet>(solver_, shifts_mm), value};
-    found_.end = OptimiseEnd::most_steps;
-    while (found_.steps() < options_.most_steps) {
-      const auto model = local_model(*now.sheet, options_);
-      auto next = model ? better(now, *model, box_mm) : std::nullopt;
-      if (!next) {
-        found_.end = OptimiseEnd::no_step_is_better;
-        if (model && !options_.ternary) find_limits(*now.sheet, *model);
-        break;
-      }
-      now = std::move(*next);
-      found_.taken.push_back({now.sheet->shifts_mm(), now.value});
-    }
-    return std::move(found_);
-  }
-
-  // What the sheet is worth; none where it does not fit.
-  std::optional<double> value_of(const Sheet& sheet) const {
-    if (!fits(sheet)) return {};
-    if (options_.goal == OptimiseGoal::critical_friction) {
-      const auto rigid = standstill(sheet, options_.deploying).study;
-      return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
-    }
-    const auto bent = bend_panels(sheet, options_.deploying, options_.bending).study;
-    if (!bent || bent->unsure() > 0) return {};
-    if (options_.goal == OptimiseGoal::bent_critical_friction) {
-      return bent->friction.critical_n_mm_per_mm;
-    }
-    return bent->friction.static_n_mm_per_mm;
-  }
-
-  bool fits(const Sheet& sheet) const {
-    return sheet.verdict().deploys_from_sample >= options_.deploys_from_sample && sheet.way() &&
-           sheet.way()->end_deg() > *options_.deploying.from_deg &&
-           (!options_.stroke_limit || stroke(sheet) <= *options_.stroke_limit) &&
-           is_strong_enough(sheet);
-  }
-  bool is_strong_enough(const Sheet& sheet) const {
-    return !options_.largest_force_n || force_n(sheet) <= *options_.largest_force_n;
-  }
+  Optimised take() { return std::move(found_); }
 
  private:
-  // As columns of catalogues have it.
-  static double stroke(const Sheet& sheet) {
-    return measure(sheet.base(), sheet.vertices_mm(), sheet.record(), sheet.model().sample_deg())
-        .stroke_max;
-  }
+  // A sheet that fits, and what it is worth.
+  struct Worthy {
+    std::unique_ptr<const Sheet> sheet;
+    double value;
+  };
+  // A change of few coordinates, and what it would be worth.
+  struct Flip {
+    VectorXd change_mm;
+    double foreseen;
+  };
 
-  double force_n(const Sheet& sheet) const {
-    const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(),
-                               options_.deploying.sheet);
-    return rigid.spring_forces_n(sheet.way()->x_of(*options_.deploying.from_deg))
-        .cwiseAbs()
-        .maxCoeff();
-  }
-
-  Index coordinates() const { return 2 * std::ssize(options_.shifted); }
+  bool moves_together() const { return options_.moves.size() > 0; }
   double& coordinate(Matrix2Xd& shifts_mm, Index k) const {
     return shifts_mm(k % 2, options_.shifted[static_cast<std::size_t>(k / 2)]);
   }
-  VectorXd own(const Sheet& sheet) const {
-    Matrix2Xd shifts_mm = sheet.shifts_mm();
-    VectorXd own_mm(coordinates());
+  // x and y of each vertex that may be shifted, in turn.
+  VectorXd own() const {
+    Matrix2Xd shifts_mm = now_.sheet->shifts_mm();
+    VectorXd own_mm(2 * std::ssize(options_.shifted));
     for (Index k = 0; k < own_mm.size(); ++k) own_mm(k) = coordinate(shifts_mm, k);
     return own_mm;
   }
 
-  std::optional<Worthy> look(const Sheet& from, const VectorXd& change_mm) {
-    Matrix2Xd shifts_mm = from.shifts_mm();
-    for (Index k = 0; k < change_mm.size(); ++k) coordinate(shifts_mm, k) += change_mm(k);
+  std::optional<Worthy> look(const VectorXd& coordinates_mm) {
+    Matrix2Xd shifts_mm = now_.sheet->shifts_mm();
+    const VectorXd change_mm =
+        moves_together() ? VectorXd(options_.moves * coordinates_mm) : coordinates_mm;
+    for (Index k = 0; k < change_mm.size(); ++k) {
+      double& shift_mm = coordinate(shifts_mm, k);
+      shift_mm = on_grid(shift_mm + change_mm(k), options_.grid_mm);
+    }
     auto sheet = std::make_unique<const Sheet>(solver_, std::move(shifts_mm));
     ++found_.looks;
-    const std::optional<double> value = value_of(*sheet);
+    const std::optional<double> value = worth(*sheet, options_);
     if (!value) return {};
     return Worthy{std::move(sheet), *value};
   }
 
-  LocalProgram program(const Sheet& sheet, const LocalModel& model, double box_mm) const {
-    const Eigen::ArrayXd own_mm = own(sheet).array();
-    return local_program(model, box_mm, options_.amplitude_mm - own_mm,
-                         options_.amplitude_mm + own_mm);
+  std::optional<Worthy> better(const LocalModel& model) {
+    if (!options_.ternary) {
+      if (auto next = moved(model)) return next;
+      box_mm_ = kFirstBox * options_.amplitude_mm;
+    }
+    return moves_together() ? std::nullopt : flipped(model);
   }
 
-  std::optional<Worthy> better(const Worthy& now, const LocalModel& model, double& box_mm) {
-    if (!options_.ternary) {
-      if (auto next = moved(now, model, box_mm)) return next;
-      box_mm = kFirstBox * options_.amplitude_mm;
-    }
-    return flipped(now, model);
+  bool is_better(const std::optional<Worthy>& next) const {
+    return next && next->value > now_.value * (1 + kWorth);
   }
 
   // A step of free shifts: the box shrinks until one is right.
-  std::optional<Worthy> moved(const Worthy& now, const LocalModel& model, double& box_mm) {
-    while (box_mm >= kLastBox * options_.amplitude_mm) {
-      const LocalProgram inside = program(*now.sheet, model, box_mm);
+  std::optional<Worthy> moved(const LocalModel& model) {
+    while (box_mm_ >= std::max(kLastBox * options_.amplitude_mm, options_.grid_mm / 2)) {
+      const LocalProgram inside = local_program(model, box_mm_);
       const LinearOptimum best = maximize(inside.linear);
       const double foreseen = best.value * inside.unit;
-      if (best.end != LinearEnd::optimal || foreseen < kWorth * now.value) return {};
-      const VectorXd change_mm = inside.change_mm(best);
-      auto next = look(*now.sheet, change_mm);
-      const double gained = next ? next->value - now.value : 0;
+      if (best.end != LinearEnd::optimal || foreseen < kWorth * now_.value) return {};
+      auto next = look(allowed(inside.change_mm(best)));
+      const double gained = next ? next->value - now_.value : 0;
       if (gained > kForeseen * foreseen) {
-        box_mm = std::min(2 * box_mm, options_.amplitude_mm);
+        box_mm_ = std::min(2 * box_mm_, options_.amplitude_mm);
         return next;
       }
-      box_mm /= 2;
-      if (gained > kWorth * now.value) return next;
+      box_mm_ /= 2;
+      if (gained > kWorth * now_.value) return next;
     }
     return {};
+  }
+
+  // The change to the nearest shifts on the grid, none of which lies beyond the amplitude: programs
+  // pass their bounds by rounding.
+  VectorXd allowed(const VectorXd& change_mm) const {
+    if (moves_together()) return change_mm;
+    const double most_mm = largest_mm();
+    VectorXd changed_mm = own();
+    for (Index k = 0; k < change_mm.size(); ++k) {
+      const double to_mm = on_grid(changed_mm(k) + change_mm(k), options_.grid_mm);
+      changed_mm(k) = std::clamp(to_mm, -most_mm, most_mm) - changed_mm(k);
+    }
+    return changed_mm;
+  }
+
+  // No farther than the amplitude, on the grid.
+  double largest_mm() const {
+    const double grid_mm = options_.grid_mm;
+    if (grid_mm == 0) return options_.amplitude_mm;
+    return std::floor(options_.amplitude_mm / grid_mm * (1 + 1e-12)) * grid_mm;
   }
 
   bool may_fit(const LocalModel& model, const VectorXd& change_mm) const {
@@ -168,11 +161,19 @@ class Optimiser {
     });
   }
 
-  std::vector<VectorXd> single_flips(const Sheet& sheet) const {
+  // To nothing, to the amplitude, and to what is next on a grid.
+  std::vector<VectorXd> single_flips() const {
     std::vector<VectorXd> flips;
-    const VectorXd own_mm = own(sheet);
+    const VectorXd own_mm = own();
+    const double most_mm = largest_mm(), grid_mm = options_.grid_mm;
     for (Index k = 0; k < own_mm.size(); ++k) {
-      for (const double to_mm : {-options_.amplitude_mm, 0.0, options_.amplitude_mm}) {
+      std::vector<double> levels_mm = {-most_mm, 0.0, most_mm};
+      if (grid_mm > 0) {
+        for (const double next_mm : {own_mm(k) - grid_mm, own_mm(k) + grid_mm}) {
+          if (std::abs(next_mm) < most_mm) levels_mm.push_back(on_grid(next_mm, grid_mm));
+        }
+      }
+      for (const double to_mm : levels_mm) {
         if (to_mm != own_mm(k))
           flips.push_back((to_mm - own_mm(k)) * VectorXd::Unit(own_mm.size(), k));
       }
@@ -182,13 +183,13 @@ class Optimiser {
 
   // A step of ternary shifts: of one or two flips the first that does better, those first that
   // promise most.
-  std::optional<Worthy> flipped(const Worthy& now, const LocalModel& model) {
-    const std::vector<VectorXd> singles = single_flips(*now.sheet);
-    const double own_goal = model.goal(VectorXd::Zero(coordinates()));
+  std::optional<Worthy> flipped(const LocalModel& model) {
+    const std::vector<VectorXd> singles = single_flips();
+    const double own_goal = model.goal(VectorXd::Zero(model.coordinates));
     std::vector<Flip> flips;
     const auto consider = [&](const VectorXd& change_mm) {
       const double foreseen = model.goal(change_mm) - own_goal;
-      if (foreseen > kWorth * now.value) flips.push_back({change_mm, foreseen});
+      if (foreseen > kWorth * now_.value) flips.push_back({change_mm, foreseen});
     };
     for (std::size_t one = 0; one < singles.size(); ++one) {
       consider(singles[one]);
@@ -203,20 +204,17 @@ class Optimiser {
     for (const Flip& flip : flips) {
       if (!may_fit(model, flip.change_mm)) continue;
       if (looks++ == options_.most_looks) break;
-      auto next = look(*now.sheet, flip.change_mm);
-      if (next && next->value > now.value * (1 + kWorth)) return next;
+      if (auto next = look(flip.change_mm); is_better(next)) return next;
     }
     // None of those that promise: before it is given up, of single ones every one is looked at.
     for (const VectorXd& change_mm : singles) {
-      auto next = look(*now.sheet, change_mm);
-      if (next && next->value > now.value * (1 + kWorth)) return next;
+      if (auto next = look(change_mm); is_better(next)) return next;
     }
     return {};
   }
 
-  void find_limits(const Sheet& sheet, const LocalModel& model) {
-    const double box_mm = kBoxOfLimits * options_.amplitude_mm;
-    const LocalProgram inside = program(sheet, model, box_mm);
+  void find_limits(const LocalModel& model) {
+    const LocalProgram inside = local_program(model, kBoxOfLimits * options_.amplitude_mm);
     const LinearOptimum best = maximize(inside.linear);
     if (best.end != LinearEnd::optimal) return;
     OptimiseLimits limits;
@@ -225,27 +223,33 @@ class Optimiser {
       const double price = inside.price(best, static_cast<Index>(k));
       if (price == 0) continue;
       if (one.of == LocalRow::Of::stroke) {
-        limits.per_share_of_stroke += price * sheet.way()->flat_mm()(one.where);
+        limits.per_share_of_stroke += price * now_.sheet->way()->flat_mm()(one.where);
       } else if (one.of == LocalRow::Of::force) {
         limits.per_n_of_force += price / options_.deploying.sheet.springs.stiffness_n_per_mm;
       } else if (one.of == LocalRow::Of::direction) {
         limits.turning.push_back({one.where, one.pilot_deg, price});
+      } else if (one.of == LocalRow::Of::amplitude) {
+        limits.per_mm_of_amplitude += price;
       } else {
         limits.by_fold_limit = true;
       }
     }
     std::ranges::sort(limits.turning, std::ranges::greater(), &OptimiseLimits::Turning::per_mm);
     // Of the box those sides that are the amplitude's.
-    for (Index row = best.price.size() - 2 * coordinates(); row < best.price.size(); ++row) {
+    for (Index row = best.price.size() - 2 * model.coordinates; row < best.price.size(); ++row) {
       if (inside.linear.bounds(row) < 1) limits.per_mm_of_amplitude += inside.price(best, row);
     }
     found_.limits = limits;
   }
 
-  const OptimiseOptions& options_;
-  SheetSolver solver_;
-  Optimised found_{};
+  const OptimiseOptions options_;
+  SheetSolver& solver_;
+  double box_mm_;
+  Worthy now_;
+  Optimised found_;
 };
+
+namespace {
 
 std::optional<OptionFault> start_fault(const Sheet& start, const OptimiseOptions& options) {
   const double amplitude_mm = options.amplitude_mm;
@@ -256,6 +260,12 @@ std::optional<OptionFault> start_fault(const Sheet& start, const OptimiseOptions
   }
   for (const int vertex : options.shifted) {
     for (const double shift_mm : start.shifts_mm().col(vertex)) {
+      if (on_grid(shift_mm, options.grid_mm) != shift_mm) {
+        return OptionFault{"grid_mm", shown("%g", options.grid_mm),
+                           "the sheet that it starts from has a shift of " + shown("%g", shift_mm) +
+                               " mm, which does not lie on it",
+                           "name another one, or none"};
+      }
       const bool is_level = shift_mm == 0 || std::abs(shift_mm) == amplitude_mm;
       if (std::abs(shift_mm) > amplitude_mm * (1 + 1e-12) || (options.ternary && !is_level)) {
         return OptionFault{
@@ -278,33 +288,52 @@ std::optional<OptionFault> start_fault(const Sheet& start, const OptimiseOptions
 
 }  // namespace
 
-Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options) {
+Ascent::Ascent(const Model& model) : solver_(model) {}
+Ascent::~Ascent() = default;
+
+Studied<bool> Ascent::begin(const Sheet& start, const OptimiseOptions& options) {
   assert(!options.shifted.empty() && options.deploys_from_sample > 0);
+  assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
   const Studied<DeployOptions> fitted = fitted_release(start, options.deploying);
   if (fitted.fault) return *fitted.fault;
-  if (!fitted.study || start.model().has_spare_equations()) return {};
+  if (!fitted.study || start.model().has_spare_equations()) return false;
   if (auto fault = start_fault(start, options)) return *fault;
   OptimiseOptions from = options;
   from.deploying.from_deg = fitted.study->motion.from_deg;
-  Optimiser optimiser(start.model(), from);
-  if (!optimiser.is_strong_enough(start)) {
+  if (!is_strong_enough(start, from)) {
     return OptionFault{"largest_force_n", shown("%g", *options.largest_force_n),
                        "a spring of the sheet that it starts from pulls or pushes with more",
                        "name a larger one, weaker springs, or another sheet"};
   }
-  if (!optimiser.fits(start)) {
+  if (!fits(start, from)) {
     return OptionFault{"stroke_limit", shown("%g", options.stroke_limit.value_or(0)),
                        "a diagonal of the sheet that it starts from elongates by more",
                        "name a larger one, or another sheet"};
   }
-  const std::optional<double> value = optimiser.value_of(start);
+  const std::optional<double> value = worth(start, from);
   if (!value || *value <= 0) {
+    const bool is_margin = options.goal == OptimiseGoal::miscut_margin;
     return OptionFault{"goal",
                        {},
-                       "nothing drives the sheet that it starts from to flat",
+                       is_margin ? "margins are of a campaign's sheets, up to its threshold"
+                                 : "nothing drives the sheet that it starts from to flat",
                        "begin with another sheet, or with another goal"};
   }
-  return optimiser.run(start.shifts_mm(), *value);
+  climb_ = std::make_unique<Climb>(solver_, from, start.shifts_mm(), *value);
+  return true;
+}
+
+bool Ascent::step() { return climb_->step(); }
+Optimised Ascent::take() { return climb_->take(); }
+
+Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options) {
+  Ascent ascent(start.model());
+  const Studied<bool> began = ascent.begin(start, options);
+  if (began.fault) return *began.fault;
+  if (!*began.study) return {};
+  while (ascent.step()) {
+  }
+  return ascent.take();
 }
 
 }  // namespace misalign::solver

@@ -7,8 +7,12 @@
 // with a trust region). With ternary shifts a step changes one coordinate or two: the same
 // gradients say which to look at first. Either way a sheet is taken only if it, folded itself, fits
 // and does better.
+//
+// Where the goal is of rigid panels, every number that decides comes of additions, products,
+// quotients and roots: the same sheet at the same steps, to the last bit, on every processor.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,16 +23,20 @@ namespace misalign::solver {
 enum class OptimiseGoal {
   critical_friction,       ///< of rigid panels, as `deploy` has it
   bent_critical_friction,  ///< of panels that bend
-  static_friction          ///< of panels that bend, moving slowly: at every angle
+  static_friction,         ///< of panels that bend, moving slowly: at every angle
+  miscut_margin            ///< of models with a threshold (solver/model/miscut_margin.hpp), mm
 };
 
 struct OptimiseOptions {
   OptimiseGoal goal = OptimiseGoal::critical_friction;
-  DeployOptions deploying;                ///< springs, hinges, panels, and from where it is let go
-  BentPanelsOptions bending;              ///< where the goal is of panels that bend
-  std::vector<int> shifted;               ///< the vertices that may be shifted
+  DeployOptions deploying;    ///< springs, hinges, panels, and from where it is let go
+  BentPanelsOptions bending;  ///< where the goal is of panels that bend
+  std::vector<int> shifted;   ///< the vertices that may be shifted
+  /// In columns, what moves together: x and y of each of these in turn. Empty: each by itself.
+  Eigen::MatrixXd moves;
   double amplitude_mm = 0.4;              ///< no farther in x, nor in y
   bool ternary = false;                   ///< only by nothing or that much
+  double grid_mm = 0;                     ///< only by whole multiples of it; 0: by any
   int deploys_from_sample = 1;            ///< D at least
   std::optional<double> stroke_limit;     ///< |L - L0| / L0 of every diagonal, up to D
   std::optional<double> largest_force_n;  ///< of every spring where it is let go, panels rigid
@@ -59,7 +67,7 @@ struct OptimiseLimits {
 struct Optimised {
   OptimiseOptions options;
   double from_deg;
-  /// The start, then the sheet after each step; what each is worth, N mm per mm.
+  /// The start, then the sheet after each step; what each is worth, N mm per mm, or mm.
   struct Taken {
     Eigen::Matrix2Xd shifts_mm;
     double value;
@@ -74,10 +82,30 @@ struct Optimised {
   int steps() const { return static_cast<int>(taken.size()) - 1; }
 };
 
-/// From `start`. Faults: of the angles as deploy(); amplitude_mm where its own shifts are larger or
-/// not ternary, or there is none; deploys_from_deg, stroke_limit and largest_force_n where
-/// it does not keep them; goal where nothing
-/// drives it to flat. Nothing where its path is lost.
+/// One sheet after another, step by step.
+class Ascent {
+ public:
+  /// `model` must outlive this object.
+  explicit Ascent(const Model& model);
+  ~Ascent();
+
+  /// The way of a start begins. Faults: of the angles as deploy(); amplitude_mm where its own
+  /// shifts are larger or not ternary, or there is none; deploys_from_deg, stroke_limit and
+  /// largest_force_n where it does not keep them; goal where it is worth nothing. False where its
+  /// path is lost.
+  Studied<bool> begin(const Sheet& start, const OptimiseOptions& options);
+  /// False: it has ended.
+  bool step();
+  /// What was found so far.
+  Optimised take();
+
+ private:
+  class Climb;
+  SheetSolver solver_;
+  std::unique_ptr<Climb> climb_;
+};
+
+/// From `start` to the end; faults as of Ascent::begin(). Nothing where its path is lost.
 Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

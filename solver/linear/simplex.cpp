@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace misalign::solver {
 namespace {
@@ -10,6 +11,9 @@ namespace {
 // Gains and entries below this are rounding: programs here have entries of about 1.
 constexpr double kNoGain = 1e-9;
 constexpr double kLeastEntry = 1e-9;
+// By so much a bound may be passed for the sake of a larger pivot: small ones spoil the tableau
+// (Harris 1973).
+constexpr double kPassed = 1e-10;
 // Pivots that gain nothing, after which the first column that gains is taken instead of the best
 // one (Bland's rule), which cannot go in circles.
 constexpr int kIdlePivots = 50;
@@ -45,8 +49,25 @@ class Tableau {
     return best;
   }
 
-  // Row that stops the column first, of equal ones that of the first variable; -1 if none does.
+  // Row that stops the column, of those that do so first that with the largest pivot; -1 if none
+  // does.
   int leaving(int column) const {
+    double most = std::numeric_limits<double>::infinity();
+    for (int r = 0; r < rows_; ++r) {
+      const double entry = cells_(r, column);
+      if (entry > kLeastEntry) most = std::min(most, (cells_(r, variables_) + kPassed) / entry);
+    }
+    int best = -1;
+    for (int r = 0; r < rows_; ++r) {
+      const double entry = cells_(r, column);
+      if (entry <= kLeastEntry || cells_(r, variables_) > most * entry) continue;
+      if (best < 0 || entry > cells_(best, column)) best = r;
+    }
+    return best;
+  }
+
+  // Row that stops the column first, of equal ones that of the first variable; -1 if none does.
+  int leaving_first(int column) const {
     int best = -1;
     double least = 0;
     for (int r = 0; r < rows_; ++r) {
@@ -112,9 +133,10 @@ LinearOptimum maximize(const LinearProgram& program) {
   const int most = 50 * static_cast<int>(program.rows.rows() + program.rows.cols());
   int idle = 0;
   for (int pivots = 0; pivots < most; ++pivots) {
-    const int column = tableau.entering(idle >= kIdlePivots);
+    const bool is_idle = idle >= kIdlePivots;
+    const int column = tableau.entering(is_idle);
     if (column < 0) return tableau.optimum(LinearEnd::optimal, pivots);
-    const int row = tableau.leaving(column);
+    const int row = is_idle ? tableau.leaving_first(column) : tableau.leaving(column);
     if (row < 0) return tableau.optimum(LinearEnd::unbounded, pivots);
     const double before = tableau.value();
     tableau.exchange(row, column);

@@ -89,7 +89,8 @@ void BasePath::find_rates(const HalfAngle<double>& pilot, std::vector<double>& r
     const auto& [first, second] = ball.through;
     const double r = tangents_[static_cast<std::size_t>(first.edge)];
     const Eigen::Vector3d axis = axis_across(base_, first);
-    const Eigen::AngleAxisd turned(2 * std::atan2(r * pilot.s, pilot.c), axis);
+    const HalfAngle<double> half = half_angle_of_ratio(r * pilot.s, pilot.c);
+    const Eigen::Quaterniond turned(half.c, half.s * axis.x(), half.s * axis.y(), 0);
     const Eigen::Vector3d turn =
         rate_of(first.edge) * axis + rate_of(second.edge) * (turned * axis_across(base_, second));
     Eigen::Vector3d::Map(rates.data() + ball.column) = turn;

@@ -1,5 +1,6 @@
 #include "solver/pattern/half_angle.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace misalign::solver {
@@ -20,6 +21,17 @@ double taylor_cosine(double x) {
   return sum;
 }
 
+// Of 0 to tan(pi / 8): the first omitted term is below 1e-18.
+double taylor_arctangent(double x) {
+  const double x2 = x * x;
+  double sum = 0;
+  for (int k = 43; k >= 1; k -= 2) sum = 1.0 / k - x2 * sum;
+  return x * sum;
+}
+
+// What kPi / 2 lacks of a right angle.
+constexpr double kRestOfRightAngle = 6.123233995736766e-17;
+
 }  // namespace
 
 HalfAngle<double> half_angle_of_deg(double angle_deg) {
@@ -37,6 +49,31 @@ HalfAngle<double> half_angle_of_deg(double angle_deg) {
   }
   const double short_of = (180 - half_deg) * kRadPerDeg;
   return {-taylor_cosine(short_of), taylor_sine(short_of)};
+}
+
+HalfAngle<double> half_angle_of_rad(double angle_rad) {
+  const double half = 0.5 * std::abs(angle_rad), side = angle_rad < 0 ? -1 : 1;
+  assert(half <= kPi + 1e-12);
+  if (half <= kPi / 4) return {taylor_cosine(half), side * taylor_sine(half)};
+  if (half <= 3 * kPi / 4) {
+    const double beyond = (half - kPi / 2) - kRestOfRightAngle;
+    return {-taylor_sine(beyond), side * taylor_cosine(beyond)};
+  }
+  const double short_of = (kPi - half) + 2 * kRestOfRightAngle;
+  return {-taylor_cosine(short_of), side * taylor_sine(short_of)};
+}
+
+double angle_rad(const HalfAngle<double>& h) {
+  constexpr double kEighth = 0.41421356237309503;  // tan(pi / 8)
+  const double c = std::abs(h.c), s = std::abs(h.s);
+  const double large = std::max(c, s), small = std::min(c, s);
+  assert(large > 0);
+  double half = small <= kEighth * large
+                    ? taylor_arctangent(small / large)
+                    : kPi / 4 - taylor_arctangent((large - small) / (large + small));
+  if (s > c) half = kPi / 2 - half;
+  if (h.c < 0) half = kPi - half;
+  return h.s < 0 ? -2 * half : 2 * half;
 }
 
 HalfAngle<double> half_angle_of_ratio(double numerator, double denominator) {

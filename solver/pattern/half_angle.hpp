@@ -35,13 +35,16 @@ T half_sine_between(const HalfAngle<T>& a, const HalfAngle<T>& b) {
 /// Half angle of `angle_deg` in [-360, 360], by Taylor series of fixed order: the same bits
 /// everywhere, within 2 ulp (tested against the C library).
 HalfAngle<double> half_angle_of_deg(double angle_deg);
+/// The same of an angle in radians, in [-2 pi, 2 pi].
+HalfAngle<double> half_angle_of_rad(double angle_rad);
+
+/// The angle in (-2 pi, 2 pi], written out too: the same bits everywhere, within 4 ulp.
+double angle_rad(const HalfAngle<double>& h);
 
 /// Half angle from tan(rho / 2) = numerator / denominator; the denominator may be zero.
 HalfAngle<double> half_angle_of_ratio(double numerator, double denominator);
 
-/// The angle in degrees, in (-360, 360]; for people and metrics, never for a verdict.
-inline double angle_deg(const HalfAngle<double>& h) {
-  return 2.0 * std::atan2(h.s, h.c) / kRadPerDeg;
-}
+/// The angle in degrees, in (-360, 360].
+inline double angle_deg(const HalfAngle<double>& h) { return angle_rad(h) / kRadPerDeg; }
 
 }  // namespace misalign::solver

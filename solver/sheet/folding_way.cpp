@@ -24,15 +24,17 @@ FoldState<double> mirrored(FoldState<double> state) {
 }  // namespace
 
 double WayCoordinate::pilot_rad(double x) const {
-  return limit_rad > 0 ? limit_rad * std::sin(x) : x;
+  return limit_rad > 0 ? limit_rad * half_angle_of_rad(2 * x).s : x;
 }
 
 double WayCoordinate::pilot_rate(double x) const {
-  return limit_rad > 0 ? limit_rad * std::cos(x) : 1;
+  return limit_rad > 0 ? limit_rad * half_angle_of_rad(2 * x).c : 1;
 }
 
 double WayCoordinate::x_of(double pilot_rad) const {
-  return limit_rad > 0 ? std::asin(std::clamp(pilot_rad / limit_rad, -1.0, 1.0)) : pilot_rad;
+  if (limit_rad <= 0) return pilot_rad;
+  const double sine = std::clamp(pilot_rad / limit_rad, -1.0, 1.0);
+  return angle_rad({std::sqrt((1 - sine) * (1 + sine)), sine}) / 2;
 }
 
 FoldingWay::FoldingWay(const Mechanism& mechanism, const FlatVertices& drawn_mm,
@@ -73,7 +75,7 @@ SmoothTable FoldingWay::table_of_joints() const {
     double* value = values.col(k).data();
     folded_lengths(*mechanism_, geometry_, state, value);
     for (Index d = 0; d < diagonals(); ++d) *value++ *= mechanism_->panel_width_mm;
-    for (const HalfAngle<double>& rho : state.creases) *value++ = 2 * std::atan2(rho.s, rho.c);
+    for (const HalfAngle<double>& rho : state.creases) *value++ = angle_rad(rho);
     for (const Quaternion<double>& q : state.balls) {
       for (const double entry : {q.w, q.x, q.y, q.z}) *value++ = entry;
     }
@@ -154,8 +156,7 @@ void FoldingWay::find_rates(double x, Eigen::VectorXd& rates) const {
 void FoldingWay::find_state(double x, FoldState<double>& state) const {
   const Index first = diagonals();
   for (Index k = 0; k < creases(); ++k) {
-    const double half = joints_.value(x, first + k) / 2;
-    state.creases[static_cast<std::size_t>(k)] = {std::cos(half), std::sin(half)};
+    state.creases[static_cast<std::size_t>(k)] = half_angle_of_rad(joints_.value(x, first + k));
   }
   joints_.find(x, first + creases(), 4 * balls(), quaternions_, quaternion_rates_);
   for (Index ball = 0; ball < balls(); ++ball) {

@@ -16,10 +16,7 @@ constexpr double kFirst_deg = 2;
 // its fold angles are in proportion to the pilot's to second order.
 FoldState<double> in_proportion(const FoldState<double>& state, double share) {
   FoldState<double> other = state;
-  for (HalfAngle<double>& rho : other.creases) {
-    const double half = share * std::atan2(rho.s, rho.c);
-    rho = {std::cos(half), std::sin(half)};
-  }
+  for (HalfAngle<double>& rho : other.creases) rho = half_angle_of_rad(share * angle_rad(rho));
   for (Quaternion<double>& q : other.balls) {
     q = Quaternion<double>{q.w, share * q.x, share * q.y, share * q.z}.normalized();
   }

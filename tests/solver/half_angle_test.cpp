@@ -15,6 +15,19 @@ TEST(HalfAngle, AgreesWithTheCLibrary) {
   }
 }
 
+TEST(HalfAngle, OfRadiansAndBackAgreesWithTheCLibrary) {
+  for (double angle = -6.28; angle <= 6.28; angle += 0.0037) {
+    const auto half = half_angle_of_rad(angle);
+    EXPECT_NEAR(half.c, std::cos(angle / 2), 3e-16) << angle;
+    EXPECT_NEAR(half.s, std::sin(angle / 2), 3e-16) << angle;
+    const double expected = 2 * std::atan2(half.s, half.c);
+    EXPECT_NEAR(angle_rad(half), expected, 4 * 2.3e-16 * std::abs(expected)) << angle;
+  }
+  EXPECT_EQ(angle_rad({1, 0}), 0);
+  EXPECT_EQ(angle_rad({0, 1}), kPi);
+  EXPECT_EQ(angle_rad({0, -1}), -kPi);
+}
+
 TEST(HalfAngle, ExactWhereItMatters) {
   EXPECT_EQ(half_angle_of_deg(0).s, 0);
   EXPECT_EQ(half_angle_of_deg(180).c, 0);

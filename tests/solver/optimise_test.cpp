@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "few_holes.hpp"
 #include "sheets.hpp"
 #include "solver/design/actuation.hpp"
 #include "solver/design/local_model.hpp"
@@ -166,6 +167,58 @@ TEST_F(Optimising, BentPanelsHaveTheirOwnGoals) {
                                       : *friction.critical_n_mm_per_mm);
     EXPECT_GT(found.best().value, found.start().value);
   }
+}
+
+// On a cutter's grid every end's shifts are whole multiples of it.
+TEST_F(Optimising, KeepsToAGrid) {
+  options_.grid_mm = 0.05;
+  for (int trial = 0; trial < 3; ++trial) {
+    const Optimised found = *optimise(Sheet(solver_, next_start(true)), options_).study;
+    EXPECT_GT(found.best().value, found.start().value);
+    EXPECT_EQ(found.best().value, friction(found.best().shifts_mm));
+    for (const double shift_mm : found.best().shifts_mm.reshaped()) {
+      EXPECT_EQ(std::round(shift_mm / 0.05) * 0.05, shift_mm);
+      EXPECT_LE(std::abs(shift_mm), 0.4 * (1 + 1e-12));
+    }
+  }
+  EXPECT_EQ(optimise(Sheet(solver_, next_start(false)), options_).fault.value().name, "grid_mm");
+}
+
+// Among the members of a parallel family, which fold to 180 degrees whatever the coordinates.
+TEST_F(Optimising, MovesWithinAFamily) {
+  const DrawableSheet large(6, 6);
+  const Model model(large.base);
+  SheetSolver solver(model);
+  const ParallelFamily family = family_with_rim(large.base);
+  options_.shifted = family.vertices();
+  options_.moves = family.basis();
+  options_.deploys_from_sample = 178;
+  options_.amplitude_mm = 2;
+  const Matrix2Xd start = member_of(large.base, 1, true, 7);
+  ASSERT_LE(parallel_misfit(large.base, start).mm, kMemberWithin_mm);
+  const Optimised found = *optimise(Sheet(solver, start), options_).study;
+  EXPECT_GT(found.best().value, 1.5 * found.start().value);
+  EXPECT_LE(parallel_misfit(large.base, found.best().shifts_mm).mm, kMemberWithin_mm);
+  EXPECT_LE(found.best().shifts_mm.cwiseAbs().maxCoeff(), 2 * (1 + 1e-9));
+  EXPECT_GE(Sheet(solver, found.best().shifts_mm).history().verdict.deploys_from_sample, 178);
+}
+
+// The margin is that of catalogues, and the local model begins with it.
+TEST_F(Optimising, MarginsAgainstMiscutsGrow) {
+  const Model model(base_.base, base_.shifted_vertices, {}, 150);
+  SheetSolver solver(model);
+  options_.goal = OptimiseGoal::miscut_margin;
+  for (int trial = 0; trial < 3; ++trial) {
+    const Matrix2Xd shifts_mm = next_start(false);
+    const Sheet start(solver, shifts_mm);
+    const LocalModel local = *local_model(start, options_);
+    EXPECT_NEAR(local.goal(VectorXd::Zero(local.coordinates)) / *start.record().miscut_margin_mm, 1,
+                1e-6);
+    const Optimised found = *optimise(start, options_).study;
+    EXPECT_GT(found.best().value, 2 * found.start().value);
+    EXPECT_EQ(found.best().value, *Sheet(solver, found.best().shifts_mm).record().miscut_margin_mm);
+  }
+  EXPECT_EQ(optimise(Sheet(solver_, next_start(false)), options_).fault.value().name, "goal");
 }
 
 TEST_F(Optimising, RefusesWhatDoesNotFit) {

@@ -202,13 +202,16 @@ class Pattern:
     def optimise(self, goal: str = "critical_friction_n_mm_per_mm", amplitude_mm: float | None = None,
                  deploys_from_deg: float | None = None, ternary: bool = False, from_deg: float | None = None,
                  stiffness_n_per_mm: float | None = None, stroke_limit: float | None = None,
-                 preload_n: float | None = None, thickness_mm: float | None = None) -> tuple[Pattern, dict[str, Any]]:
+                 preload_n: float | None = None, thickness_mm: float | None = None, grid_mm: float | None = None,
+                 within_family: bool = False) -> tuple[Pattern, dict[str, Any]]:
         """A better sheet near this one, and what `misalign optimise --json` says of it.
 
         `goal`              also `bent_critical_friction_n_mm_per_mm`, `static_friction_n_mm_per_mm`
         `amplitude_mm`      no vertex farther in x or y; none: the largest of its own shifts
         `deploys_from_deg`  it still deploys from there; none: its own D
         `ternary`           shifts of nothing or the amplitude alone
+        `grid_mm`           whole multiples of it alone, those of this sheet rounded
+        `within_family`     only among members of the base's parallel family
 
         >>> better, said = misalign.read("search/patterns/table1.json").optimise(deploys_from_deg=150, ternary=True)
         >>> said["after_n_mm_per_mm"] > 5 * said["before_n_mm_per_mm"], better.fold().deploys_from_deg >= 150
@@ -216,7 +219,7 @@ class Pattern:
         """
         said: dict[str, Any] = json.loads(_misalign.optimise(
             self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit, None, thickness_mm, preload_n=preload_n),
-            goal, amplitude_mm, deploys_from_deg, ternary))
+            goal, amplitude_mm, deploys_from_deg, ternary, grid_mm, within_family))
         return Pattern(_misalign.read_document(json.dumps(said["pattern"]), "optimised")), said
 
     def card(self, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:

@@ -1,0 +1,49 @@
+#include "solver/design/worth.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// As columns of catalogues have it.
+double stroke(const Sheet& sheet) {
+  return measure(sheet.base(), sheet.vertices_mm(), sheet.record(), sheet.model().sample_deg())
+      .stroke_max;
+}
+
+double force_n(const Sheet& sheet, const DeployOptions& deploying) {
+  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
+  return rigid.spring_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+bool is_strong_enough(const Sheet& sheet, const OptimiseOptions& options) {
+  return !options.largest_force_n || force_n(sheet, options.deploying) <= *options.largest_force_n;
+}
+
+bool fits(const Sheet& sheet, const OptimiseOptions& options) {
+  return sheet.verdict().deploys_from_sample >= options.deploys_from_sample && sheet.way() &&
+         sheet.way()->end_deg() > *options.deploying.from_deg &&
+         (!options.stroke_limit || stroke(sheet) <= *options.stroke_limit) &&
+         is_strong_enough(sheet, options);
+}
+
+std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options) {
+  if (!fits(sheet, options)) return {};
+  switch (options.goal) {
+    case OptimiseGoal::miscut_margin:
+      return sheet.record().miscut_margin_mm;
+    case OptimiseGoal::critical_friction: {
+      const auto rigid = standstill(sheet, options.deploying).study;
+      return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
+    }
+    case OptimiseGoal::bent_critical_friction:
+    case OptimiseGoal::static_friction:
+      break;
+  }
+  const auto bent = bend_panels(sheet, options.deploying, options.bending).study;
+  if (!bent || bent->unsure() > 0) return {};
+  if (options.goal == OptimiseGoal::static_friction) return bent->friction.static_n_mm_per_mm;
+  return bent->friction.critical_n_mm_per_mm;
+}
+
+}  // namespace misalign::solver
