@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "families.hpp"
 #include "sheets.hpp"
 #include "solver/linear/newton.hpp"
 
@@ -114,6 +115,71 @@ TEST(PathGradients, FoldLimitsMoveAsTheySay) {
   EXPECT_GE(limits, 10);
   EXPECT_LE(worst, 5e-5) << "seed " << seed << ": limits are known to 1e-7 degrees";
 }
+
+class PathGradientsOfFamilies : public testing::TestWithParam<std::string> {};
+
+// 200 sheets of each family at an angle each, along a direction in which every vertex moves.
+TEST_P(PathGradientsOfFamilies, EqualDifferences) {
+  constexpr int kSheets = 200, kLimits = 8;
+  const CarriedFamily family(GetParam());
+  const Model model(family.base);
+  SheetSolver solver(model);
+  const ShiftBlock draws = family.draws(kSheets, 39);
+  std::mt19937_64 random(39);
+  std::uniform_real_distribution<double> part(-1, 1), angle_deg(5, 100);
+  const double step_mm = 2.5e-5 * family.base.sheet.panel_width_mm;
+  double worst = 0, worst_limit = 0;
+  int sheets = 0, limits = 0, unreached = 0;
+  for (int trial = 0; trial < kSheets; ++trial) {
+    const Eigen::Matrix2Xd shifts_mm =
+        family.vertices(draws, trial) - family.base.sheet.vertices_mm;
+    const double pilot_deg = angle_deg(random);
+    Eigen::Matrix2Xd direction(2, shifts_mm.cols());
+    for (double& entry : direction.reshaped()) entry = part(random);
+    const Sheet own(solver, shifts_mm);
+    if (!own.way() || own.way()->end_deg() < pilot_deg + 20) continue;
+    ++sheets;
+    PathGradients gradients(own);
+    const auto at_angle = gradients.at(pilot_deg);
+    ASSERT_TRUE(at_angle) << "sheet " << trial << " at " << pilot_deg << " of "
+                          << own.way()->end_deg();
+    const AngleGradients& found = *at_angle;
+    const Eigen::Map<const Eigen::VectorXd> along(direction.data(), direction.size());
+    FoldState<double> state = own.way()->stations().front().state;
+    own.way()->find_state(own.way()->x_of(pilot_deg), state);
+    const Eigen::VectorXd by = difference(
+        [&](int steps) {
+          return folded(model, own.vertices_mm() + steps * step_mm * direction, state);
+        },
+        step_mm);
+    Eigen::VectorXd foreseen(by.size());
+    foreseen << found.length_by_mm * along, found.fold_by_mm * along;
+    worst = std::max(worst, (by - foreseen).norm() / foreseen.norm());
+    if (!own.way()->ends_at_limit() || limits == kLimits) continue;
+    ++limits;
+    const auto at_limit = gradients.fold_limit();
+    unreached += !at_limit;
+    if (!at_limit) continue;
+    const LimitGradient& limit = *at_limit;
+    const double moves = difference(
+        [&](int steps) {
+          return Sheet(solver, shifts_mm + steps * step_mm * direction).way()->end_deg();
+        },
+        step_mm);
+    worst_limit = std::max(worst_limit, std::abs(moves - limit.by_mm.dot(along)) /
+                                            (limit.by_mm.norm() * along.norm()));
+  }
+  RecordProperty("worst", scientific(worst));
+  RecordProperty("worst_limit", scientific(worst_limit));
+  RecordProperty("unreached", unreached);
+  EXPECT_GE(sheets, kSheets / 2);
+  EXPECT_LE(worst, 1e-7);
+  EXPECT_LE(unreached, 1) << "of " << limits << " limits";
+  EXPECT_LE(worst_limit, 1e-4) << limits << " limits, known to 1e-7 degrees";
+}
+
+INSTANTIATE_TEST_SUITE_P(Carried, PathGradientsOfFamilies, testing::ValuesIn(carried_families()),
+                         family_word);
 
 }  // namespace
 }  // namespace misalign::solver
