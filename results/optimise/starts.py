@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 
-def value(end: dict, when: str) -> float:
+def worth(end: dict, when: str) -> float:
     return next(number for key, number in end.items() if key.startswith(f"{when}_"))
 
 
@@ -39,8 +39,8 @@ def main() -> None:
         seconds.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
         print(json.dumps({"draw": draw, **{key: value for key, value in end.items() if key != "limits"}}), file=sys.stderr)
     print("| | least | quarter | median | three quarters | most |\n|---|---|---|---|---|---|")
-    for name, values in {"before": [value(end, "before") for end in ends],
-                         "after": [value(end, "after") for end in ends],
+    for name, values in {"before": [worth(end, "before") for end in ends],
+                         "after": [worth(end, "after") for end in ends],
                          "stroke": [end["stroke"] for end in ends],
                          "seconds": seconds}.items():
         quarters = statistics.quantiles(values, n=4, method="inclusive")

@@ -34,20 +34,18 @@ double distance_to_nodes(const PathFunction& function, double x) {
   return product;
 }
 
-// The n-th root, within 1e-6 of itself: two Newton steps from a power of two, written out, since
-// the last bits of the C library's powers differ by processor.
+// The n-th root, within 1e-4 of itself, which is enough for a step's length: a Newton step from
+// where its logarithm says, written out, since the last bits of the C library's powers differ by
+// processor.
 double root_of(double x, int n) {
   int exponent = 0;
   const double lacks = 1 - std::frexp(std::clamp(x, 1e-290, 1e290), &exponent);  // (0, 0.5]
   const double logarithm = (exponent - lacks * (1.36 + 1.28 * lacks)) / n;
   const double whole = std::floor(logarithm), part = logarithm - whole;
-  double root = std::ldexp(1 + part * (0.6565 + 0.3435 * part), static_cast<int>(whole));
-  for (int k = 0; k < 2; ++k) {
-    double power = 1;
-    for (int factor = 1; factor < n; ++factor) power *= root;
-    root -= (root - x / power) / n;
-  }
-  return root;
+  const double root = std::ldexp(1 + part * (0.6565 + 0.3435 * part), static_cast<int>(whole));
+  double power = 1;
+  for (int factor = 1; factor < n; ++factor) power *= root;
+  return root - (root - x / power) / n;
 }
 
 }  // namespace

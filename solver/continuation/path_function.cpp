@@ -74,7 +74,7 @@ void PathFunction::add_at_turn() {
 void PathFunction::renew() {
   assert(kept() > inside_);
   choose_variable();
-  for (int k = 0; k < kept(); ++k) at_[k] = sign_ * angle_rad(node(k).creases[variable_]);
+  find_angles();
   from_ = count_ > inside_ + 1 ? at_[inside_ + 1] : 0;
   make_table();
   located_x_ = from_;
@@ -86,7 +86,19 @@ void PathFunction::drop() {
   assert(count_ > 0);
   --count_;
   inside_ = std::max(inside_ - 1, 0);
-  for (int k = 0; k < kept(); ++k) at_[k] = sign_ * angle_rad(node(k).creases[variable_]);
+  find_angles();
+}
+
+// Each node's once, as long as the variable stays.
+void PathFunction::find_angles() {
+  for (int k = 0; k < kept(); ++k) {
+    PathNode& here = nodes_[place(k)];
+    if (here.angle_of != variable_) {
+      here.angle_of = variable_;
+      here.angle_rad = angle_rad(here.creases[variable_]);
+    }
+    at_[k] = sign_ * here.angle_rad;
+  }
 }
 
 void PathFunction::choose_variable() {

@@ -27,6 +27,8 @@ struct PathNode {
   std::vector<double> crease_rates;
   std::vector<double> lengths, slopes;  ///< of the diagonals, panel widths
   double misfit = 0;                    ///< how far the tangent is from one
+  int angle_of = -1;                    ///< the crease whose angle is known
+  double angle_rad = 0;
 };
 
 /// What an observer says of a new segment of a path.
@@ -65,7 +67,11 @@ class PathFunction {
   /// A sheet whose diagonals have these lengths flat.
   void begin(const double* flat_lengths);
   /// Where the next node is to be written, before add().
-  PathNode& vacant() { return nodes_[place(-1)]; }
+  PathNode& vacant() {
+    PathNode& next = nodes_[place(-1)];
+    next.angle_of = -1;
+    return next;
+  }
   /// The next node, at the end of a new segment.
   void add();
   /// The next node near the turning point of the newest segment: instead of another one that is
@@ -127,6 +133,7 @@ class PathFunction {
  private:
   int place(int k) const { return (count_ - 1 - k + 4 * (kNodes + 1)) % (kNodes + 1); }
   void choose_variable();
+  void find_angles();
   void renew();
   void make_table();
   double turning_point() const;

@@ -25,13 +25,15 @@ constexpr double kBeforeLimit_deg = 0.05;
 // Of margins those within so much of the least are followed to second order, by sheets that are
 // shifted by so much: between rounding of gradients, 1e-9, and their curvature.
 constexpr double kNearTheLeast = 1.5, kAlong_mm = 1e-4;
+// Programs pass their bounds by less than this share of a box.
+constexpr double kRoundingOfPrograms = 1e-9;
 // Fold angles are asked for from here on.
 constexpr double kFoldedFar_deg = 150;
 
 class Builder {
  public:
   Builder(const Sheet& sheet, const OptimiseOptions& options)
-      : sheet_(sheet), options_(options), solver_(sheet.model()), gradients_(sheet), flat_(at(0)) {}
+      : sheet_(sheet), options_(options), gradients_(sheet), flat_(at(0)) {}
 
   std::optional<LocalModel> build() {
     add_room();
@@ -64,13 +66,14 @@ class Builder {
   void add_room() {
     const Eigen::Map<const Eigen::RowVectorXd> all_mm(sheet_.shifts_mm().data(),
                                                       sheet_.shifts_mm().size());
-    const double most_mm = options_.amplitude_mm;
     if (options_.moves.size() == 0) {
       const VectorXd own_mm = of_shifted(all_mm);
       model_.coordinates = own_mm.size();
-      model_.rise_mm = most_mm - own_mm.array(), model_.fall_mm = most_mm + own_mm.array();
+      model_.rise_mm = options_.amplitude_mm - own_mm.array();
+      model_.fall_mm = options_.amplitude_mm + own_mm.array();
       return;
     }
+    const double most_mm = (1 - kRoundingOfPrograms) * options_.amplitude_mm;
     model_.coordinates = options_.moves.cols();
     model_.rise_mm = model_.fall_mm =
         Eigen::ArrayXd::Constant(model_.coordinates, std::numeric_limits<double>::infinity());
@@ -227,24 +230,25 @@ class Builder {
       }
       last = std::move(here);
     }
+    SheetSolver solver(sheet_.model());
     double least = std::numeric_limits<double>::infinity();
     for (const Section& one : sections) least = std::min(least, one.ratio());
     for (const Section& one : sections) {
       Eigen::RowVectorXd row = one.by_mm;
       // What is divided by changes too; of the least ones that is looked at.
-      if (one.ratio() < kNearTheLeast * least) row -= one.ratio() * norm_by_mm(one);
+      if (one.ratio() < kNearTheLeast * least) row -= one.ratio() * norm_by_mm(one, solver);
       model_.goals.push_back({one.moved_mm, one.by_mm.norm(), of_shifted(row)});
     }
   }
 
   // How the norm of a section's row changes, per mm: by the row of a sheet that is shifted along
   // it.
-  Eigen::RowVectorXd norm_by_mm(const Section& section) {
+  Eigen::RowVectorXd norm_by_mm(const Section& section, SheetSolver& solver) {
     const Eigen::RowVectorXd along = section.by_mm.normalized();
     const Matrix2Xd shifts_mm =
         sheet_.shifts_mm() +
         kAlong_mm * Eigen::Map<const Matrix2Xd>(along.data(), 2, sheet_.shifts_mm().cols());
-    const Sheet other(solver_, shifts_mm);
+    const Sheet other(solver, shifts_mm);
     is_known_ = is_known_ && other.way();
     if (!is_known_) return 0 * along;
     PathGradients gradients(other);
@@ -272,7 +276,6 @@ class Builder {
 
   const Sheet& sheet_;
   const OptimiseOptions& options_;
-  SheetSolver solver_;
   PathGradients gradients_;
   bool is_known_ = true;
   AngleGradients flat_;

@@ -32,36 +32,33 @@ double on_grid(double mm, double grid_mm) {
   return grid_mm > 0 ? std::round(mm / grid_mm) * grid_mm : mm;
 }
 
-}  // namespace
-
-// The way of one start.
-class Ascent::Climb {
+class Optimiser {
  public:
-  Climb(SheetSolver& solver, const OptimiseOptions& options, const Matrix2Xd& shifts_mm,
-        double value)
+  Optimiser(const Sheet& start, double value, const OptimiseOptions& options)
       : options_(options),
-        solver_(solver),
+        solver_(start.model()),
         box_mm_(kFirstBox * options.amplitude_mm),
-        now_{std::make_unique<const Sheet>(solver, shifts_mm), value},
-        found_{
-            options, *options.deploying.from_deg, {{shifts_mm, value}}, OptimiseEnd::most_steps, 0,
-            {}} {}
-
-  bool step() {
-    if (found_.steps() == options_.most_steps) return false;
-    const auto model = local_model(*now_.sheet, options_);
-    auto next = model ? better(*model) : std::nullopt;
-    if (!next) {
-      found_.end = OptimiseEnd::no_step_is_better;
-      if (model && !options_.ternary) find_limits(*model);
-      return false;
-    }
-    now_ = std::move(*next);
-    found_.taken.push_back({now_.sheet->shifts_mm(), now_.value});
-    return true;
+        now_{std::make_unique<const Sheet>(solver_, start.shifts_mm()), value} {
+    found_.options = options;
+    found_.from_deg = *options.deploying.from_deg;
+    found_.taken.push_back({start.shifts_mm(), value});
   }
 
-  Optimised take() { return std::move(found_); }
+  Optimised run() {
+    found_.end = OptimiseEnd::most_steps;
+    while (found_.steps() < options_.most_steps) {
+      const auto model = local_model(*now_.sheet, options_);
+      auto next = model ? better(*model) : std::nullopt;
+      if (!next) {
+        found_.end = OptimiseEnd::no_step_is_better;
+        if (model && !options_.ternary) find_limits(*model);
+        break;
+      }
+      now_ = std::move(*next);
+      found_.taken.push_back({now_.sheet->shifts_mm(), now_.value});
+    }
+    return std::move(found_);
+  }
 
  private:
   // A sheet that fits, and what it is worth.
@@ -94,6 +91,8 @@ class Ascent::Climb {
     for (Index k = 0; k < change_mm.size(); ++k) {
       double& shift_mm = coordinate(shifts_mm, k);
       shift_mm = on_grid(shift_mm + change_mm(k), options_.grid_mm);
+      // Programs pass their bounds by rounding, and grids by up to half a step.
+      if (!moves_together()) shift_mm = std::clamp(shift_mm, -largest_mm(), largest_mm());
     }
     auto sheet = std::make_unique<const Sheet>(solver_, std::move(shifts_mm));
     ++found_.looks;
@@ -121,7 +120,7 @@ class Ascent::Climb {
       const LinearOptimum best = maximize(inside.linear);
       const double foreseen = best.value * inside.unit;
       if (best.end != LinearEnd::optimal || foreseen < kWorth * now_.value) return {};
-      auto next = look(allowed(inside.change_mm(best)));
+      auto next = look(inside.change_mm(best));
       const double gained = next ? next->value - now_.value : 0;
       if (gained > kForeseen * foreseen) {
         box_mm_ = std::min(2 * box_mm_, options_.amplitude_mm);
@@ -131,19 +130,6 @@ class Ascent::Climb {
       if (gained > kWorth * now_.value) return next;
     }
     return {};
-  }
-
-  // The change to the nearest shifts on the grid, none of which lies beyond the amplitude: programs
-  // pass their bounds by rounding.
-  VectorXd allowed(const VectorXd& change_mm) const {
-    if (moves_together()) return change_mm;
-    const double most_mm = largest_mm();
-    VectorXd changed_mm = own();
-    for (Index k = 0; k < change_mm.size(); ++k) {
-      const double to_mm = on_grid(changed_mm(k) + change_mm(k), options_.grid_mm);
-      changed_mm(k) = std::clamp(to_mm, -most_mm, most_mm) - changed_mm(k);
-    }
-    return changed_mm;
   }
 
   // No farther than the amplitude, on the grid.
@@ -242,14 +228,12 @@ class Ascent::Climb {
     found_.limits = limits;
   }
 
-  const OptimiseOptions options_;
-  SheetSolver& solver_;
+  const OptimiseOptions& options_;
+  SheetSolver solver_;
   double box_mm_;
   Worthy now_;
-  Optimised found_;
+  Optimised found_{};
 };
-
-namespace {
 
 std::optional<OptionFault> start_fault(const Sheet& start, const OptimiseOptions& options) {
   const double amplitude_mm = options.amplitude_mm;
@@ -288,15 +272,12 @@ std::optional<OptionFault> start_fault(const Sheet& start, const OptimiseOptions
 
 }  // namespace
 
-Ascent::Ascent(const Model& model) : solver_(model) {}
-Ascent::~Ascent() = default;
-
-Studied<bool> Ascent::begin(const Sheet& start, const OptimiseOptions& options) {
+Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options) {
   assert(!options.shifted.empty() && options.deploys_from_sample > 0);
   assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
   const Studied<DeployOptions> fitted = fitted_release(start, options.deploying);
   if (fitted.fault) return *fitted.fault;
-  if (!fitted.study || start.model().has_spare_equations()) return false;
+  if (!fitted.study || start.model().has_spare_equations()) return {};
   if (auto fault = start_fault(start, options)) return *fault;
   OptimiseOptions from = options;
   from.deploying.from_deg = fitted.study->motion.from_deg;
@@ -315,25 +296,12 @@ Studied<bool> Ascent::begin(const Sheet& start, const OptimiseOptions& options) 
     const bool is_margin = options.goal == OptimiseGoal::miscut_margin;
     return OptionFault{"goal",
                        {},
-                       is_margin ? "margins are of a campaign's sheets, up to its threshold"
-                                 : "nothing drives the sheet that it starts from to flat",
+                       is_margin
+                           ? "no margin against miscuts is known of the sheet that it starts from"
+                           : "nothing drives the sheet that it starts from to flat",
                        "begin with another sheet, or with another goal"};
   }
-  climb_ = std::make_unique<Climb>(solver_, from, start.shifts_mm(), *value);
-  return true;
-}
-
-bool Ascent::step() { return climb_->step(); }
-Optimised Ascent::take() { return climb_->take(); }
-
-Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options) {
-  Ascent ascent(start.model());
-  const Studied<bool> began = ascent.begin(start, options);
-  if (began.fault) return *began.fault;
-  if (!*began.study) return {};
-  while (ascent.step()) {
-  }
-  return ascent.take();
+  return Optimiser(start, *value, from).run();
 }
 
 }  // namespace misalign::solver

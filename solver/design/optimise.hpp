@@ -12,7 +12,6 @@
 // quotients and roots: the same sheet at the same steps, to the last bit, on every processor.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -82,30 +81,10 @@ struct Optimised {
   int steps() const { return static_cast<int>(taken.size()) - 1; }
 };
 
-/// One sheet after another, step by step.
-class Ascent {
- public:
-  /// `model` must outlive this object.
-  explicit Ascent(const Model& model);
-  ~Ascent();
-
-  /// The way of a start begins. Faults: of the angles as deploy(); amplitude_mm where its own
-  /// shifts are larger or not ternary, or there is none; deploys_from_deg, stroke_limit and
-  /// largest_force_n where it does not keep them; goal where it is worth nothing. False where its
-  /// path is lost.
-  Studied<bool> begin(const Sheet& start, const OptimiseOptions& options);
-  /// False: it has ended.
-  bool step();
-  /// What was found so far.
-  Optimised take();
-
- private:
-  class Climb;
-  SheetSolver solver_;
-  std::unique_ptr<Climb> climb_;
-};
-
-/// From `start` to the end; faults as of Ascent::begin(). Nothing where its path is lost.
+/// From `start`. Faults: of the angles as deploy(); amplitude_mm where its own shifts are larger or
+/// not ternary, or there is none; grid_mm where they do not lie on it; deploys_from_deg,
+/// stroke_limit and largest_force_n where it does not keep them; goal where it is worth nothing.
+/// Nothing where its path is lost.
 Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

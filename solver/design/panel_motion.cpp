@@ -155,8 +155,7 @@ PanelPose PanelMotion::pose(double x, int panel) const {
 double PanelMotion::crease_rad(double x, int crease) const {
   if (x > smooth_until_) {
     solve(x);
-    const HalfAngle<double>& rho = state_.creases[static_cast<std::size_t>(crease)];
-    return 2 * std::atan2(rho.s, rho.c);
+    return angle_rad(state_.creases[static_cast<std::size_t>(crease)]);
   }
   if (x != creases_at_) way_.find_creases(x, creases_rad_, slopes_);
   creases_at_ = x;
@@ -182,9 +181,8 @@ void PanelMotion::solve(double x) const {
   }
   way_.find_state(x, state_);
   const FoldState<double> looked_up = state_;
-  const double half = way_.pilot_deg(x) * kRadPerDeg / 2;
-  state_.creases[static_cast<std::size_t>(model_.mechanism().pilot)] = {std::cos(half),
-                                                                        std::sin(half)};
+  state_.creases[static_cast<std::size_t>(model_.mechanism().pilot)] =
+      half_angle_of_deg(way_.pilot_deg(x));
   double correction_rad = 1;
   for (int k = 0; k < kMostCorrections && correction_rad > kLastCorrection_rad; ++k) {
     correct_held(model_.mechanism(), way_.geometry(), true, lu_, residual_, work_, turn_, state_);

@@ -18,7 +18,7 @@ namespace {
 
 // Along the curve from a state near it; so still is the pilot at its limit, and no sooner given up.
 constexpr double kFirstAlong_rad = 1e-3, kOnCurve_rad = 1e-10, kStill = 1e-9;
-constexpr int kMostToLimit = 30;
+constexpr int kMostToLimit = 60;
 
 }  // namespace
 

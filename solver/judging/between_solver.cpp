@@ -54,7 +54,7 @@ bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPla
                          [&](double rate) { return by_rad * rate; });
   near = place.point.state;
   advance(mechanism_, tangent.data(), near);
-  const HalfAngle<double> pilot = half_angle_of_deg(pilot_rad / kRadPerDeg);
+  const HalfAngle<double> pilot = half_angle_of_rad(pilot_rad);
   corrector.put(geometry, near, pilot, 0);
   double corrected_rad = 0;
   for (int k = 0; k < NewtonOptions{}.max_iterations; ++k) {

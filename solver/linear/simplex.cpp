@@ -49,37 +49,24 @@ class Tableau {
     return best;
   }
 
-  // Row that stops the column, of those that do so first that with the largest pivot; -1 if none
-  // does.
-  int leaving(int column) const {
-    double most = std::numeric_limits<double>::infinity();
+  // Row that stops the column; -1 if none does. Of those that do so first that with the largest
+  // pivot; or, by the rule, of those that do so exactly first that of the first variable.
+  int leaving(int column, bool first) const {
+    const auto ratio = [&](int r, double passed) {
+      return (cells_(r, variables_) + passed) / cells_(r, column);
+    };
+    double least = std::numeric_limits<double>::infinity();
     for (int r = 0; r < rows_; ++r) {
-      const double entry = cells_(r, column);
-      if (entry > kLeastEntry) most = std::min(most, (cells_(r, variables_) + kPassed) / entry);
+      if (cells_(r, column) > kLeastEntry) least = std::min(least, ratio(r, first ? 0 : kPassed));
     }
     int best = -1;
     for (int r = 0; r < rows_; ++r) {
-      const double entry = cells_(r, column);
-      if (entry <= kLeastEntry || cells_(r, variables_) > most * entry) continue;
-      if (best < 0 || entry > cells_(best, column)) best = r;
-    }
-    return best;
-  }
-
-  // Row that stops the column first, of equal ones that of the first variable; -1 if none does.
-  int leaving_first(int column) const {
-    int best = -1;
-    double least = 0;
-    for (int r = 0; r < rows_; ++r) {
-      if (cells_(r, column) <= kLeastEntry) continue;
-      const double ratio = cells_(r, variables_) / cells_(r, column);
+      if (cells_(r, column) <= kLeastEntry || ratio(r, 0) > least) continue;
       const auto at = static_cast<std::size_t>(r);
-      const bool earlier =
-          best < 0 || ratio < least ||
-          (ratio == least && inside_[at] < inside_[static_cast<std::size_t>(best)]);
-      if (!earlier) continue;
-      best = r;
-      least = ratio;
+      const bool goes_before =
+          best < 0 || (first ? inside_[at] < inside_[static_cast<std::size_t>(best)]
+                             : cells_(r, column) > cells_(best, column));
+      if (goes_before) best = r;
     }
     return best;
   }
@@ -136,7 +123,7 @@ LinearOptimum maximize(const LinearProgram& program) {
     const bool is_idle = idle >= kIdlePivots;
     const int column = tableau.entering(is_idle);
     if (column < 0) return tableau.optimum(LinearEnd::optimal, pivots);
-    const int row = is_idle ? tableau.leaving_first(column) : tableau.leaving(column);
+    const int row = tableau.leaving(column, is_idle);
     if (row < 0) return tableau.optimum(LinearEnd::unbounded, pivots);
     const double before = tableau.value();
     tableau.exchange(row, column);

@@ -1,7 +1,5 @@
 #include "solver/sheet/way_solver.hpp"
 
-#include <cmath>
-
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/linear/held_correction.hpp"
 #include "solver/model/base_path.hpp"

@@ -206,7 +206,7 @@ class Pattern:
                  within_family: bool = False) -> tuple[Pattern, dict[str, Any]]:
         """A better sheet near this one, and what `misalign optimise --json` says of it.
 
-        `goal`              also `bent_critical_friction_n_mm_per_mm`, `static_friction_n_mm_per_mm`
+        `goal`              also `bent_critical_friction_n_mm_per_mm`, `static_friction_n_mm_per_mm`, `miscut_margin_mm`
         `amplitude_mm`      no vertex farther in x or y; none: the largest of its own shifts
         `deploys_from_deg`  it still deploys from there; none: its own D
         `ternary`           shifts of nothing or the amplitude alone

@@ -1,0 +1,36 @@
+// A better sheet near a chosen one, proven.
+#pragma once
+
+#include "schema/exchange/optimise_json.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+
+namespace misalign::search {
+
+/// What is asked of a better sheet, as people type it.
+struct OptimiseInput {
+  solver::OptimiseGoal goal = solver::OptimiseGoal::critical_friction;
+  std::optional<double> amplitude_mm;      ///< none: the campaign's, or the largest of its shifts
+  std::optional<double> deploys_from_deg;  ///< none: the campaign's, or its own D
+  bool ternary = false;
+  std::optional<double> grid_mm = {};  ///< on which shifts lie, those of the start rounded to it
+  bool within_family = false;          ///< only among members of the base's parallel family
+  double least_slope_mm_per_deg = solver::OptimiseOptions{}.least_slope_mm_per_deg;
+  int most_steps = solver::OptimiseOptions{}.most_steps;
+};
+
+/// What was found, and the angle up to which that sheet is proven; none of springs off the
+/// mid-plane.
+struct ProvenBetter {
+  solver::Optimised found;
+  std::optional<double> certified_deg;
+};
+
+/// From the subject's sheet, with its design: springs, stroke limit, hinges, panels, angle of use.
+/// Steps at the end of which nothing is proven up to the angle asked for are taken back. UserError:
+/// 2 where an option does not fit it, 1 where its path is lost.
+ProvenBetter optimised(const Subject& subject, const OptimiseInput& input);
+
+/// The sheet that was found as a pattern file, with the subject's sampling and design.
+schema::Json better_pattern(const Subject& subject, const ProvenBetter& better);
+
+}  // namespace misalign::search
