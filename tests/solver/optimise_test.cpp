@@ -237,8 +237,12 @@ TEST_F(Optimising, RefusesWhatDoesNotFit) {
   EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.largest_force_n = 1e-6; }), "largest_force_n");
   EXPECT_EQ(fault_of([](OptimiseOptions& o) { o.deploying.from_deg = 179.99; }), "from_deg");
   const Sheet correct(solver_, 0 * start);
-  options_.deploys_from_sample = 0;
-  EXPECT_EQ(optimise(correct, options_).fault.value().name, "goal");
+  EXPECT_EQ(optimise(correct, options_).fault.value().name, "deploys_from_deg");
+  EXPECT_EQ(fault_of([](OptimiseOptions& o) {
+              o.goal = OptimiseGoal::static_friction;
+              o.deploying.sheet.springs.preload.each_n = 5;  // panels give way to it
+            }),
+            "goal");
 }
 
 }  // namespace
