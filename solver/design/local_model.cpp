@@ -38,7 +38,8 @@ class Builder {
   std::optional<LocalModel> build() {
     add_room();
     add_directions();
-    add_goals();
+    model_.goals = goals_of(options_.goal);
+    add_floors();
     if (!is_known_) return {};
     return std::move(model_);
   }
@@ -176,10 +177,10 @@ class Builder {
   }
 
   // In ascending angles, flat first.
-  std::vector<LocalGoal> energies() {
+  std::vector<LocalGoal> energies(bool panels_bend) {
     const DeployOptions& deploying = options_.deploying;
     std::vector<LocalGoal> all;
-    if (options_.goal == OptimiseGoal::critical_friction) {
+    if (!panels_bend) {
       const double from_deg = *deploying.from_deg;
       const DeployingSheet rigid(*sheet_.way(), sheet_.model().shape(), sheet_.base(),
                                  deploying.sheet);
@@ -217,7 +218,7 @@ class Builder {
   };
 
   // As solver/model/miscut_margin.hpp has it: the amounts of all sections.
-  void add_margins() {
+  std::vector<LocalGoal> margins() {
     std::vector<Section> sections;
     AngleGradients last = flat_;
     for (const int sample : sheet_.model().margin_samples()) {
@@ -233,12 +234,14 @@ class Builder {
     SheetSolver solver(sheet_.model());
     double least = std::numeric_limits<double>::infinity();
     for (const Section& one : sections) least = std::min(least, one.ratio());
+    std::vector<LocalGoal> all;
     for (const Section& one : sections) {
       Eigen::RowVectorXd row = one.by_mm;
       // What is divided by changes too; of the least ones that is looked at.
       if (one.ratio() < kNearTheLeast * least) row -= one.ratio() * norm_by_mm(one, solver);
-      model_.goals.push_back({one.moved_mm, one.by_mm.norm(), of_shifted(row)});
+      all.push_back({one.moved_mm, one.by_mm.norm(), of_shifted(row)});
     }
+    return all;
   }
 
   // How the norm of a section's row changes, per mm: by the row of a sheet that is shifted along
@@ -261,16 +264,28 @@ class Builder {
     return (by_mm - section.by_mm) / kAlong_mm;
   }
 
-  void add_goals() {
-    if (options_.goal == OptimiseGoal::miscut_margin) return add_margins();
-    const std::vector<LocalGoal> all = energies();
-    if (all.empty()) return;
+  std::vector<LocalGoal> goals_of(OptimiseGoal goal) {
+    if (goal == OptimiseGoal::miscut_margin) return margins();
+    const std::vector<LocalGoal> all = energies(goal != OptimiseGoal::critical_friction);
+    std::vector<LocalGoal> goals;
     const auto add_between = [&](const LocalGoal& high, const LocalGoal& low) {
-      model_.goals.push_back({high.amount - low.amount, high.over - low.over, high.row - low.row});
+      goals.push_back({high.amount - low.amount, high.over - low.over, high.row - low.row});
     };
-    const bool is_static = options_.goal == OptimiseGoal::static_friction;
+    const bool is_static = goal == OptimiseGoal::static_friction;
     for (std::size_t k = is_static ? 1 : 0; k + 1 < all.size(); ++k) {
       add_between(is_static ? all[k + 1] : all.back(), all[k]);
+    }
+    return goals;
+  }
+
+  // In units of the goal.
+  void add_floors() {
+    for (std::size_t floor = 0; floor < options_.floors.size(); ++floor) {
+      const auto& [of, least] = options_.floors[floor];
+      for (const LocalGoal& one : goals_of(of)) {
+        model_.rows.push_back({LocalRow::Of::floor, static_cast<int>(floor), 0,
+                               one.amount / one.over - least, one.row / one.over});
+      }
     }
   }
 

@@ -12,8 +12,8 @@ namespace misalign::solver {
 /// Of one inequality: slack + row . (change of the coordinates) >= 0. Coordinates: x and y of each
 /// vertex that may be shifted, in turn; or what the moves of the options are taken by.
 struct LocalRow {
-  enum class Of { direction, stroke, force, fold_limit, fold_angle, amplitude } of;
-  int where;         ///< diagonal, crease, or coordinate of a shift
+  enum class Of { direction, stroke, force, fold_limit, fold_angle, amplitude, floor } of;
+  int where;         ///< diagonal, crease, coordinate of a shift, or floor
   double pilot_deg;  ///< where on the way
   double slack;
   Eigen::VectorXd row;

@@ -26,6 +26,12 @@ enum class OptimiseGoal {
   miscut_margin            ///< of models with a threshold (solver/model/miscut_margin.hpp), mm
 };
 
+/// What another goal is to be at least.
+struct OptimiseFloor {
+  OptimiseGoal of;
+  double least;  ///< as the goal: N mm per mm, or mm
+};
+
 struct OptimiseOptions {
   OptimiseGoal goal = OptimiseGoal::critical_friction;
   DeployOptions deploying;    ///< springs, hinges, panels, and from where it is let go
@@ -39,6 +45,7 @@ struct OptimiseOptions {
   int deploys_from_sample = 1;            ///< D at least
   std::optional<double> stroke_limit;     ///< |L - L0| / L0 of every diagonal, up to D
   std::optional<double> largest_force_n;  ///< of every spring where it is let go, panels rigid
+  std::vector<OptimiseFloor> floors;
   /// What free shifts leave every diagonal: so much times the sine of the pilot's angle, mm per
   /// degree. A diagonal that hardly goes on cannot be built, nor certified.
   double least_slope_mm_per_deg = 1e-3;
@@ -54,6 +61,7 @@ struct OptimiseLimits {
   double per_share_of_stroke = 0;  ///< for each 1 of the stroke limit
   double per_n_of_force = 0;       ///< for each N of the largest force
   double per_mm_of_amplitude = 0;  ///< for each mm of amplitude
+  std::vector<double> per_floor;   ///< for each 1 that the floor is lower
   /// Diagonals that would turn back, where: the one with the largest price first.
   struct Turning {
     int diagonal;
@@ -83,8 +91,8 @@ struct Optimised {
 
 /// From `start`. Faults: of the angles as deploy(); amplitude_mm where its own shifts are larger or
 /// not ternary, or there is none; grid_mm where they do not lie on it; deploys_from_deg,
-/// stroke_limit and largest_force_n where it does not keep them; goal where it is worth nothing.
-/// Nothing where its path is lost.
+/// stroke_limit, largest_force_n and floors where it does not keep them; goal where it is worth
+/// nothing. Nothing where its path is lost.
 Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

@@ -1,5 +1,7 @@
 #include "solver/design/worth.hpp"
 
+#include <algorithm>
+
 namespace misalign::solver {
 namespace {
 
@@ -27,9 +29,9 @@ bool fits(const Sheet& sheet, const OptimiseOptions& options) {
          is_strong_enough(sheet, options);
 }
 
-std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options) {
-  if (!fits(sheet, options)) return {};
-  switch (options.goal) {
+std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
+                               const OptimiseOptions& options) {
+  switch (goal) {
     case OptimiseGoal::miscut_margin:
       return sheet.record().miscut_margin_mm;
     case OptimiseGoal::critical_friction: {
@@ -42,8 +44,20 @@ std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options) 
   }
   const auto bent = bend_panels(sheet, options.deploying, options.bending).study;
   if (!bent || bent->unsure() > 0) return {};
-  if (options.goal == OptimiseGoal::static_friction) return bent->friction.static_n_mm_per_mm;
+  if (goal == OptimiseGoal::static_friction) return bent->friction.static_n_mm_per_mm;
   return bent->friction.critical_n_mm_per_mm;
+}
+
+bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
+  return std::ranges::all_of(options.floors, [&](const OptimiseFloor& floor) {
+    const auto value = value_by(floor.of, sheet, options);
+    return value && *value >= floor.least;
+  });
+}
+
+std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options) {
+  if (!fits(sheet, options) || !keeps_floors(sheet, options)) return {};
+  return value_by(options.goal, sheet, options);
 }
 
 }  // namespace misalign::solver

@@ -9,9 +9,15 @@ namespace misalign::solver {
 
 /// `options.deploying` says from where it is let go.
 bool is_strong_enough(const Sheet& sheet, const OptimiseOptions& options);
-/// Whether it deploys from the angle that is asked, can be let go there, and keeps both limits.
+/// What a sheet that can be let go is worth by a goal; none where its study finds nothing.
+std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
+                               const OptimiseOptions& options);
+/// Whether its values by the floors' goals are no lower.
+bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options);
+/// Whether it deploys from the angle that is asked, can be let go there, and keeps stroke and
+/// force.
 bool fits(const Sheet& sheet, const OptimiseOptions& options);
-/// By the goal; none where it does not fit, or its own study finds none.
+/// By the goal; none where it does not fit, keeps not all floors, or its own study finds none.
 std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

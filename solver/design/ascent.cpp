@@ -1,0 +1,320 @@
+#include "solver/design/ascent.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "solver/design/worth.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix2Xd;
+using Eigen::VectorXd;
+
+// The box of a linear program, in amplitudes: at first, and where it is given up.
+constexpr double kFirstBox = 0.25, kLastBox = 1e-3;
+// A step that is worth so little of the goal is none.
+constexpr double kWorth = 1e-4;
+// The box grows where this share of what was foreseen came true.
+constexpr double kForeseen = 0.5;
+// The limits at the end are those of a box of so many amplitudes.
+constexpr double kBoxOfLimits = 0.05;
+// What flips may seem to turn back and yet be looked at, of what they move: to first order slopes
+// are off by 7 % at 120 degrees, and by half at 150.
+constexpr double kEarlyDoubt = 0.15, kLateDoubt = 0.6, kLateFrom_deg = 120;
+
+std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOptions& options) {
+  const double amplitude_mm = options.amplitude_mm;
+  if (amplitude_mm <= 0) {
+    return OptionFault{"amplitude_mm", shown("%g", amplitude_mm),
+                       "leaves no room: the sheet that it starts from is not shifted either",
+                       "name one, such as 0.4"};
+  }
+  for (const int vertex : options.shifted) {
+    for (const double shift_mm : start.shifts_mm().col(vertex)) {
+      if (on_grid(shift_mm, options.grid_mm) != shift_mm) {
+        return OptionFault{"grid_mm", shown("%g", options.grid_mm),
+                           "the sheet that it starts from has a shift of " + shown("%g", shift_mm) +
+                               " mm, which does not lie on it",
+                           "name another one, or none"};
+      }
+      const bool is_level = shift_mm == 0 || std::abs(shift_mm) == amplitude_mm;
+      if (std::abs(shift_mm) > amplitude_mm * (1 + 1e-12) || (options.ternary && !is_level)) {
+        return OptionFault{
+            "amplitude_mm", shown("%g", amplitude_mm),
+            "the sheet that it starts from has a shift of " + shown("%g", shift_mm) + " mm" +
+                (options.ternary ? ", and ternary shifts are 0 or the amplitude" : ""),
+            options.ternary ? "leave out ternary, or name its own amplitude" : "name a larger one"};
+      }
+    }
+  }
+  const double d_deg = start.deploys_from_deg(),
+               wanted_deg = start.sample_deg(options.deploys_from_sample);
+  if (d_deg < wanted_deg) {
+    return OptionFault{"deploys_from_deg", shown("%g", wanted_deg),
+                       "the sheet that it starts from deploys from " + shown("%g", d_deg) + " deg",
+                       "name no more than that, or another sheet"};
+  }
+  return {};
+}
+
+// A change of few coordinates, and what it would be worth.
+struct Flip {
+  VectorXd change_mm;
+  double foreseen;
+};
+
+}  // namespace
+
+double on_grid(double mm, double grid_mm) {
+  return grid_mm > 0 ? std::round(mm / grid_mm) * grid_mm : mm;
+}
+
+Studied<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options) {
+  assert(!options.shifted.empty() && options.deploys_from_sample > 0);
+  assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
+  const Studied<DeployOptions> fitted = fitted_release(start, options.deploying);
+  if (fitted.fault) return *fitted.fault;
+  if (!fitted.study || start.model().has_spare_equations()) return {};
+  if (auto fault = shifts_fault(start, options)) return *fault;
+  OptimiseOptions from = options;
+  from.deploying.from_deg = fitted.study->motion.from_deg;
+  if (!is_strong_enough(start, from)) {
+    return OptionFault{"largest_force_n", shown("%g", *options.largest_force_n),
+                       "a spring of the sheet that it starts from pulls or pushes with more",
+                       "name a larger one, weaker springs, or another sheet"};
+  }
+  if (!fits(start, from)) {
+    return OptionFault{"stroke_limit", shown("%g", options.stroke_limit.value_or(0)),
+                       "a diagonal of the sheet that it starts from elongates by more",
+                       "name a larger one, or another sheet"};
+  }
+  for (const OptimiseFloor& floor : from.floors) {
+    const auto its = value_by(floor.of, start, from);
+    if (its && *its >= floor.least) continue;
+    return OptionFault{"subject_to", shown(">= %g", floor.least),
+                       its ? "the sheet that it starts from has " + shown("%.4g", *its)
+                           : "of the sheet that it starts from it is not known",
+                       "ask for less, or begin with another sheet"};
+  }
+  const std::optional<double> value = value_by(from.goal, start, from);
+  if (!value || *value <= 0) {
+    const bool is_margin = options.goal == OptimiseGoal::miscut_margin;
+    return OptionFault{"goal",
+                       {},
+                       is_margin
+                           ? "no margin against miscuts is known of the sheet that it starts from"
+                           : "nothing drives the sheet that it starts from to flat",
+                       "begin with another sheet, or with another goal"};
+  }
+  return AscentStart{std::move(from), *value};
+}
+
+Ascent::Ascent(const Sheet& start, AscentStart fitted)
+    : options_(std::move(fitted.options)),
+      solver_(start.model()),
+      box_mm_(kFirstBox * options_.amplitude_mm),
+      now_{std::make_unique<const Sheet>(solver_, start.shifts_mm()), fitted.value} {
+  found_.options = options_;
+  found_.from_deg = *options_.deploying.from_deg;
+  found_.taken.push_back({start.shifts_mm(), fitted.value});
+}
+
+void Ascent::advance() {
+  if (!around_) {
+    begin_step();
+  } else if (trying_ == Trying::in_a_box) {
+    try_box();
+  } else {
+    try_flip();
+  }
+}
+
+void Ascent::begin_step() {
+  if (found_.steps() >= options_.most_steps) return end(OptimiseEnd::most_steps);
+  around_ = local_model(*now_.sheet, options_);
+  if (!around_) return end(OptimiseEnd::no_step_is_better);
+  trying_ = Trying::in_a_box;
+  if (options_.ternary) begin_flips();
+}
+
+void Ascent::end(OptimiseEnd why) {
+  found_.end = why;
+  finished_ = true;
+  if (around_ && !options_.ternary) find_limits();
+}
+
+void Ascent::take_step(Worthy next) {
+  now_ = std::move(next);
+  found_.taken.push_back({now_.sheet->shifts_mm(), now_.value});
+  around_.reset();
+}
+
+// Of a step of free shifts: the box shrinks until one is right.
+void Ascent::try_box() {
+  if (box_mm_ < std::max(kLastBox * options_.amplitude_mm, options_.grid_mm / 2)) {
+    return give_up_box();
+  }
+  const LocalProgram inside = local_program(*around_, box_mm_);
+  const LinearOptimum best = maximize(inside.linear);
+  const double foreseen = best.value * inside.unit;
+  if (best.end != LinearEnd::optimal || foreseen < kWorth * now_.value) return give_up_box();
+  auto next = look(inside.change_mm(best));
+  const double gained = next ? next->value - now_.value : 0;
+  if (gained > kForeseen * foreseen) {
+    box_mm_ = std::min(2 * box_mm_, options_.amplitude_mm);
+    return take_step(std::move(*next));
+  }
+  box_mm_ /= 2;
+  if (gained > kWorth * now_.value) take_step(std::move(*next));
+}
+
+void Ascent::give_up_box() {
+  box_mm_ = kFirstBox * options_.amplitude_mm;
+  if (moves_together()) return end(OptimiseEnd::no_step_is_better);
+  begin_flips();
+}
+
+// Of one or two coordinates: those first that promise most. None of those that promise: before it
+// is given up, of single ones every one is looked at.
+void Ascent::begin_flips() {
+  trying_ = Trying::flips;
+  const std::vector<VectorXd> singles_mm = single_flips();
+  const double own_goal = around_->goal(VectorXd::Zero(around_->coordinates));
+  std::vector<Flip> flips;
+  const auto consider = [&](const VectorXd& change_mm) {
+    const double foreseen = around_->goal(change_mm) - own_goal;
+    if (foreseen > kWorth * now_.value) flips.push_back({change_mm, foreseen});
+  };
+  for (std::size_t one = 0; one < singles_mm.size(); ++one) {
+    consider(singles_mm[one]);
+    for (std::size_t other = one + 1; other < singles_mm.size(); ++other) {
+      if (singles_mm[one].cwiseProduct(singles_mm[other]).isZero(0)) {
+        consider(singles_mm[one] + singles_mm[other]);
+      }
+    }
+  }
+  std::ranges::stable_sort(flips, std::ranges::greater(), &Flip::foreseen);
+  flips_mm_.clear();
+  next_flip_ = 0;
+  for (Flip& flip : flips) {
+    if (std::ssize(flips_mm_) == options_.most_looks) break;
+    if (may_fit(flip.change_mm)) flips_mm_.push_back(std::move(flip.change_mm));
+  }
+  flips_mm_.insert(flips_mm_.end(), singles_mm.begin(), singles_mm.end());
+}
+
+// The first that does better is a step.
+void Ascent::try_flip() {
+  if (next_flip_ == flips_mm_.size()) return end(OptimiseEnd::no_step_is_better);
+  auto next = look(flips_mm_[next_flip_++]);
+  if (next && next->value > now_.value * (1 + kWorth)) take_step(std::move(*next));
+}
+
+double& Ascent::coordinate(Matrix2Xd& shifts_mm, Index k) const {
+  return shifts_mm(k % 2, options_.shifted[static_cast<std::size_t>(k / 2)]);
+}
+
+// x and y of each vertex that may be shifted, in turn.
+VectorXd Ascent::own_mm() const {
+  Matrix2Xd shifts_mm = now_.sheet->shifts_mm();
+  VectorXd own_mm(2 * std::ssize(options_.shifted));
+  for (Index k = 0; k < own_mm.size(); ++k) own_mm(k) = coordinate(shifts_mm, k);
+  return own_mm;
+}
+
+// No farther than the amplitude, on the grid.
+double Ascent::largest_mm() const {
+  const double grid_mm = options_.grid_mm;
+  if (grid_mm == 0) return options_.amplitude_mm;
+  return std::floor(options_.amplitude_mm / grid_mm * (1 + 1e-12)) * grid_mm;
+}
+
+std::optional<Ascent::Worthy> Ascent::look(const VectorXd& coordinates_mm) {
+  Matrix2Xd shifts_mm = now_.sheet->shifts_mm();
+  const VectorXd change_mm =
+      moves_together() ? VectorXd(options_.moves * coordinates_mm) : coordinates_mm;
+  for (Index k = 0; k < change_mm.size(); ++k) {
+    double& shift_mm = coordinate(shifts_mm, k);
+    shift_mm = on_grid(shift_mm + change_mm(k), options_.grid_mm);
+    // Programs pass their bounds by rounding, and grids by up to half a step.
+    if (!moves_together()) shift_mm = std::clamp(shift_mm, -largest_mm(), largest_mm());
+  }
+  auto sheet = std::make_unique<const Sheet>(solver_, std::move(shifts_mm));
+  ++found_.looks;
+  const std::optional<double> value = worth(*sheet, options_);
+  if (!value) return {};
+  return Worthy{std::move(sheet), *value};
+}
+
+bool Ascent::may_fit(const VectorXd& change_mm) const {
+  return std::ranges::all_of(around_->rows, [&](const LocalRow& one) {
+    const double doubt = one.pilot_deg <= kLateFrom_deg ? kEarlyDoubt : kLateDoubt;
+    const double moved = one.row.cwiseAbs().dot(change_mm.cwiseAbs());
+    return std::max(one.slack, 0.0) + one.row.dot(change_mm) >= -doubt * moved;
+  });
+}
+
+// To nothing, to the amplitude, and to what is next on a grid.
+std::vector<VectorXd> Ascent::single_flips() const {
+  std::vector<VectorXd> flips_mm;
+  const VectorXd from_mm = own_mm();
+  const double most_mm = largest_mm(), grid_mm = options_.grid_mm;
+  for (Index k = 0; k < from_mm.size(); ++k) {
+    std::vector<double> levels_mm = {-most_mm, 0.0, most_mm};
+    if (grid_mm > 0) {
+      for (const double next_mm : {from_mm(k) - grid_mm, from_mm(k) + grid_mm}) {
+        if (std::abs(next_mm) < most_mm) levels_mm.push_back(on_grid(next_mm, grid_mm));
+      }
+    }
+    for (const double to_mm : levels_mm) {
+      if (to_mm != from_mm(k))
+        flips_mm.push_back((to_mm - from_mm(k)) * VectorXd::Unit(from_mm.size(), k));
+    }
+  }
+  return flips_mm;
+}
+
+void Ascent::find_limits() {
+  const LocalProgram inside = local_program(*around_, kBoxOfLimits * options_.amplitude_mm);
+  const LinearOptimum best = maximize(inside.linear);
+  if (best.end != LinearEnd::optimal) return;
+  OptimiseLimits limits;
+  limits.per_floor.resize(options_.floors.size());
+  for (std::size_t k = 0; k < inside.reached.size(); ++k) {
+    const LocalRow& one = *inside.reached[k];
+    const double price = inside.price(best, static_cast<Index>(k));
+    if (price == 0) continue;
+    switch (one.of) {
+      case LocalRow::Of::stroke:
+        limits.per_share_of_stroke += price * now_.sheet->way()->flat_mm()(one.where);
+        break;
+      case LocalRow::Of::force:
+        limits.per_n_of_force += price / options_.deploying.sheet.springs.stiffness_n_per_mm;
+        break;
+      case LocalRow::Of::direction:
+        limits.turning.push_back({one.where, one.pilot_deg, price});
+        break;
+      case LocalRow::Of::amplitude:
+        limits.per_mm_of_amplitude += price;
+        break;
+      case LocalRow::Of::floor:
+        limits.per_floor[static_cast<std::size_t>(one.where)] += price;
+        break;
+      case LocalRow::Of::fold_limit:
+      case LocalRow::Of::fold_angle:
+        limits.by_fold_limit = true;
+        break;
+    }
+  }
+  std::ranges::sort(limits.turning, std::ranges::greater(), &OptimiseLimits::Turning::per_mm);
+  // Of the box those sides that are the amplitude's.
+  for (Index row = best.price.size() - 2 * around_->coordinates; row < best.price.size(); ++row) {
+    if (inside.linear.bounds(row) < 1) limits.per_mm_of_amplitude += inside.price(best, row);
+  }
+  found_.limits = limits;
+}
+
+}  // namespace misalign::solver

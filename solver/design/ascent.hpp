@@ -1,0 +1,75 @@
+// Goes from a sheet to better ones near it, a look at a time: one part of an optimisation
+// (optimise.hpp), for callers that must not wait for its end.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "solver/design/local_model.hpp"
+
+namespace misalign::solver {
+
+/// What is asked of a sheet, as it fits it, and what it is worth by the goal.
+struct AscentStart {
+  OptimiseOptions options;
+  double value;
+};
+
+/// Faults as of optimise().
+Studied<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options);
+
+class Ascent {
+ public:
+  /// The sheet's model must outlive this object, the sheet need not.
+  Ascent(const Sheet& start, AscentStart fitted);
+
+  bool finished() const { return finished_; }
+  /// Looks at one more sheet, or at how those around the one that was reached differ from it.
+  void advance();
+  /// What was found so far.
+  const Optimised& found() const { return found_; }
+  Optimised take() { return std::move(found_); }
+
+ private:
+  // A sheet that fits, and what it is worth.
+  struct Worthy {
+    std::unique_ptr<const Sheet> sheet;
+    double value;
+  };
+  // The changes that are tried next: those of a linear program in a box, or flips in their order.
+  enum class Trying { in_a_box, flips };
+
+  void begin_step();
+  void end(OptimiseEnd why);
+  void try_box();
+  void begin_flips();
+  void try_flip();
+  void give_up_box();
+  void take_step(Worthy next);
+
+  bool moves_together() const { return options_.moves.size() > 0; }
+  double& coordinate(Eigen::Matrix2Xd& shifts_mm, Eigen::Index k) const;
+  Eigen::VectorXd own_mm() const;
+  double largest_mm() const;
+  std::optional<Worthy> look(const Eigen::VectorXd& coordinates_mm);
+  bool may_fit(const Eigen::VectorXd& change_mm) const;
+  std::vector<Eigen::VectorXd> single_flips() const;
+  void find_limits();
+
+  const OptimiseOptions options_;
+  SheetSolver solver_;
+  double box_mm_;
+  Worthy now_;
+  Optimised found_{};
+  std::optional<LocalModel> around_;  // the sheet that was reached
+  Trying trying_ = Trying::in_a_box;
+  std::vector<Eigen::VectorXd> flips_mm_;
+  std::size_t next_flip_ = 0;
+  bool finished_ = false;
+};
+
+/// What is rounded to a grid, mm; 0: there is none.
+double on_grid(double mm, double grid_mm);
+
+}  // namespace misalign::solver
