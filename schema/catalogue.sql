@@ -1,7 +1,7 @@
--- The catalogue of one campaign, version 8. Angles in degrees, lengths in mm; draws are half-open
+-- The catalogue of one campaign, version 9. Angles in degrees, lengths in mm; draws are half-open
 -- ranges. No row per rejected draw: `misalign replay` makes any of them again.
 PRAGMA application_id = 0x4D53414C;  -- "MSAL"
-PRAGMA user_version = 8;
+PRAGMA user_version = 9;
 
 CREATE TABLE campaign (
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -162,8 +162,9 @@ CREATE TABLE population (
   PRIMARY KEY (unit, level)
 ) STRICT, WITHOUT ROWID;
 
--- By which a candidate of a splitting search is known when it is met again: XXH3-128 of its
--- displacements_mm. It has the least of its numbers.
+-- By which a candidate of a search that stores sheets is known when it is met again: XXH3-128 of its
+-- displacements_mm. Of a splitting search it has the least of its numbers; of an optimising one each
+-- draw has the sheet at which it ends.
 CREATE TABLE sheet (
   draw INTEGER PRIMARY KEY REFERENCES candidate (draw),
   hash BLOB NOT NULL CHECK (length(hash) = 16)
@@ -182,6 +183,18 @@ CREATE TABLE piece (
   result BLOB NOT NULL,
   PRIMARY KEY (population, level, lo)
 ) STRICT, WITHOUT ROWID;
+
+-- Of an optimising search: how each candidate came from its draw, where it starts. Values are those of
+-- the campaign's goal (search.maximise), N mm per mm or mm. Since version 9.
+CREATE TABLE ascent (
+  draw INTEGER PRIMARY KEY REFERENCES candidate (draw) ON DELETE CASCADE,
+  start_value REAL,  -- null where the draw has none, or breaks a limit: then it is kept as it is
+  end_value REAL,
+  steps INTEGER NOT NULL CHECK (steps >= 0),
+  sheets_folded INTEGER NOT NULL CHECK (sheets_folded >= 0),
+  ended TEXT NOT NULL CHECK (ended IN ('no_step_is_better', 'most_steps', 'breaks_a_limit', 'has_no_value')),
+  limited_by TEXT CHECK (limited_by IS NULL OR json_valid(limited_by))  -- of free shifts: "limits" of `misalign optimise --json`
+) STRICT;
 
 -- What `misalign tolerance` found: of copies of a candidate whose vertices are off by up to
 -- amplitude_mm, in x and in y, how many still deploy from from_deg. Since version 8 that may be another
@@ -245,8 +258,16 @@ SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_pe
        (SELECT amplitude_mm FROM common_yield WHERE common_yield.draw = candidate.draw)
          AS yield_amplitude_mm,
        (SELECT certified_deg FROM certificate WHERE certificate.draw = candidate.draw)
-         AS certified_deg
+         AS certified_deg,
+       (SELECT end_value FROM ascent WHERE ascent.draw = candidate.draw) AS end_value
 FROM candidate;
+
+-- Of an optimising search: each sheet at which draws ended, under the least of their numbers.
+CREATE VIEW ends AS
+SELECT min(draw) AS draw, count(*) AS starts, max(end_value) AS end_value, start_value, steps, ended,
+       deploys_from_deg, stroke_max, miscut_margin_mm, slope_min_mm_per_deg, shifted_vertices, limited_by
+FROM ascent JOIN sheet USING (draw) JOIN candidate USING (draw)
+GROUP BY hash;
 
 CREATE VIEW yields AS
 SELECT draw, amplitude_mm, from_deg, trials, survivors, undecided, share, share_low, share_high,

@@ -3,17 +3,30 @@
 #include "schema/files/user_error.hpp"
 #include "search/ranks/process_start.hpp"
 #include "search/ranks/stop_signal.hpp"
+#include "search/sheets/optimised_draw.hpp"
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/study_functions.hpp"
 #include "search/verbs/cli.hpp"
 
 namespace misalign::search {
+namespace {
+
+schema::UserError whole_program_needed(const char* it) {
+  return {schema::Cause::failure,
+          std::string("this is the program that scripts/run.sh builds first, which ") + it +
+              "; cmake --build --preset release builds the whole one"};
+}
+
+}  // namespace
 
 void certify_if_asked(DrawEvaluator& evaluator) {
   if (!evaluator.campaign().certify) return;
-  throw schema::UserError(schema::Cause::failure,
-                          "this is the program that scripts/run.sh builds first, which certifies "
-                          "nothing; cmake --build --preset release builds the whole one");
+  throw whole_program_needed("certifies nothing");
+}
+
+void optimise_if_asked(DrawEvaluator& evaluator) {
+  if (!evaluator.campaign().search.optimisation) return;
+  throw whole_program_needed("makes no draw better");
 }
 
 // No sheet is studied here.

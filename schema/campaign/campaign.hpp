@@ -9,7 +9,7 @@
 
 #include "schema/campaign/draw_range.hpp"
 #include "schema/campaign/misalignment.hpp"
-#include "schema/campaign/splitting.hpp"
+#include "schema/campaign/search_method.hpp"
 #include "schema/campaign/stop_rule.hpp"
 #include "schema/pattern/design.hpp"
 #include "schema/pattern/pattern.hpp"
@@ -36,7 +36,7 @@ struct Campaign {
   double threshold_deg = 170;
   solver::BumpRule between_samples = solver::BumpRule::ignored;
   std::optional<RequiredStop> required_stop;  ///< not beyond the threshold
-  std::optional<Splitting> splitting;         ///< nothing: plain draws
+  SearchMethod search;
   std::uint64_t seed = 1;
   StopRule stop;
   Design design;  ///< outside the identity: what is asked of candidates

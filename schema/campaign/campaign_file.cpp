@@ -110,7 +110,7 @@ void read_certify(ObjectReader& reader, const char* afterwards, bool& certify) {
 // What drawing members of the parallel family leaves no room for.
 void check_parallel(const Campaign& campaign, InputFaults& faults) {
   if (!campaign.misalignment.parallel) return;
-  if (campaign.splitting) {
+  if (campaign.search.splitting) {
     faults.add("search.method = \"splitting\"",
                "changes vertices one by one, and members of the parallel family change together",
                "write \"plain\"; most members with like signs are accepted");
@@ -119,6 +119,35 @@ void check_parallel(const Campaign& campaign, InputFaults& faults) {
     faults.add("path.end_deg = " + shown_number(campaign.end_deg),
                "all creases of a member close at 180 degrees, where rounding would decide",
                "try " + shown_number(180 - campaign.sample_deg) + ", the default of such draws");
+  }
+}
+
+// How draws, and what an optimisation makes of them, lie on levels or a grid.
+void check_ends(const Campaign& campaign, InputFaults& faults) {
+  if (!campaign.search.optimisation) return;
+  const Optimisation& ends = *campaign.search.optimisation;
+  const Misalignment& draws = campaign.misalignment;
+  if (draws.parallel && !closes_at_180(campaign)) {
+    faults.add("search.method = \"optimise\"",
+               "changes sheets with one degree of freedom, and this one has too few holes for it",
+               "write \"plain\", or use `misalign construct`");
+  }
+  if (draws.parallel && draws.parallel->grid_mm > 0) {
+    faults.add("misalignment.grid_mm", "is left by what an optimisation makes of members",
+               "take it out");
+  }
+  const char* const key = ends.ternary ? "search.shifts = \"ternary\"" : "search.grid_mm";
+  if (!ends.ternary && !ends.grid_mm) return;
+  if (draws.parallel) {
+    faults.add(key, "would leave the parallel family", "take it out");
+  } else if (draws.distribution == ShiftDistribution::uniform) {
+    faults.add(key, "is where draws do not lie that are uniform",
+               "write misalignment.levels = \"ternary\", or take it out");
+  } else if (ends.grid_mm && !whole_multiple(draws.amplitude_mm, *ends.grid_mm)) {
+    faults.add(
+        std::string(key) + " = " + shown_number(*ends.grid_mm),
+        "is no whole part of misalignment.amplitude_mm = " + shown_number(draws.amplitude_mm),
+        "try a tenth of that");
   }
 }
 
@@ -172,18 +201,19 @@ Campaign read_campaign(const Json& value, const std::string& source,
   // A sheet that is refused for other reasons is not held against its path.
   const double base_end_deg = campaign.pattern.base.folding.end_deg();
   read_path_and_threshold(path, accept, base_end_deg > 0 ? base_end_deg : 180, campaign);
-  campaign.splitting = read_search(ObjectReader(part("search"), "search", faults),
-                                   campaign.threshold_deg, campaign.sample_deg);
+  campaign.search = read_search(ObjectReader(part("search"), "search", faults),
+                                campaign.threshold_deg, campaign.sample_deg);
   check_parallel(campaign, faults);
+  check_ends(campaign, faults);
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
   campaign.design = read_design(part("design"), "design", faults)
                         .instead_of(read_springs(part("actuators"), "actuators", faults));
   const bool is_in_closed_form = campaign.misalignment.parallel && !closes_at_180(campaign);
   read_certify(reader,
-               campaign.splitting  ? "a splitting search"
-               : is_in_closed_form ? "a search among sheets with so few holes"
-                                   : nullptr,
+               campaign.search.splitting ? "a splitting search"
+               : is_in_closed_form       ? "a search among sheets with so few holes"
+                                         : nullptr,
                campaign.certify);
   if (campaign.certify && !campaign.pattern.base.springs.in_mid_plane()) {
     faults.add(reader.shown("certify"), "proofs are of springs in the panels' mid-plane",
@@ -221,7 +251,7 @@ Json campaign_json(const Campaign& campaign) {
             {"between_samples", between_samples_json(campaign.between_samples)},
             {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
             {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}}},
-          {"search", search_json(campaign.splitting)},
+          {"search", search_json(campaign.search)},
           {"seed", campaign.seed},
           {"stop", stop_json(campaign.stop)},
           {"design", design_json(campaign.design)},
@@ -241,10 +271,16 @@ Json stored_configuration(const Campaign& campaign) {
   if (configuration["misalignment"]["grid_mm"].is_null()) {
     configuration["misalignment"].erase("grid_mm");
   }
-  if (!campaign.splitting) {
-    configuration.erase("search");
-    if (configuration["stop"]["populations"] == defaults["stop"]["populations"])
-      configuration["stop"].erase("populations");
+  if (!campaign.search.optimisation) {
+    const Json its_keys = optimisation_json({});
+    for (const auto& [key, value] : its_keys.items()) {
+      configuration["search"].erase(key);
+    }
+  }
+  if (!campaign.search.stores_sheets()) configuration.erase("search");
+  if (!campaign.search.splitting &&
+      configuration["stop"]["populations"] == defaults["stop"]["populations"]) {
+    configuration["stop"].erase("populations");
   }
   if (!campaign.required_stop) {
     configuration["accept"].erase("stops_at_deg");

@@ -84,45 +84,30 @@ std::vector<int> named_scores(const Splitting& splitting, double sample_deg) {
   return scores;
 }
 
-std::optional<Splitting> read_search(ObjectReader reader, double threshold_deg, double sample_deg) {
-  InputFaults& faults = reader.faults();
-  const std::size_t before = faults.count();
-  std::string method = "plain";
+Splitting read_splitting(ObjectReader& reader, double threshold_deg, double sample_deg) {
   Splitting splitting;
-  reader.text("method", method, "write \"plain\" or \"splitting\"");
-  if (method != "plain" && method != "splitting") {
-    faults.add(reader.shown("method"), "is no way to search", "write \"plain\" or \"splitting\"");
-  }
   read_named_levels(reader, threshold_deg, sample_deg, splitting.levels_deg);
   read_count(reader, "particles", splitting.particles, 2, kMostParticles);
   read_count(reader, "sweeps", splitting.sweeps, 1, kMostSweeps);
   read_count(reader, "first_draws", splitting.first_draws, 2, kMostFirstDraws);
-  reader.refuse_unknown_keys();
-  if (faults.count() > before) return std::nullopt;
-  const std::uint64_t numbers =
-      splitting.first_draws + kMostLevels * splitting.sweeps * std::uint64_t{splitting.particles};
-  if (numbers > kNumbersOfPopulation) {
-    faults.add(fmt::format("{} times {}", reader.shown("particles"), reader.shown("sweeps")),
-               fmt::format("is more than a population has numbers for, {}",
-                           (kNumbersOfPopulation - splitting.first_draws) / kMostLevels),
-               "take more populations of fewer particles");
-  }
-  if (method == "splitting") return splitting;
-  if (splitting != Splitting{}) {
-    faults.add(reader.name("method") + " = \"plain\"",
-               "has no levels, particles, sweeps or first draws",
-               "write \"splitting\", or take those out");
-  }
-  return std::nullopt;
+  return splitting;
 }
 
-Json search_json(const std::optional<Splitting>& splitting) {
-  const Splitting shown = splitting.value_or(Splitting{});
-  return {{"method", splitting ? "splitting" : "plain"},
-          {"levels_deg", shown.levels_deg.empty() ? Json("auto") : Json(shown.levels_deg)},
-          {"particles", shown.particles},
-          {"sweeps", shown.sweeps},
-          {"first_draws", shown.first_draws}};
+void check_splitting(ObjectReader& reader, const Splitting& splitting) {
+  const std::uint64_t numbers =
+      splitting.first_draws + kMostLevels * splitting.sweeps * std::uint64_t{splitting.particles};
+  if (numbers <= kNumbersOfPopulation) return;
+  reader.faults().add(fmt::format("{} times {}", reader.shown("particles"), reader.shown("sweeps")),
+                      fmt::format("is more than a population has numbers for, {}",
+                                  (kNumbersOfPopulation - splitting.first_draws) / kMostLevels),
+                      "take more populations of fewer particles");
+}
+
+Json splitting_json(const Splitting& splitting) {
+  return {{"levels_deg", splitting.levels_deg.empty() ? Json("auto") : Json(splitting.levels_deg)},
+          {"particles", splitting.particles},
+          {"sweeps", splitting.sweeps},
+          {"first_draws", splitting.first_draws}};
 }
 
 }  // namespace misalign::schema

@@ -1,5 +1,4 @@
-// The search method of a campaign: plain draws, or populations that climb from level to level
-// (splitting).
+// The search method "splitting": populations that climb from level to level.
 #pragma once
 
 #include <cstdint>
@@ -41,11 +40,12 @@ inline DrawRange numbers_of(const DrawRange& populations) {
 /// The scores of the levels that it names; none if a level finder is to find them.
 std::vector<int> named_scores(const Splitting& splitting, double sample_deg);
 
-/// Reads the part "search" of a campaign whose threshold and samples are known; nothing for a plain
-/// search.
-std::optional<Splitting> read_search(ObjectReader reader, double threshold_deg, double sample_deg);
+/// Reads its keys of the part "search" of a campaign whose threshold and samples are known.
+Splitting read_splitting(ObjectReader& reader, double threshold_deg, double sample_deg);
+/// What a splitting that is asked for has too much of.
+void check_splitting(ObjectReader& reader, const Splitting& splitting);
 
-/// Every key of that part.
-Json search_json(const std::optional<Splitting>& splitting);
+/// Every key of its own.
+Json splitting_json(const Splitting& splitting);
 
 }  // namespace misalign::schema

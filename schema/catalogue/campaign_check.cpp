@@ -89,7 +89,7 @@ void check_screened(SQLite::Database& database, const Campaign& campaign,
           differs("screened", "row", Json{tested_deg, row.getColumn(1).getInt64()}, Json()));
     }
   }
-  if (!campaign.splitting) {
+  if (!campaign.search.splitting) {
     SQLite::Statement units(database, "SELECT rejected FROM unit");
     while (units.executeStep()) rejected += draw_of(units.getColumn(0));
   }

@@ -168,7 +168,7 @@ void Catalogue::keep_pieces(const std::vector<PieceRow>& pieces) {
 }
 
 void Catalogue::add_to_goal(const UnitRecord& unit, GoalEnd& end) const {
-  if (!campaign_.splitting) {
+  if (!campaign_.search.splitting) {
     end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
   } else if (goal_.looks_at_results()) {
     const auto top = static_cast<std::uint32_t>(levels().size());
@@ -179,10 +179,10 @@ void Catalogue::add_to_goal(const UnitRecord& unit, GoalEnd& end) const {
 void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>& units) {
   guarded(path_, [&] {
     transact([&] {
-      UnitCopier copier(other, *database_, campaign_.splitting.has_value());
+      UnitCopier copier(other, *database_, campaign_.search);
       copier.copy_runs();
       for (const DrawRange& unit : units) copier.copy(unit);
-      if (!campaign_.splitting) return;
+      if (!campaign_.search.splitting) return;
       take_over_levels(other);
       keep_each_sheet_once(*database_, campaign_, mechanism_, {0, kEndOfDraws});
     });

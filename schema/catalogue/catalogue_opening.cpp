@@ -10,8 +10,8 @@
 namespace misalign::schema {
 
 void Catalogue::open(Missing missing) {
-  database_ =
-      open_for_writing(path_, storage_, campaign_.splitting ? kSplittingCache_kb : kCache_kb);
+  database_ = open_for_writing(path_, storage_,
+                               campaign_.search.splitting ? kSplittingCache_kb : kCache_kb);
   log_.emplace(*database_, path_, storage_);
   const bool is_new = database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
   if (is_new && missing == Missing::refused) throw damaged(*database_, "it is empty");

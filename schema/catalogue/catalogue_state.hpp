@@ -13,6 +13,14 @@
 
 namespace misalign::schema {
 
+/// Where draws of an optimising search ended, below the goal's end: values as its goal, none where
+/// no draw has one.
+struct EndsState {
+  std::string goal;
+  std::uint64_t sheets, kept_as_drawn;  ///< different ones; that broke a limit, or had no value
+  std::optional<double> best, median;
+};
+
 /// Totals of what lies below the goal's end.
 struct CatalogueState {
   std::string identity, name;
@@ -28,6 +36,7 @@ struct CatalogueState {
   std::map<std::string, WeightedCount>
       faults;                         ///< first faults of the rejected draws in the sample
   std::optional<LadderState> ladder;  ///< of a splitting search
+  std::optional<EndsState> ends;      ///< of an optimising search
   double draws_per_s;  ///< of the last run that committed something, all ranks together
 
   /// All first faults of the sample.
@@ -57,6 +66,8 @@ WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Colum
 
 /// A candidate's row, every column under its name; null if there is none.
 Json read_candidate(SQLite::Database& database, std::uint64_t draw);
+/// The same of its ascent, in a catalogue that has them.
+Json read_ascent(SQLite::Database& database, std::uint64_t draw);
 
 /// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw);

@@ -33,6 +33,7 @@ class LedgerCheck {
     sum_candidates();
     sum_levels();
     check_sheets_once();
+    check_ascents();
     count_undecided();
     count_fault_sample();
     check_units();
@@ -127,7 +128,7 @@ class LedgerCheck {
                 {},
                 {},
                 FaultSampleRule(row.getColumn(6).getInt())};
-      unit.fault_sample.stored = campaign_.splitting ? 0 : unit.rule.rows_in(range);
+      unit.fault_sample.stored = campaign_.search.splitting ? 0 : unit.rule.rows_in(range);
       if (row.getColumn(5).getBytes() == 16) {
         unit.stored =
             CandidateSum::from_bytes(static_cast<const unsigned char*>(row.getColumn(5).getBlob()));
@@ -161,7 +162,7 @@ class LedgerCheck {
         add("draw " + std::to_string(draw), "deploys_from_sample", row.getColumn(2).getInt64(),
             "one of the campaign's " + std::to_string(first) + " to " + std::to_string(last));
       }
-      const std::string sheet = campaign_.splitting ? checked_sheet(draw, row) : "";
+      const std::string sheet = campaign_.search.stores_sheets() ? checked_sheet(draw, row) : "";
       if (state_ && draw < state_->goal_end) {
         ++counted_.accepted;
         counted_.sum.add(draw, sample, sheet);
@@ -174,9 +175,10 @@ class LedgerCheck {
   }
 
   std::string candidates_sql() const {
-    return campaign_.splitting ? "SELECT draw, unit, deploys_from_sample, hash, displacements_mm "
-                                 "FROM candidate LEFT JOIN sheet USING (draw)"
-                               : "SELECT draw, unit, deploys_from_sample FROM candidate";
+    return campaign_.search.stores_sheets()
+               ? "SELECT draw, unit, deploys_from_sample, hash, displacements_mm "
+                 "FROM candidate LEFT JOIN sheet USING (draw)"
+               : "SELECT draw, unit, deploys_from_sample FROM candidate";
   }
 
   // The hash by which a sheet is known again, by its displacements.
@@ -190,8 +192,8 @@ class LedgerCheck {
 
   // What became of each population.
   void sum_levels() {
-    if (!campaign_.splitting || version_of(database_) < kSplittingSince) return;
-    const Splitting& splitting = *campaign_.splitting;
+    if (!campaign_.search.splitting || version_of(database_) < kSplittingSince) return;
+    const Splitting& splitting = *campaign_.search.splitting;
     const std::vector<int> scores = read_levels(database_);
     const std::vector<int> named = named_scores(splitting, campaign_.sample_deg);
     if (!scores.empty() && !named.empty() && scores != named) {
@@ -208,12 +210,26 @@ class LedgerCheck {
 
   // Each sheet has one number.
   void check_sheets_once() {
-    if (!campaign_.splitting || version_of(database_) < kSplittingSince) return;
+    if (!campaign_.search.splitting || version_of(database_) < kSplittingSince) return;
     SQLite::Statement row(
         database_, "SELECT max(draw), min(draw) FROM sheet GROUP BY hash HAVING count(*) > 1");
     while (row.executeStep()) {
       add("draw " + std::to_string(draw_of(row.getColumn(0))), "sheet.hash",
           "that of draw " + std::to_string(draw_of(row.getColumn(1))), "its own");
+    }
+  }
+
+  // Each candidate has its own, and a value that is no less than its start's.
+  void check_ascents() {
+    if (!campaign_.search.optimisation || version_of(database_) < kAscentSince) return;
+    SQLite::Statement row(
+        database_,
+        "SELECT candidate.draw, ascent.draw IS NULL FROM candidate LEFT JOIN "
+        "ascent USING (draw) WHERE ascent.draw IS NULL OR start_value > end_value");
+    while (row.executeStep()) {
+      const std::string where = "draw " + std::to_string(draw_of(row.getColumn(0)));
+      const bool is_missing = row.getColumn(1).getInt() != 0;
+      add(where, "ascent", is_missing ? "none" : "less at its end", is_missing ? "one" : "no less");
     }
   }
 
@@ -258,6 +274,7 @@ class LedgerCheck {
   }
 
   void check_fault_sample() {
+    if (campaign_.search.optimisation) return;  // a sample is of the draw, a candidate its end
     SQLite::Statement row(database_,
                           "SELECT draw, fault_sample.deploys_from_sample, "
                           "candidate.deploys_from_sample FROM fault_sample JOIN candidate USING "

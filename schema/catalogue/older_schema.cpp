@@ -40,19 +40,27 @@ void show_as_of_today(SQLite::Database& database, int version) {
   if (version >= kYieldSince && version < kYieldAngleSince) {
     database.exec("CREATE TEMP VIEW yield AS SELECT *, " +
                   column_sql("yield", "from_deg", version) + " AS from_deg FROM main.yield");
-    if (version >= kCertificateSince) database.exec(temporary_view("yields"));
   }
-  if (version >= kCertificateSince) return;
+  if (version >= kAscentSince) return;
   database.exec(
-      "CREATE TEMP VIEW certificate AS SELECT NULL AS draw, NULL AS certified_deg, "
-      "NULL AS asked_deg, NULL AS ended, NULL AS place, NULL AS contact, NULL AS intervals, "
-      "NULL AS seconds, NULL AS hash, NULL AS proof WHERE 0");
+      "CREATE TEMP VIEW ascent AS SELECT NULL AS draw, NULL AS start_value, NULL AS end_value, "
+      "NULL AS steps, NULL AS sheets_folded, NULL AS ended, NULL AS limited_by WHERE 0");
+  if (version < kSplittingSince) {
+    database.exec("CREATE TEMP VIEW sheet AS SELECT NULL AS draw, NULL AS hash WHERE 0");
+  }
+  if (version < kCertificateSince) {
+    database.exec(
+        "CREATE TEMP VIEW certificate AS SELECT NULL AS draw, NULL AS certified_deg, "
+        "NULL AS asked_deg, NULL AS ended, NULL AS place, NULL AS contact, NULL AS intervals, "
+        "NULL AS seconds, NULL AS hash, NULL AS proof WHERE 0");
+  }
   const std::string later = later_candidate_columns_sql(version);
   std::string candidates = temporary_view("candidates");
   const std::string table = "FROM candidate;";
   candidates.replace(candidates.rfind(table), table.size(),
                      "FROM (SELECT *" + later + " FROM main.candidate) AS candidate;");
   database.exec(candidates);
+  database.exec(temporary_view("ends"));
   std::string yields = temporary_view("yields");
   const std::string join = "JOIN candidate USING (draw)";
   yields.replace(yields.rfind(join), join.size(), "JOIN temp.candidates USING (draw)");

@@ -239,8 +239,11 @@ std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database&
   SQLite::Statement theirs = prepared(from, "SELECT hash FROM sheet WHERE draw = ?");
   theirs.bind(1, stored(draw));
   if (!reading(from, [&] { return theirs.executeStep(); })) return draw;
-  SQLite::Statement ours(into, "SELECT min(draw) FROM sheet WHERE hash = ?");
+  SQLite::Statement ours(into,
+                         "SELECT coalesce((SELECT draw FROM sheet WHERE hash = ?1 AND draw = ?2), "
+                         "(SELECT min(draw) FROM sheet WHERE hash = ?1))");
   bind_value(ours, 1, theirs.getColumn(0));
+  ours.bind(2, stored(draw));
   ours.executeStep();
   return ours.getColumn(0).isNull() ? std::nullopt : std::optional(draw_of(ours.getColumn(0)));
 }

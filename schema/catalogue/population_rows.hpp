@@ -48,8 +48,8 @@ std::string sheet_hash(const std::string& displacements_mm);
 /// The part of the digest that a population's survivors make.
 CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& levels);
 
-/// The number that another catalogue's candidate has in this one: of a splitting search its
-/// sheet's, none where that is not kept here; of any other its own.
+/// The number that another catalogue's candidate has in this one: its own; where sheets are stored
+/// one under which the same sheet is kept, none where it is not.
 std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database& from,
                                        std::uint64_t draw);
 

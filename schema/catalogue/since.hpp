@@ -9,6 +9,7 @@ inline constexpr int kYieldSince = 4;        ///< table yield
 inline constexpr int kSplittingSince = 6;    ///< tables level, population, sheet, piece
 inline constexpr int kCertificateSince = 7;  ///< table certificate
 inline constexpr int kYieldAngleSince = 8;   ///< column from_deg of yield
+inline constexpr int kAscentSince = 9;       ///< table ascent
 
 /// The campaign's threshold, in SQL.
 inline constexpr const char* kThresholdSql =

@@ -78,7 +78,7 @@ class UnitCopier::Table {
   SQLite::Statement select_, insert_;
 };
 
-UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into, bool splits)
+UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into, const SearchMethod& method)
     : from_(from),
       into_(into),
       run_shift_(draw_of(into.execAndGet("SELECT coalesce(max(id), 0) FROM run"))),
@@ -86,8 +86,10 @@ UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into, bool spli
       candidate_(table("candidate", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
       undecided_(table("undecided", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
       fault_sample_(table("fault_sample", "WHERE draw >= ? AND draw < ? ORDER BY draw")) {
-  if (!splits) return;
-  population_ = table("population", "WHERE unit >= ? AND unit < ? ORDER BY unit, level");
+  if (!method.stores_sheets()) return;
+  if (method.splitting)
+    population_ = table("population", "WHERE unit >= ? AND unit < ? ORDER BY unit, level");
+  if (method.optimisation) ascent_ = table("ascent", "WHERE draw >= ? AND draw < ? ORDER BY draw");
   sheet_ = table("sheet", "WHERE draw >= ? AND draw < ? ORDER BY draw");
 }
 
@@ -110,7 +112,7 @@ void UnitCopier::copy_runs() {
 
 void UnitCopier::copy(const DrawRange& unit) {
   for (const auto& rows :
-       {&unit_, &candidate_, &undecided_, &fault_sample_, &population_, &sheet_}) {
+       {&unit_, &candidate_, &undecided_, &fault_sample_, &population_, &sheet_, &ascent_}) {
     if (*rows) (*rows)->copy(unit);
   }
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "schema/campaign/draw_range.hpp"
+#include "schema/campaign/search_method.hpp"
 
 namespace misalign::schema {
 
@@ -16,8 +17,8 @@ namespace misalign::schema {
 /// (3) if `from` is damaged.
 class UnitCopier {
  public:
-  /// `splits`: units are populations, with rows of their own.
-  UnitCopier(SQLite::Database& from, SQLite::Database& into, bool splits);
+  /// Of a campaign that searches by `method`.
+  UnitCopier(SQLite::Database& from, SQLite::Database& into, const SearchMethod& method);
   ~UnitCopier();
   UnitCopier(const UnitCopier&) = delete;
   UnitCopier& operator=(const UnitCopier&) = delete;
@@ -35,7 +36,7 @@ class UnitCopier {
   SQLite::Database& into_;
   const std::uint64_t run_shift_;
   std::unique_ptr<Table> unit_, candidate_, undecided_, fault_sample_;
-  std::unique_ptr<Table> population_, sheet_;  // where units are populations
+  std::unique_ptr<Table> population_, sheet_, ascent_;  // none where the method has none
 };
 
 }  // namespace misalign::schema

@@ -25,6 +25,11 @@ void bind_sum(SQLite::Statement& statement, int column, const CandidateSum& sum)
   statement.bind(column, bytes.data(), static_cast<int>(bytes.size()));
 }
 
+template <class Value>
+void bind_or_null(SQLite::Statement& statement, int column, const std::optional<Value>& value) {
+  value ? statement.bind(column, *value) : statement.bind(column);
+}
+
 // Its values in the order in which write_candidate binds them.
 std::string insert_of_candidates() {
   std::string columns = "draw, unit, displacements_mm, elongation", values = "?,?,?,?";
@@ -60,7 +65,10 @@ UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
       level_(database,
              "INSERT INTO population (unit, level, particles, survivors, ancestors, tried, taken, "
              "undecided, met, seconds) VALUES (?,?,?,?,?,?,?,?,?,?)"),
-      sheet_(database, "INSERT INTO sheet (draw, hash) VALUES (?,?)") {}
+      sheet_(database, "INSERT INTO sheet (draw, hash) VALUES (?,?)"),
+      ascent_(database,
+              "INSERT INTO ascent (draw, start_value, end_value, steps, sheets_folded, ended, "
+              "limited_by) VALUES (?,?,?,?,?,?,?)") {}
 
 // What was screened is summed up first: a unit alone touches some two hundred rows of it.
 void UnitWriter::write(const std::vector<UnitRecord>& units, std::int64_t run) {
@@ -91,7 +99,7 @@ void UnitWriter::write_unit(const UnitRecord& unit, std::int64_t run) {
     write_fault_sample(sampled, lo, stored(FaultSampleRule().spacing(sampled.draw)));
   }
   for (const LevelCount& level : unit.levels) write_level(level, lo);
-  if (!campaign_.splitting) return;
+  if (!campaign_.search.splitting) return;
   keep_each_sheet_once(database_, campaign_, mechanism_, unit.range);
   drop_pieces(database_, static_cast<std::uint32_t>(unit.range.lo / kNumbersOfPopulation));
 }
@@ -99,8 +107,9 @@ void UnitWriter::write_unit(const UnitRecord& unit, std::int64_t run) {
 CandidateSum UnitWriter::sum_of(const UnitRecord& unit) const {
   CandidateSum sum = sum_of_levels(unit.range.lo, unit.levels);
   for (const Candidate& c : unit.candidates) {
-    sum.add(c.draw, c.metrics.deploys_from_sample,
-            campaign_.splitting ? sheet_hash(displacements_json(c.shifts_mm).dump()) : "");
+    sum.add(
+        c.draw, c.metrics.deploys_from_sample,
+        campaign_.search.stores_sheets() ? sheet_hash(displacements_json(c.shifts_mm).dump()) : "");
   }
   return sum;
 }
@@ -166,19 +175,32 @@ void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) 
   candidate_.bind(++column, elongations_json(candidate.metrics.elongation).dump());
   each_metric(candidate.metrics, [&](const MetricEntry&, const auto& value) {
     if constexpr (requires { value.has_value(); }) {
-      value ? candidate_.bind(++column, *value) : candidate_.bind(++column);
+      bind_or_null(candidate_, ++column, value);
     } else {
       candidate_.bind(++column, value);
     }
   });
   insert(candidate_);
   if (candidate.certificate) write_certificates(database_, {*candidate.certificate});
-  if (!campaign_.splitting) return;
+  if (candidate.ascent) write_ascent(*candidate.ascent, candidate.draw);
+  if (!campaign_.search.stores_sheets()) return;
   const std::string hash = sheet_hash(displacements_mm);
   sheet_.tryReset();
   sheet_.bind(1, stored(candidate.draw));
   sheet_.bind(2, hash.data(), static_cast<int>(hash.size()));
   insert(sheet_);
+}
+
+void UnitWriter::write_ascent(const AscentRecord& ascent, std::uint64_t draw) {
+  ascent_.tryReset();
+  ascent_.bind(1, stored(draw));
+  bind_or_null(ascent_, 2, ascent.start_value);
+  bind_or_null(ascent_, 3, ascent.end_value);
+  ascent_.bind(4, ascent.steps);
+  ascent_.bind(5, ascent.sheets_folded);
+  ascent_.bind(6, ascent.ended);
+  bind_or_null(ascent_, 7, ascent.limited_by);
+  insert(ascent_);
 }
 
 void UnitWriter::write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run) {

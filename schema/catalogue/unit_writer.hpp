@@ -35,6 +35,7 @@ class UnitWriter {
   using Screened = std::map<std::pair<int, int>, std::uint64_t>;
   void write_unit(const UnitRecord& unit, std::int64_t run);
   void write_candidate(const Candidate& candidate, std::int64_t unit);
+  void write_ascent(const AscentRecord& ascent, std::uint64_t draw);
   CandidateSum sum_of(const UnitRecord& unit) const;
   void write_level(const LevelCount& level, std::int64_t unit);
   void write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run);
@@ -44,7 +45,8 @@ class UnitWriter {
   SQLite::Database& database_;
   const Campaign& campaign_;
   const solver::Mechanism& mechanism_;
-  SQLite::Statement unit_, candidate_, undecided_, fault_sample_, screened_, level_, sheet_;
+  SQLite::Statement unit_, candidate_, undecided_, fault_sample_, screened_, level_, sheet_,
+      ascent_;
 };
 
 }  // namespace misalign::schema

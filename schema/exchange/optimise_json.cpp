@@ -1,34 +1,31 @@
 #include "schema/exchange/optimise_json.hpp"
 
-#include <algorithm>
-#include <cassert>
-
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
-namespace {
 
-Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseLimits& limits) {
-  Json turning = Json::array();
+const char* name_of(solver::OptimiseEnd end) {
+  return end == solver::OptimiseEnd::most_steps ? "most_steps" : "no_step_is_better";
+}
+
+Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseOptions& options,
+                 const solver::OptimiseLimits& limits) {
+  Json turning = Json::array(), floors = Json::object();
   for (const auto& [diagonal, pilot_deg, per_mm] : limits.turning) {
     turning.push_back({{"diagonal", diagonal_label(mechanism, diagonal)},
                        {"pilot_deg", pilot_deg},
                        {"per_mm", per_mm}});
   }
+  for (std::size_t k = 0; k < options.floors.size(); ++k) {
+    floors[std::string(name_of(options.floors[k].of).name)] = limits.per_floor[k];
+  }
   return {{"per_share_of_stroke", limits.per_share_of_stroke},
           {"per_n_of_force", limits.per_n_of_force},
           {"per_mm_of_amplitude", limits.per_mm_of_amplitude},
+          {"per_1_of_floors", floors},
           {"turning", turning},
           {"fold_limit", limits.by_fold_limit}};
-}
-
-}  // namespace
-
-const GoalName& name_of(solver::OptimiseGoal goal) {
-  const auto* const named = std::ranges::find(kGoalNames, goal, &GoalName::goal);
-  assert(named != std::end(kGoalNames));
-  return *named;
 }
 
 Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
@@ -46,16 +43,17 @@ Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
       {"within_family", options.moves.size() > 0},
       {"stroke_limit", or_null(options.stroke_limit)},
       {"largest_force_n", or_null(options.largest_force_n)},
+      {"subject_to", bounds_json({options.stroke_limit, options.largest_force_n, options.floors})},
       {"steps", found.steps()},
       {"sheets_folded", found.looks},
-      {"end", found.end == solver::OptimiseEnd::most_steps ? "most_steps" : "no_step_is_better"},
+      {"end", name_of(found.end)},
       {"asked_deg", sheet.sample_deg(options.deploys_from_sample)},
       {"deploys_from_deg", sheet.deploys_from_deg()},
       {"certified_deg", or_null(certified_deg)},
       {"stroke", sheet.metrics()->stroke_max},
       {"limits", nullptr},
       {"pattern", pattern}};
-  if (found.limits) json["limits"] = limits_json(sheet.mechanism(), *found.limits);
+  if (found.limits) json["limits"] = limits_json(sheet.mechanism(), options, *found.limits);
   return json;
 }
 

@@ -15,13 +15,15 @@ namespace {
 // Tables and views alike, as the file itself has them; what is an INTEGER PRIMARY KEY stays one.
 constexpr const char* kTables[] = {"campaign",  "run",       "unit",         "screened",
                                    "undecided", "candidate", "fault_sample", "displacements",
-                                   "diagonals", "yield",     "certificate",  "common_yield"};
+                                   "diagonals", "yield",     "certificate",  "common_yield",
+                                   "ascent"};
 
 // Those that old readers understand.
 constexpr const char* kViews = "'candidates', 'acceptance', 'faults', 'yields'";
 
 // The version of the schema since which there is a table.
 int since(std::string_view table) {
+  if (table == "ascent") return kAscentSince;
   return table.ends_with("yield") ? kYieldSince : table == "certificate" ? kCertificateSince : 1;
 }
 

@@ -55,6 +55,13 @@ Json status_json(const CatalogueState& state) {
                {"gaps", gaps},
                {"digest", state.digest}};
   if (state.ladder) json["ladder"] = ladder_json(state);
+  if (state.ends) {
+    json["ends"] = {{"goal", state.ends->goal},
+                    {"sheets", state.ends->sheets},
+                    {"kept_as_drawn", state.ends->kept_as_drawn},
+                    {"best", or_null(state.ends->best)},
+                    {"median", or_null(state.ends->median)}};
+  }
   return json;
 }
 

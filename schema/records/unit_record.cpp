@@ -1,5 +1,8 @@
 #include "schema/records/unit_record.hpp"
 
+#include <cassert>
+#include <iterator>
+
 namespace misalign::schema {
 
 std::vector<std::uint64_t> UnitRecord::accepted_draws() const {
@@ -12,6 +15,22 @@ std::vector<std::uint64_t> UnitRecord::undecided_draws() const {
   std::vector<std::uint64_t> draws;
   for (const DrawVerdict& draw : undecided) draws.push_back(draw.draw);
   return draws;
+}
+
+void UnitRecord::add(UnitRecord&& next) {
+  assert(range.hi == next.range.lo);
+  range.hi = next.range.hi;
+  accepted += next.accepted;
+  rejected += next.rejected;
+  seconds += next.seconds;
+  const auto append = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
+  append(candidates, next.candidates);
+  append(undecided, next.undecided);
+  append(fault_sample, next.fault_sample);
+  append(levels, next.levels);
+  for (const auto& [seen, draws] : next.screened) screened[seen] += draws;
 }
 
 }  // namespace misalign::schema

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "schema/campaign/draw_range.hpp"
+#include "schema/records/ascent_record.hpp"
 #include "schema/records/certificate_record.hpp"
 #include "schema/records/level_count.hpp"
 #include "solver/records/metrics.hpp"
@@ -25,6 +26,7 @@ struct Candidate {
   solver::Metrics metrics;
   Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
   std::optional<CertificateRecord> certificate = {};
+  std::optional<AscentRecord> ascent = {};  ///< of an optimising search: its sheet is the end's
 };
 
 /// What became of a range of draws: a unit of the ledger with everything that belongs to it.
@@ -40,6 +42,8 @@ struct UnitRecord {
   std::vector<LevelCount> levels;                         ///< of a population, from 0 on
 
   std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
+  /// Adds what became of the range behind it.
+  void add(UnitRecord&& next);
 };
 
 }  // namespace misalign::schema

@@ -4,16 +4,24 @@
 #include <cmath>
 
 #include "schema/exchange/folding_json.hpp"
+#include "schema/files/json_values.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "search/draws/draw.hpp"
+#include "search/draws/models.hpp"
 #include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/optimised_draw.hpp"
+#include "solver/design/worth.hpp"
 #include "solver/model/miscut_margin.hpp"
 
 namespace misalign::search {
 using schema::Json;
 
 CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
-    : campaign_(campaign), sheets_(campaign) {}
+    : campaign_(campaign), sheets_(campaign) {
+  if (!campaign.search.optimisation) return;
+  asked_ = asked_of_ends(campaign);
+  model_.reset(new solver::Model(model_of(campaign)));
+}
 
 solver::Verdict CandidateCheck::verdict(std::uint64_t draw) const {
   return sheets_.sheet(shifts_of_draw(campaign_, draw)).history().verdict;
@@ -36,8 +44,8 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
   };
   const solver::PerforatedSheet& base = campaign_.pattern.base;
   const auto shifts_mm = schema::read_shifts(cell("displacements_mm"), base.sheet.vertex_count());
-  if (campaign_.splitting) {  // its population would have to be made again: see --units
-    if (!shifts_mm || !can_be_drawn(campaign_, *shifts_mm)) {
+  if (campaign_.search.stores_sheets()) {  // they would have to be made again: see --units
+    if (!shifts_mm || !can_be_kept(campaign_, *shifts_mm)) {
       differs("displacements_mm", cell("displacements_mm"), "shifts of the campaign");
     }
   } else if (const Eigen::Matrix2Xd drawn_mm = shifts_of_draw(campaign_, draw);
@@ -62,6 +70,34 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
   check_metrics(row, metrics_version, *sheet.metrics(), report);
   sheets_.check_shapes(where, sheet, own_sample, report);
   return report;
+}
+
+void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
+                                  CandidateReport& report) const {
+  const auto shifts_mm = schema::read_shifts(row.value("displacements_mm", Json()),
+                                             campaign_.pattern.base.sheet.vertex_count());
+  if (!shifts_mm || !ascent.is_object()) return;  // which was found before
+  const auto draw = row.at("draw").get<std::uint64_t>();
+  const auto differs = [&](const std::string& column, const Json& stored, const Json& recomputed) {
+    report.findings.push_back(
+        schema::differs("draw " + std::to_string(draw), column, stored, recomputed));
+  };
+  if (!campaign_.accepts(verdict(draw))) differs("verdict of the draw", "accepted", "rejected");
+  constexpr double kAgree = 1e-6;  // metrics of another machine differ in their last digits
+  solver::SheetSolver solver(*model_);
+  const auto compare = [&](const char* column, const std::optional<double>& worth) {
+    const Json stored = ascent.value(column, Json());
+    if (stored.is_null()) return;
+    const bool agrees = worth && stored.is_number() &&
+                        std::abs(*worth - stored.get<double>()) <= kAgree * std::abs(*worth);
+    if (!agrees) differs(std::string("ascent.") + column, stored, schema::or_null(worth));
+  };
+  const solver::Sheet start(solver, shifts_of_draw(campaign_, draw)), end(solver, *shifts_mm);
+  compare("start_value", solver::value_by(asked_->goal, start, *asked_));
+  // Of a start from which no step was found less is asked.
+  const bool is_made_better = ascent.value("steps", Json()) != 0;
+  compare("end_value", is_made_better ? solver::worth(end, *asked_)
+                                      : solver::value_by(asked_->goal, end, *asked_));
 }
 
 void CandidateCheck::check_metrics(const Json& row, int metrics_version,

@@ -2,7 +2,10 @@
 // and the folded shapes by their coordinates.
 #pragma once
 
+#include <memory>
+
 #include "search/checks/folded_check.hpp"
+#include "solver/design/optimise.hpp"
 #include "solver/records/metrics.hpp"
 
 namespace misalign::search {
@@ -23,6 +26,11 @@ class CandidateCheck {
   CandidateReport check(const schema::Json& row,
                         int metrics_version = solver::kMetricsVersion) const;
 
+  /// Of an optimising search also how it came from its draw: that this is accepted, that the end
+  /// keeps what is asked, and what both are worth.
+  void check_ascent(const schema::Json& row, const schema::Json& ascent,
+                    CandidateReport& report) const;
+
   /// The verdict on a draw, by the same solver.
   solver::Verdict verdict(std::uint64_t draw) const;
   const schema::Campaign& campaign() const { return campaign_; }
@@ -34,6 +42,9 @@ class CandidateCheck {
 
   const schema::Campaign& campaign_;
   const FoldedCheck sheets_;
+  // Of an optimising search: what is asked, and sheets up to its threshold.
+  std::optional<solver::OptimiseOptions> asked_;
+  std::unique_ptr<const solver::Model> model_;
 };
 
 }  // namespace misalign::search

@@ -86,6 +86,18 @@ std::uint64_t compare(const Accepted& stored, const Accepted& again,
   return in_one_only;
 }
 
+// Of a candidate that is stored, too, the sheet at which its draw ended.
+void compare_end(SQLite::Database& database, const schema::Candidate& again,
+                 std::vector<schema::Finding>& findings) {
+  const Json row = schema::read_candidate(database, again.draw);
+  if (!row.is_object()) return;  // which is another finding
+  const Json ends = schema::displacements_json(again.shifts_mm);
+  const Json stored = schema::json_of(row.value("displacements_mm", Json()));
+  if (stored == ends) return;
+  findings.push_back(schema::differs("draw " + std::to_string(again.draw), "displacements_mm",
+                                     stored.dump(), ends.dump()));
+}
+
 }  // namespace
 
 SQLite::Statement fault_sample_rows(SQLite::Database& database, const schema::DrawRange& range) {
@@ -129,6 +141,7 @@ std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluat
   Accepted again;
   for (const schema::Candidate& c : record.candidates) {
     again[c.draw] = c.metrics.deploys_from_sample;
+    if (evaluator.campaign().search.optimisation) compare_end(database, c, findings);
   }
   for (const schema::DrawVerdict& d : record.undecided) again[d.draw] = 0;
   const std::uint64_t in_one_only = compare(stored, again, findings);
@@ -179,7 +192,7 @@ void make_population_again(SQLite::Database& database, Climber& climber, std::ui
     const std::uint64_t end = end_of_kept(database, campaign);
     Accepted stored = stored_accepted(database, {unit, unit + schema::kNumbersOfPopulation});
     for (const FoundCandidate& found : again.found) {
-      const std::uint64_t draw = number_of(found.origin, *campaign.splitting);
+      const std::uint64_t draw = number_of(found.origin, *campaign.search.splitting);
       const auto kept = kept_number(
           database,
           schema::sheet_hash(schema::displacements_json(found.candidate.shifts_mm).dump()));

@@ -11,6 +11,7 @@
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/draws_again.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "search/sheets/optimised_draw.hpp"
 
 namespace misalign::search {
 namespace {
@@ -78,8 +79,9 @@ class Merge {
     input.state = std::move(*checked.state);  // or there was a finding
     input.units = schema::units_done(*input.database);
     if (!evaluator_) {
-      if (campaign.splitting) campaign.stop.accepted = least_kept();
+      if (campaign.search.splitting) campaign.stop.accepted = least_kept();
       evaluator_.emplace(std::move(campaign));
+      optimise_if_asked(*evaluator_);
     } else if (input.state.identity != inputs_.front().state.identity) {
       throw schema::UserError(schema::Cause::foreign,
                               path + ": holds another campaign than " + inputs_.front().path +
@@ -110,7 +112,7 @@ class Merge {
     auto merged = schema::open_for_reading(path);
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
       for (const DrawRange& range : plan_.compared[k]) {
-        if (evaluator_->campaign().splitting) {
+        if (evaluator_->campaign().search.splitting) {
           compare_populations(*merged, inputs_[k], range);
         } else {
           decide(catalogue, *merged, inputs_[k], range);

@@ -8,6 +8,7 @@
 #include "schema/catalogue/certificate_table.hpp"
 #include "schema/files/features.hpp"
 #include "search/checks/draws_again.hpp"
+#include "search/sheets/optimised_draw.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/long_work.hpp"
 
@@ -68,9 +69,12 @@ class Verifier {
     const CandidateCheck check(campaign_);
     for (const std::uint64_t draw : candidates_) {
       show_work("candidates computed again", v_.checked.size(), candidates_.size());
-      add(check.check(schema::read_candidate(database_, draw),
-                      schema::metrics_version_of(database_, draw)),
-          draw);
+      const Json row = schema::read_candidate(database_, draw);
+      CandidateReport report = check.check(row, schema::metrics_version_of(database_, draw));
+      if (campaign_.search.optimisation) {
+        check.check_ascent(row, schema::read_ascent(database_, draw), report);
+      }
+      add(report, draw);
     }
     for (const std::uint64_t draw : fault_samples_) {
       show_work("fault samples judged again", v_.fault_samples.checked, fault_samples_.size());
@@ -80,7 +84,7 @@ class Verifier {
       }
     }
     if (units_.empty()) return;
-    if (campaign_.splitting) {
+    if (campaign_.search.splitting) {
       Climber climber(campaign_, solver::available_instruction_sets().back());
       for (const schema::DrawRange& unit : units_) {
         show_work("populations made again", v_.units.checked, units_.size());
@@ -93,6 +97,7 @@ class Verifier {
     schema::Campaign without_certificates = campaign_;
     without_certificates.certify = false;
     DrawEvaluator evaluator(without_certificates);
+    optimise_if_asked(evaluator);
     for (const schema::DrawRange& unit : units_) {
       show_work("units made again", v_.units.checked, units_.size());
       v_.decided_now += make_unit_again(database_, evaluator, unit, v_.findings);

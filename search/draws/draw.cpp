@@ -72,19 +72,42 @@ Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t 
   return shifts_mm;
 }
 
-bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm) {
+namespace {
+
+// Whether each of the vertices' shifts is one that `can_be` says, and no other vertex is shifted; a
+// member of the parallel family where the draws are.
+template <class CanBe>
+bool are_shifts(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm,
+                const CanBe& can_be) {
   if (shifts_mm.cols() != campaign.pattern.base.sheet.vertex_count()) return false;
   Eigen::Matrix2Xd others_mm = shifts_mm;
   for (const int vertex : campaign.misalignment.vertices) {
-    for (const double shift_mm : shifts_mm.col(vertex)) {
-      if (!can_be_drawn(campaign.misalignment, shift_mm)) return false;
-    }
+    if (!std::ranges::all_of(shifts_mm.col(vertex), can_be)) return false;
     others_mm.col(vertex).setZero();
   }
   if (!(others_mm.array() == 0).all()) return false;
   return !campaign.misalignment.parallel ||
          solver::parallel_misfit(campaign.pattern.base, shifts_mm).mm <=
              kMemberRounding * campaign.misalignment.amplitude_mm;
+}
+
+}  // namespace
+
+bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm) {
+  return are_shifts(campaign, shifts_mm,
+                    [&](double shift_mm) { return can_be_drawn(campaign.misalignment, shift_mm); });
+}
+
+bool can_be_kept(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm) {
+  if (!campaign.search.optimisation) return can_be_drawn(campaign, shifts_mm);
+  const schema::Optimisation& ends = *campaign.search.optimisation;
+  const double most_mm = (1 + kMemberRounding) * campaign.misalignment.amplitude_mm;
+  const double grid_mm = ends.grid_mm.value_or(0);
+  return are_shifts(campaign, shifts_mm, [&](double shift_mm) {
+    if (ends.ternary) return can_be_drawn(campaign.misalignment, shift_mm);
+    const bool is_on_grid = grid_mm == 0 || std::round(shift_mm / grid_mm) * grid_mm == shift_mm;
+    return is_on_grid && std::abs(shift_mm) <= most_mm;
+  });
 }
 
 }  // namespace misalign::search

@@ -22,7 +22,10 @@ void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, s
 /// Shifts of draw d of a campaign, one column per vertex of its sheet.
 Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t draw);
 
-/// Whether a draw of the campaign can have these shifts, one column per vertex of its sheet.
+/// Whether a draw of the campaign can have these shifts, one column per vertex of its sheet; or
+/// one of its candidates, which an optimising search has made of it.
 bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm);
+
+bool can_be_kept(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm);
 
 }  // namespace misalign::search

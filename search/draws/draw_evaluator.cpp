@@ -1,6 +1,7 @@
 #include "search/draws/draw_evaluator.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <optional>
 
@@ -110,7 +111,8 @@ std::size_t DrawEvaluator::bytes_of_candidate() const {
   const auto shifts = 2 * static_cast<std::size_t>(model_.mechanism().vertices);
   return sizeof(schema::Candidate) + sizeof(schema::DrawVerdict) +
          sizeof(double) * (shifts + model_.mechanism().diagonals.size() + 2) +
-         (certify_ ? sizeof(schema::CertificateRecord) + schema::kUsualCertificate_bytes : 0);
+         (certify_ ? sizeof(schema::CertificateRecord) + schema::kUsualCertificate_bytes : 0) +
+         (begin_ascent_ ? kUsualAscent_bytes : 0);
 }
 
 void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
@@ -166,6 +168,12 @@ void DrawEvaluator::make(const schema::DrawRange& range) {
   }
 }
 
+void DrawEvaluator::certify(schema::Candidate& candidate) const {
+  if (!certify_) return;
+  candidate.certificate =
+      certify_(candidate.draw, candidate.shifts_mm, candidate.metrics.deploys_from_deg);
+}
+
 // Most of those that no test rejects are accepted.
 void DrawEvaluator::record(schema::UnitRecord& unit) {
   const auto keep = [&](std::size_t k, const solver::PathRecord& record) {
@@ -174,12 +182,8 @@ void DrawEvaluator::record(schema::UnitRecord& unit) {
       return;
     }
     const std::uint64_t draw = open_.numbers[k];
-    schema::Candidate candidate = candidate_of(model_, draw, open_.shifts_mm(k).data(), record);
-    if (certify_) {
-      candidate.certificate =
-          certify_(draw, candidate.shifts_mm, candidate.metrics.deploys_from_deg);
-    }
-    unit.candidates.push_back(std::move(candidate));
+    unit.candidates.push_back(candidate_of(model_, draw, open_.shifts_mm(k).data(), record));
+    if (!begin_ascent_) certify(unit.candidates.back());
     ++unit.accepted;
   };
   for_each_record(model_, *batch_, open_.shifts, keep);
@@ -212,6 +216,8 @@ UnitWork::UnitWork(DrawEvaluator& evaluator, const schema::DrawRange& range,
       block_size_(evaluator.largest_block()),
       seconds_per_path_(std::numeric_limits<double>::infinity()) {
   record_.range = {range.lo, range.lo};
+  assert(!evaluator.campaign().search.optimisation || evaluator.begin_ascent());
+  if (evaluator.begin_ascent()) ascents_.emplace(evaluator.begin_ascent());
 }
 
 bool UnitWork::is_full() const {
@@ -222,23 +228,52 @@ bool UnitWork::is_full() const {
 }
 
 void UnitWork::run_next_block() {
-  constexpr double kPaths_s = 0.08;
   const Stopwatch watch;
+  if (ascents_ && ascents_->under_way()) {
+    advance_ascents();
+  } else {
+    begin_block();
+  }
+  record_.seconds += watch.seconds();
+  block_s_ += watch.seconds();
+  if (ascents_ && ascents_->under_way()) return;
+  block_size_.took(block_s_);
+  block_s_ = 0;
+}
+
+void UnitWork::begin_block() {
+  constexpr double kPaths_s = 0.08;
   const schema::DrawRange block{next_, next_ + std::min(block_size_.now(), range_.hi - next_)};
-  next_ = record_.range.hi = block.hi;
-  evaluate(block, [&](std::size_t waiting) {
+  next_ = block.hi;
+  if (ascents_) {
+    schema::UnitRecord starts;
+    starts.range = block;
+    evaluate(block, starts, [](std::size_t) { return true; });
+    ascents_->begin(std::move(starts));
+    return advance_ascents();
+  }
+  record_.range.hi = block.hi;
+  evaluate(block, record_, [&](std::size_t waiting) {
     return finished() || static_cast<double>(waiting) * seconds_per_path_ > kPaths_s;
   });
-  record_.seconds += watch.seconds();
-  block_size_.took(watch.seconds());
+}
+
+// For about a tenth of a second.
+void UnitWork::advance_ascents() {
+  constexpr double kAdvance_s = 0.08;
+  const Stopwatch watch;
+  while (!ascents_->finished() && watch.seconds() < kAdvance_s) {
+    if (schema::Candidate* const kept = ascents_->advance()) evaluator_.certify(*kept);
+  }
+  if (ascents_->finished()) record_.add(ascents_->take());
 }
 
 // Measures what a full path takes, where some are followed.
-void UnitWork::evaluate(const schema::DrawRange& block,
+void UnitWork::evaluate(const schema::DrawRange& block, schema::UnitRecord& into,
                         const DrawEvaluator::PathsAreDue& paths_are_due) {
   std::optional<Stopwatch> watch;
   std::size_t paths = 0;
-  evaluator_.evaluate(block, record_, sampled_, [&](std::size_t waiting) {
+  evaluator_.evaluate(block, into, sampled_, [&](std::size_t waiting) {
     if (!paths_are_due(waiting)) return false;
     paths = waiting;
     watch.emplace();
@@ -249,7 +284,7 @@ void UnitWork::evaluate(const schema::DrawRange& block,
 
 schema::UnitRecord UnitWork::take() {
   const Stopwatch watch;
-  evaluate({next_, next_}, [](std::size_t) { return true; });
+  evaluate({next_, next_}, record_, [](std::size_t) { return true; });
   record_.seconds += watch.seconds();
   return std::move(record_);
 }

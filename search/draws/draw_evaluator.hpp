@@ -8,6 +8,7 @@
 #include "schema/campaign/campaign.hpp"
 #include "schema/records/fault_sample.hpp"
 #include "schema/records/unit_record.hpp"
+#include "search/draws/ascents.hpp"
 #include "search/draws/block_size.hpp"
 #include "solver/lanes/batch.hpp"
 
@@ -48,6 +49,11 @@ class DrawEvaluator {
   /// From now on accepted draws are certified as well. `certify` outlives this object or is its
   /// own.
   void certify_with(CertifyDraw certify) { certify_ = std::move(certify); }
+  /// From now on accepted draws go on to where they end: in every optimising search. As above.
+  void ascend_with(BeginAscent begin) { begin_ascent_ = std::move(begin); }
+  const BeginAscent& begin_ascent() const { return begin_ascent_; }
+  /// Adds its certificate, if they are made.
+  void certify(schema::Candidate& candidate) const;
 
   /// How many draws a block may have at most.
   std::uint64_t largest_block() const { return search::largest_block(model_); }
@@ -64,7 +70,7 @@ class DrawEvaluator {
 
   /// Verdicts of a range of draws no larger than a block, each on its full path.
   const std::vector<solver::Verdict>& judge(const schema::DrawRange& block);
-  /// Everything about one draw, accepted or not.
+  /// Everything about one draw, accepted or not: of an optimising search the sheet it starts from.
   solver::FoldingHistory history(std::uint64_t draw);
   /// Shifts of one draw, one column per vertex of the sheet.
   Eigen::Matrix2Xd shifts_mm(std::uint64_t draw) const;
@@ -81,7 +87,8 @@ class DrawEvaluator {
   const schema::Campaign campaign_;
   const solver::Model model_;
   std::unique_ptr<solver::Batch> batch_;
-  CertifyDraw certify_;  // empty: none are certified
+  CertifyDraw certify_;       // empty: none are certified
+  BeginAscent begin_ascent_;  // empty: draws are kept as they are
   Draws made_, waiting_, sampled_, open_;
 };
 
@@ -89,26 +96,31 @@ class DrawEvaluator {
 /// length is an int, and in memory twice on rank 0. A block adds as much again at most.
 inline constexpr std::size_t kMostUnit_bytes = 256 << 20;
 
-/// A range of draws being worked off, one block at a time.
+/// A range of draws being worked off, one block at a time. Of an optimising search a block's draws
+/// count once all that were accepted are where they end.
 class UnitWork {
  public:
   UnitWork(DrawEvaluator& evaluator, const schema::DrawRange& range,
            const schema::FaultSampleRule& sampled = schema::FaultSampleRule(),
            std::size_t most_bytes = kMostUnit_bytes);
 
-  bool finished() const { return next_ == range_.hi; }
+  bool finished() const { return next_ == range_.hi && !(ascents_ && ascents_->under_way()); }
   /// Whether its results, and those of draws that wait, take all that they may: the rest of the
   /// range is for another unit.
   bool is_full() const;
-  /// As many draws as BlockSize says.
+  /// As many draws as BlockSize says, or a part of what makes accepted ones better.
   void run_next_block();
   /// What has been done so far; draws that still wait for their full paths are not in it.
   const schema::UnitRecord& so_far() const { return record_; }
-  /// The same as a whole: from the range's start up to the next draw.
+  /// The same as a whole: from the range's start up to the next draw, or to that of a block which
+  /// is on its way to its ends, and will be done again.
   schema::UnitRecord take();
 
  private:
-  void evaluate(const schema::DrawRange& block, const DrawEvaluator::PathsAreDue& paths_are_due);
+  void evaluate(const schema::DrawRange& block, schema::UnitRecord& into,
+                const DrawEvaluator::PathsAreDue& paths_are_due);
+  void begin_block();
+  void advance_ascents();
 
   DrawEvaluator& evaluator_;
   schema::DrawRange range_;
@@ -118,6 +130,8 @@ class UnitWork {
   BlockSize block_size_;
   double seconds_per_path_;
   schema::UnitRecord record_;
+  std::optional<Ascents> ascents_;  // of an optimising search
+  double block_s_ = 0;              // of the block on its way there
 };
 
 /// A whole range at once, in one unit.

@@ -37,7 +37,7 @@ py::dict campaign_of(const schema::Campaign& campaign) {
                        ? "ternary"
                        : "uniform",
       "vertices"_a = list_of(campaign.misalignment.vertices),
-      "is_splitting"_a = campaign.splitting.has_value(),
+      "is_splitting"_a = campaign.search.splitting.has_value(),
       "configuration"_a = schema::campaign_json(campaign).dump());
 }
 
@@ -81,7 +81,7 @@ py::dict describe(const PatternSource& source) {
 py::array_t<double> shifts(const PatternSource& source, const py::object& draws) {
   const std::vector<std::uint64_t> numbers = draw_numbers(draws);
   const schema::Campaign& campaign = *source.campaign;
-  if (campaign.splitting) {
+  if (campaign.search.splitting) {
     throw schema::UserError(schema::Cause::bad_request,
                             campaign.name +
                                 ": is a splitting campaign, whose numbers are no draws (each is a "

@@ -3,6 +3,7 @@
 
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/exchange/tolerance_json.hpp"
+#include "schema/files/suggestion.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/copies.hpp"
 #include "search/python/pattern_source.hpp"
@@ -52,17 +53,18 @@ std::string deploy(const PatternSource& source, const std::string& design,
 std::string optimise(const PatternSource& source, const std::string& design,
                      const std::string& goal, std::optional<double> amplitude_mm,
                      std::optional<double> deploys_from_deg, bool ternary,
-                     std::optional<double> grid_mm, bool within_family) {
+                     std::optional<double> grid_mm, bool within_family,
+                     const std::vector<std::string>& subject_to) {
   return unlocked([&] {
-    const auto* const named = std::ranges::find(schema::kGoalNames, goal, &schema::GoalName::name);
-    if (named == std::end(schema::kGoalNames)) {
-      throw schema::UserError(schema::Cause::bad_request,
-                              "goal: " + schema::printable(goal) + " is none; name one such as " +
-                                  std::string(schema::kGoalNames[0].name));
+    const schema::GoalName* const named = schema::goal_named(goal);
+    if (!named) {
+      throw schema::UserError(solver::OptionFault{
+          "goal", schema::printable(goal), schema::unknown_word(goal, "goal", schema::goal_names()),
+          "name one such as " + schema::goal_names().front()});
     }
     Subject subject(source.sheet, design_of(design));
     return optimise_said(subject, optimised(subject, {named->goal, amplitude_mm, deploys_from_deg,
-                                                      ternary, grid_mm, within_family}))
+                                                      ternary, grid_mm, within_family, subject_to}))
         .dump();
   });
 }
@@ -114,7 +116,7 @@ void bind_studies(py::module_& module) {
   module.def("deploy", &deploy, py::arg("sheet"), py::arg("design"), py::arg("bends"));
   module.def("optimise", &optimise, py::arg("sheet"), py::arg("design"), py::arg("goal"),
              py::arg("amplitude_mm"), py::arg("deploys_from_deg"), py::arg("ternary"),
-             py::arg("grid_mm"), py::arg("within_family"));
+             py::arg("grid_mm"), py::arg("within_family"), py::arg("subject_to"));
   module.def("card", &card, py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));
   module.def("certify", &certify, py::arg("sheet"), py::arg("design"), py::arg("contact"));

@@ -32,7 +32,7 @@ using schema::UserError;
 struct Chosen {
   std::uint64_t draw;
   double asked_deg = 0;
-  Eigen::Matrix2Xd shifts_mm = {};  // of a splitting campaign; a plain one's are made again
+  Eigen::Matrix2Xd shifts_mm = {};  // where they are stored; a plain campaign's are made again
   std::optional<schema::NamedCertificate> done = {};
   std::string end = {};  // of the certificate that is checked
 };
@@ -153,7 +153,7 @@ class CertifyZero {
     const auto from_deg = options_.to_deg ? options_.to_deg : campaign().design.from_deg;
     sheet.asked_deg = from_deg.value_or(deploys_from_deg(*database_, campaign(), draw));
     const Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database_, ready_.campaign, draw);
-    if (ready_.campaign.splitting) sheet.shifts_mm = shifts_mm;
+    if (ready_.campaign.search.stores_sheets()) sheet.shifts_mm = shifts_mm;
     if (row && is_good(shifts_mm, *row, sheet.asked_deg)) {
       sheet.done = schema::named_certificate(name_of_draw(draw), std::move(*row), false);
     } else {
@@ -183,7 +183,7 @@ class CertifyZero {
                               name_of_draw(sheet.draw) + " has lost its certificate meanwhile");
       }
       sheet.end = order.stored->end;
-    } else if (!ready_.campaign.splitting) {
+    } else if (!ready_.campaign.search.stores_sheets()) {
       order.shifts_mm = shifts_of_draw(ready_.campaign, sheet.draw);
     }
     return order;

@@ -28,7 +28,7 @@ ClimbTask::ClimbTask(Climber& climber, schema::Catalogue& catalogue, const schem
                      int ranks)
     : climber_(climber),
       catalogue_(catalogue),
-      splitting_(*climber.campaign().splitting),
+      splitting_(*climber.campaign().search.splitting),
       limited_(goal.planned_end() < schema::kEndOfDraws),
       dispatcher_(stored_ladder(climber.campaign(), catalogue.levels()),
                   last_level(climber.campaign()), ledger_of(catalogue, goal), ranks,

@@ -15,6 +15,7 @@ void unit_fields(Wire& wire, Unit& unit) {
   list(wire, unit.candidates, [&](auto& candidate) {
     candidate_fields(wire, candidate);
     optional_field(wire, candidate.certificate, [&](auto& row) { certificate_fields(wire, row); });
+    optional_field(wire, candidate.ascent, [&](auto& ascent) { ascent_fields(wire, ascent); });
   });
   list(wire, unit.undecided, [&](auto& draw) { wire.field(draw); });
   list(wire, unit.fault_sample, [&](auto& draw) { wire.field(draw); });
@@ -33,7 +34,7 @@ std::string candidate_layout() {
   return layout;
 }
 
-std::string message_layout() { return candidate_layout() + " certificate"; }
+std::string message_layout() { return candidate_layout() + " certificate ascent"; }
 
 Bytes pack(const SentUnit& sent) {
   Writer wire;

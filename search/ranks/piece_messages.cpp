@@ -116,7 +116,7 @@ bool are_metrics(const solver::Metrics& metrics, const schema::Campaign& campaig
 bool are_met(const PieceResult& result, const schema::Campaign& campaign,
              const solver::Mechanism& mechanism) {
   const std::uint32_t first = result.level == 0 ? 0 : 1;
-  const std::uint32_t last = result.level == 0 ? 0 : campaign.splitting->sweeps;
+  const std::uint32_t last = result.level == 0 ? 0 : campaign.search.splitting->sweeps;
   std::set<std::pair<std::uint32_t, std::uint32_t>> places;
   return std::ranges::all_of(result.met, [&](const MetCandidate& met) {
     const schema::Candidate& candidate = met.candidate;
@@ -130,7 +130,8 @@ bool are_met(const PieceResult& result, const schema::Campaign& campaign,
 // Draws or moves of its particles, each once at least.
 bool are_counts(const PieceResult& result, const schema::Campaign& campaign) {
   const std::uint64_t particles = result.hi - result.lo;
-  return result.tried >= particles && result.tried <= particles * campaign.splitting->sweeps &&
+  return result.tried >= particles &&
+         result.tried <= particles * campaign.search.splitting->sweeps &&
          result.taken <= result.tried && result.undecided <= result.tried - result.taken &&
          result.seconds >= 0 && std::isfinite(result.seconds);
 }

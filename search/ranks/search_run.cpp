@@ -19,6 +19,7 @@
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
+#include "search/sheets/optimised_draw.hpp"
 #include "search/sheets/row_certifier.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/ladder_text.hpp"
@@ -34,18 +35,18 @@ void check_counts(const SearchOptions& options, const schema::Campaign& campaign
   const auto refuse = [](const char* name, const char* why, const std::string& instead) {
     throw schema::UserError(solver::OptionFault{name, {}, why, instead});
   };
-  if (campaign.splitting && options.draws) {
+  if (campaign.search.splitting && options.draws) {
     refuse("draws", "this campaign splits, and is made of populations",
            "give " + schema::parameter("populations", "N"));
   }
-  if (campaign.splitting && options.unit_draws) {
+  if (campaign.search.splitting && options.unit_draws) {
     refuse("unit_draws", "this campaign splits, and cuts its work by time", "take it out");
   }
-  if (!campaign.splitting && options.populations) {
+  if (!campaign.search.splitting && options.populations) {
     refuse("populations", "this campaign is one of plain draws",
            "give " + schema::parameter("draws", "N"));
   }
-  if (campaign.splitting && options.range && options.range->hi > schema::kEndOfPopulations) {
+  if (campaign.search.splitting && options.range && options.range->hi > schema::kEndOfPopulations) {
     refuse("range", "populations are numbered below 922337203", "try 0:100");
   }
 }
@@ -71,7 +72,7 @@ schema::Campaign resolved_campaign(const SearchOptions& options) {
 schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campaign) {
   schema::Goal goal;
   if (options.range) goal.range = *options.range;
-  if (campaign.splitting) {
+  if (campaign.search.splitting) {
     goal.range =
         schema::numbers_of(options.range.value_or(schema::DrawRange{0, schema::kEndOfPopulations}));
     if (campaign.stop.populations)
@@ -117,11 +118,12 @@ struct SearchWorkspace {
 
   SearchWorkspace(schema::Campaign its_campaign, const SearchOptions& options)
       : most_bytes(options.unit_bytes), campaign(std::move(its_campaign)) {
-    if (campaign.splitting) {
+    if (campaign.search.splitting) {
       climber.emplace(campaign, options.instruction_set);
     } else {
       evaluator.emplace(campaign, options.instruction_set);
       certify_if_asked(*evaluator);
+      optimise_if_asked(*evaluator);
     }
   }
 

@@ -134,7 +134,19 @@ void certificate_fields(Wire& wire, Row& row) {
   wire.text(row.hash);
 }
 
-/// Without its certificate, which none has in a splitting search.
+/// All of a schema::AscentRecord.
+template <class Wire, class Ascent>
+void ascent_fields(Wire& wire, Ascent& ascent) {
+  for (auto* value : {&ascent.start_value, &ascent.end_value}) {
+    optional_field(wire, *value, [&](auto& number) { wire.field(number); });
+  }
+  wire.field(ascent.steps);
+  wire.field(ascent.sheets_folded);
+  wire.text(ascent.ended);
+  optional_field(wire, ascent.limited_by, [&](auto& text) { wire.text(text); });
+}
+
+/// Without its certificate and its ascent, which none has in a splitting search.
 template <class Wire, class Candidate>
 void candidate_fields(Wire& wire, Candidate& candidate) {
   wire.field(candidate.draw);

@@ -12,6 +12,7 @@
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/status_json.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/files/suggestion.hpp"
 #include "schema/report/report.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
@@ -20,7 +21,6 @@
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/site.hpp"
-#include "search/terminal/suggestion.hpp"
 
 namespace misalign::search {
 namespace {
@@ -147,8 +147,8 @@ std::vector<std::string_view> functions_of(const ReportCall& call) {
       throw schema::UserError(
           schema::Cause::bad_request,
           fmt::format("{}: {}; choose one of {}", schema::parameter("column"),
-                      unknown_word(schema::printable(name), "function of a sheet",
-                                   schema::study_functions()),
+                      schema::unknown_word(schema::printable(name), "function of a sheet",
+                                           schema::study_functions()),
                       fmt::join(schema::study_functions(), ", ")));
     }
     if (std::ranges::find(functions, column->name) == functions.end()) {

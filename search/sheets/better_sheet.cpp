@@ -49,6 +49,31 @@ void keep_to_family(const solver::Sheet& sheet, solver::OptimiseOptions& options
   options.moves = family.basis();
 }
 
+schema::OptimiseBounds bounds_of(const std::vector<std::string>& subject_to) {
+  schema::OptimiseBounds bounds;
+  for (const std::string& text : subject_to) {
+    const auto fault = schema::add_bound(text, bounds);
+    if (!fault) continue;
+    throw schema::UserError(
+        solver::OptionFault{"subject_to", schema::printable(text), fault->why, fault->suggestion});
+  }
+  return bounds;
+}
+
+// Of two limits the one that holds.
+std::optional<double> lower(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
+// Margins are up to a threshold, which the model of a single sheet has not.
+bool needs_threshold(const solver::OptimiseOptions& options) {
+  const auto is_margin = [](solver::OptimiseGoal goal) {
+    return goal == solver::OptimiseGoal::miscut_margin;
+  };
+  return is_margin(options.goal) ||
+         std::ranges::any_of(options.floors, is_margin, &solver::OptimiseFloor::of);
+}
+
 }  // namespace
 
 ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
@@ -65,8 +90,10 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   options.goal = input.goal;
   options.deploying = deploy_options(design, sheet);
   options.bending = bending(design);
-  options.stroke_limit = design.stroke_limit;
-  options.largest_force_n = design.largest_force_n;
+  const schema::OptimiseBounds bounds = bounds_of(input.subject_to);
+  options.stroke_limit = lower(bounds.stroke_max, design.stroke_limit);
+  options.largest_force_n = lower(bounds.largest_force_n, design.largest_force_n);
+  options.floors = bounds.floors;
   options.ternary = input.ternary;
   options.least_slope_mm_per_deg = input.least_slope_mm_per_deg;
   options.most_steps = input.most_steps;
@@ -86,8 +113,8 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   options.grid_mm = input.grid_mm.value_or(0);
   const double sample = std::ceil(deploys_from_deg / sheet.model().sample_deg() - 1e-9);
   options.deploys_from_sample = std::max(1, static_cast<int>(sample));
-  std::unique_ptr<const solver::Model> up_to_there;  // margins are up to a threshold
-  if (options.goal == solver::OptimiseGoal::miscut_margin) {
+  std::unique_ptr<const solver::Model> up_to_there;
+  if (needs_threshold(options)) {
     schema::Campaign campaign = chosen.drawn ? chosen.drawn->campaign : chosen.as_campaign();
     campaign.threshold_deg = options.deploys_from_sample * campaign.sample_deg;
     campaign.misalignment.vertices = options.shifted;

@@ -14,6 +14,7 @@ struct OptimiseInput {
   bool ternary = false;
   std::optional<double> grid_mm = {};  ///< on which shifts lie, those of the start rounded to it
   bool within_family = false;          ///< only among members of the base's parallel family
+  std::vector<std::string> subject_to = {};  ///< limits (schema/campaign/optimise_bounds.hpp)
   double least_slope_mm_per_deg = solver::OptimiseOptions{}.least_slope_mm_per_deg;
   int most_steps = solver::OptimiseOptions{}.most_steps;
 };

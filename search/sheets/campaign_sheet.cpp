@@ -10,8 +10,9 @@ namespace misalign::search {
 
 Eigen::Matrix2Xd shifts_of_number(SQLite::Database& database, const schema::Campaign& campaign,
                                   std::uint64_t number) {
-  if (!campaign.splitting) return shifts_of_draw(campaign, number);
+  if (!campaign.search.stores_sheets()) return shifts_of_draw(campaign, number);
   const schema::Json row = schema::read_candidate(database, number);
+  if (!row.is_object() && campaign.search.optimisation) return shifts_of_draw(campaign, number);
   if (!row.is_object()) {
     throw schema::UserError(
         schema::Cause::bad_request,
@@ -22,7 +23,7 @@ Eigen::Matrix2Xd shifts_of_number(SQLite::Database& database, const schema::Camp
   }
   const auto shifts_mm = schema::read_shifts(row.value("displacements_mm", schema::Json()),
                                              campaign.pattern.base.sheet.vertex_count());
-  if (!shifts_mm || !can_be_drawn(campaign, *shifts_mm)) {
+  if (!shifts_mm || !can_be_kept(campaign, *shifts_mm)) {
     throw schema::damaged(database,
                           fmt::format("candidate {} has no displacements of its campaign", number));
   }

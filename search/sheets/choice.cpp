@@ -11,9 +11,9 @@
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
 #include "schema/catalogue/study_table.hpp"
+#include "schema/files/suggestion.hpp"
 #include "search/sheets/study_functions.hpp"
 #include "search/terminal/shell_word.hpp"
-#include "search/terminal/suggestion.hpp"
 #include "solver/design/farthest_first.hpp"
 
 namespace misalign::search {
@@ -43,7 +43,7 @@ std::vector<std::string> words_of_candidates(const std::vector<std::string>& col
 std::string column_meant(const std::string& typed, const std::vector<std::string>& columns) {
   const bool is_d = typed == "D" || typed == "d";
   const std::string meant =
-      is_d ? "deploys_from_deg" : nearest_word(typed, words_of_candidates(columns));
+      is_d ? "deploys_from_deg" : schema::nearest_word(typed, words_of_candidates(columns));
   return meant.empty() ? "" : "; did you mean " + meant + "?";
 }
 

@@ -27,6 +27,12 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
     text += fmt::format("  the amplitude: 0.1 mm more would give {:.3g} more\n",
                         limits.per_mm_of_amplitude / 10);
   }
+  for (std::size_t k = 0; k < found.options.floors.size(); ++k) {
+    if (limits.per_floor[k] == 0) continue;
+    const auto& [of, least] = found.options.floors[k];
+    text += fmt::format("  the {}: 1 % less of it would give {:.3g} more\n",
+                        schema::name_of(of).words, limits.per_floor[k] * least / 100);
+  }
   for (std::size_t k = 0; k < std::min(kMostNamed, limits.turning.size()); ++k) {
     const auto& [diagonal, pilot_deg, per_mm] = limits.turning[k];
     text += fmt::format("  {} would turn back near {:g} deg\n",

@@ -5,7 +5,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "search/terminal/suggestion.hpp"
+#include "schema/files/suggestion.hpp"
 
 namespace misalign::search {
 namespace {
@@ -19,7 +19,8 @@ bool is_one_word(const std::string& text) {
 schema::UserError no_such_query(const std::string& name) {
   // It went by the least slope, and foretold less than it said.
   const bool is_former = name == "robust";
-  const std::string meant = is_former ? "tolerant" : nearest_word(name, schema::named_queries());
+  const std::string meant =
+      is_former ? "tolerant" : schema::nearest_word(name, schema::named_queries());
   return schema::UserError(schema::Cause::bad_request,
                            "the query was refused (" + name + " is the name of none" +
                                (meant.empty() ? "" : "; did you mean " + meant + "?") +

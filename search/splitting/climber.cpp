@@ -25,11 +25,11 @@ void climb_alone(Climb& climb, Climber& climber) {
 Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
     : mechanism_(solver::build_mechanism(campaign.pattern.base)),
       moves_(campaign),
-      sweeps_(campaign.splitting->sweeps),
+      sweeps_(campaign.search.splitting->sweeps),
       scorers_(campaign, set) {}
 
 Ladder named_ladder(const schema::Campaign& campaign) {
-  const schema::Splitting& splitting = *campaign.splitting;
+  const schema::Splitting& splitting = *campaign.search.splitting;
   return {campaign.seed, schema::named_scores(splitting, campaign.sample_deg), splitting.particles,
           splitting.first_draws};
 }

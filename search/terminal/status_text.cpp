@@ -80,6 +80,17 @@ std::string goal_text(const schema::CatalogueState& state) {
   return goal;
 }
 
+// What accepted draws were made of.
+std::string ends_text(const schema::EndsState& ends) {
+  std::string text = fmt::format("{} sheets", ends.sheets);
+  if (ends.best) {
+    text += fmt::format(", {} {:.4g} at best, {:.4g} in the median", ends.goal, *ends.best,
+                        *ends.median);
+  }
+  if (ends.kept_as_drawn > 0) text += fmt::format("; {} kept as drawn", ends.kept_as_drawn);
+  return text;
+}
+
 }  // namespace
 
 std::string status_text(const schema::CatalogueState& state,
@@ -88,6 +99,7 @@ std::string status_text(const schema::CatalogueState& state,
   const double draws_per_s = std::round(state.draws_per_s * 10) / 10;
   std::vector<schema::Row> rows = {{"goal", goal_text(state)}};
   if (!state.ladder) rows.push_back({"speed", schema::shown_number(draws_per_s) + " draws/s"});
+  if (state.ends) rows.push_back({"ends", ends_text(*state.ends)});
   rows.push_back({"digest", state.digest});
   std::string table = state.ladder ? ladder_text(state) : draws_text(state, deploying);
   const std::size_t header = table.find('\n');
@@ -126,6 +138,10 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
   }
   if (state.accepted == 0) {
     return "misalign report " + file + " --output report.html shows how deep draws fold";
+  }
+  if (state.ends) {
+    return "misalign query " + file + " ends; misalign export " + file +
+           " --best 3 --by end_value --output found";
   }
   return "misalign query " + file + " best; misalign export " + file + " --best 3 --output found";
 }

@@ -46,6 +46,8 @@ Action optimise_verb(CLI::App& verb) {
       "Examples:\n  misalign optimise results/miura-6x6-1a2b3c4d.db 1234 --output better.json\n"
       "  misalign optimise search/patterns/table1.json --amplitude 1 --deploys-from 140\n"
       "  misalign optimise made.json --within-family --deploys-from 179\n"
+      "  misalign optimise results/miura-6x6-1a2b3c4d.db 1234 --subject-to \"miscut_margin_mm >= "
+      "0.1\"\n"
       "  misalign optimise search/patterns/table1.json --goal static_friction_n_mm_per_mm "
       "--thickness 2 --preload 0.1");
   auto call = std::make_shared<OptimiseCall>();
@@ -58,6 +60,10 @@ Action optimise_verb(CLI::App& verb) {
   verb.add_option("--goal", call->input.goal,
                   fmt::format("what is to be as large as can be [{}]", schema::kGoalNames[0].name))
       ->transform(one_of<solver::OptimiseGoal>(goals));
+  verb.add_option("--subject-to", call->input.subject_to,
+                  "what every step keeps, again for each: \"stroke_max <= 0.06\", "
+                  "\"largest_force_n <= 20\", or a goal as in \"miscut_margin_mm >= 0.1\"")
+      ->type_name("LIMIT");
   verb.add_option("--amplitude", call->input.amplitude_mm,
                   "shift no vertex by more in x or y, mm [the campaign's, or the largest of its "
                   "own shifts]")

@@ -3,9 +3,12 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
+#include "search/draws/draw.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/folding_model.hpp"
 #include "search/sheets/folding_text.hpp"
+#include "search/sheets/optimised_draw.hpp"
 #include "search/splitting/climber.hpp"
 #include "search/splitting/origin.hpp"
 #include "search/terminal/terminal.hpp"
@@ -21,13 +24,23 @@ struct ReplayCall {
   bool again = false, json = false, table = false;
 };
 
-// Of a splitting campaign as stored, or from its population made again.
+// Of an optimising campaign: from the draw, if it is accepted, to its end.
+Eigen::Matrix2Xd end_of(const schema::Campaign& campaign, std::uint64_t draw) {
+  DrawEvaluator evaluator(campaign);
+  optimise_if_asked(evaluator);
+  const schema::UnitRecord unit = work_off(evaluator, {draw, draw + 1});
+  return unit.candidates.empty() ? shifts_of_draw(campaign, draw) : unit.candidates[0].shifts_mm;
+}
+
+// As stored, or made again.
 Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& campaign,
                            const ReplayCall& call) {
-  if (!call.again || !campaign.splitting) return shifts_of_number(database, campaign, call.draw);
+  if (!call.again) return shifts_of_number(database, campaign, call.draw);
+  if (campaign.search.optimisation) return end_of(campaign, call.draw);
+  if (!campaign.search.splitting) return shifts_of_draw(campaign, call.draw);
   Climber climber(campaign, solver::available_instruction_sets().back());
   const Ladder ladder = stored_ladder(campaign, schema::read_levels(database));
-  const Origin origin = origin_of(call.draw, *campaign.splitting);
+  const Origin origin = origin_of(call.draw, *campaign.search.splitting);
   for (const FoundCandidate& found : climbed(ladder, origin.population, climber).found) {
     if (found.origin == origin) return found.candidate.shifts_mm;
   }
@@ -75,8 +88,8 @@ Action replay_verb(CLI::App& verb) {
   verb.add_flag("--table", call->table,
                 "print the lengths every 10 degrees even where they are too wide for the terminal");
   verb.add_flag("--again", call->again,
-                "of a splitting campaign: make its population again, instead of showing what is "
-                "stored");
+                "of a splitting campaign: make its population again, of an optimising one its way "
+                "from the draw, instead of showing what is stored");
   verb.add_flag("--json", call->json, "as JSON");
   return [call] {
     replay(*call);

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "search/terminal/suggestion.hpp"
+#include "schema/files/suggestion.hpp"
 #include "search/verbs/help_format.hpp"
 
 namespace misalign::search {
@@ -74,9 +74,9 @@ std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
     } else {
       for (const CLI::App* each : verbs_of(app)) known.push_back(each->get_name());
     }
-    return unknown_word(word.substr(0, word.find('=')),
-                        !is_option ? "verb" : "option" + (verb ? " of " + verb->get_name() : ""),
-                        known);
+    return schema::unknown_word(
+        word.substr(0, word.find('=')),
+        !is_option ? "verb" : "option" + (verb ? " of " + verb->get_name() : ""), known);
   }
   return verb ? otherwise : "a verb is missing";
 }

@@ -7,8 +7,8 @@
 
 #include "schema/campaign/draw_range.hpp"
 #include "schema/files/input.hpp"
+#include "schema/files/suggestion.hpp"
 #include "schema/pattern/design.hpp"
-#include "search/terminal/suggestion.hpp"
 
 namespace misalign::search {
 namespace {
@@ -89,7 +89,7 @@ CLI::Validator known_word(const std::string& kind, const std::vector<std::string
   return CLI::Validator(
       [=](const std::string& text) {
         const bool is_known = std::find(known.begin(), known.end(), text) != known.end();
-        return is_known ? std::string() : unknown_word(text, kind, known);
+        return is_known ? std::string() : schema::unknown_word(text, kind, known);
       },
       shown_set(known));
 }

@@ -36,7 +36,7 @@ Json live_state_json(SQLite::Database& database, const schema::Campaign& campaig
     const Json best = schema::candidates_json(database, kBest);
     live["total"] = best["total"];
     live["best"] = best["columns"];
-    if (!campaign.splitting) live["angles"] = angles_json(database, campaign.sample_deg);
+    if (!campaign.search.splitting) live["angles"] = angles_json(database, campaign.sample_deg);
     return live;
   });
 }

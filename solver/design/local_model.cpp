@@ -16,12 +16,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Directions are looked at in long steps up to so far below the angle asked for, then in short
-// ones: near fold limits diagonals turn within degrees.
-constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24;
+// ones, since near fold limits diagonals turn within degrees, and at last in one that shows which
+// still go on there.
+constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24, kLast_deg = 0.02;
 // At which the goal of rigid panels is looked at, beside flat.
 constexpr int kGoalAngles = 6;
-// A fold limit stays so far beyond the angle asked for.
-constexpr double kBeforeLimit_deg = 0.05;
+// A fold limit stays so far beyond the angle asked for, and creases there so far from folded flat.
+constexpr double kBeforeLimit_deg = 0.05, kBeforeFlat_deg = 1e-3;
 // Of margins those within so much of the least are followed to second order, by sheets that are
 // shifted by so much: between rounding of gradients, 1e-9, and their curvature.
 constexpr double kNearTheLeast = 1.5, kAlong_mm = 1e-4;
@@ -100,21 +101,24 @@ class Builder {
          angle_deg += angle_deg < to_deg - kNearEnd_deg ? kLong_deg : kShort_deg) {
       angles_deg.push_back(angle_deg);
     }
+    angles_deg.push_back(to_deg - kLast_deg);
     angles_deg.push_back(to_deg);
     return angles_deg;
   }
 
   void add_directions() {
     AngleGradients last = flat_;
+    const VectorXd longer_mm =
+        at(sheet_.sample_deg(options_.deploys_from_sample)).length_mm - flat_.length_mm;
     for (const double pilot_deg : angles_of_directions()) {
       AngleGradients here = at(pilot_deg);
       const double least_mm = options_.least_slope_mm_per_deg *
                               half_angle_of_deg(pilot_deg + last.pilot_deg).s *
                               (pilot_deg - last.pilot_deg);
       for (Index d = 0; d < here.length_mm.size(); ++d) {
-        const double longer_mm = here.length_mm(d) - last.length_mm(d);
-        const double side = longer_mm < 0 ? -1 : 1;
-        add(LocalRow::Of::direction, d, pilot_deg, side * longer_mm - least_mm,
+        const double side = longer_mm(d) < 0 ? -1 : 1;
+        add(LocalRow::Of::direction, d, pilot_deg,
+            side * (here.length_mm(d) - last.length_mm(d)) - least_mm,
             side * (here.length_by_mm.row(d) - last.length_by_mm.row(d)));
       }
       last = std::move(here);
@@ -137,7 +141,7 @@ class Builder {
     for (Index c = 0; c < here.fold_deg.size(); ++c) {
       if (static_cast<int>(c) == sheet_.mechanism().pilot) continue;
       const double side = here.fold_deg(c) < 0 ? -1 : 1;
-      add(LocalRow::Of::fold_angle, c, pilot_deg, 180 - side * here.fold_deg(c),
+      add(LocalRow::Of::fold_angle, c, pilot_deg, 180 - kBeforeFlat_deg - side * here.fold_deg(c),
           -side * here.fold_by_mm.row(c));
     }
     if (const auto limit = gradients_.fold_limit()) {

@@ -16,21 +16,9 @@
 #include <vector>
 
 #include "solver/design/bent_panels.hpp"
+#include "solver/design/optimise_goal.hpp"
 
 namespace misalign::solver {
-
-enum class OptimiseGoal {
-  critical_friction,       ///< of rigid panels, as `deploy` has it
-  bent_critical_friction,  ///< of panels that bend
-  static_friction,         ///< of panels that bend, moving slowly: at every angle
-  miscut_margin            ///< of models with a threshold (solver/model/miscut_margin.hpp), mm
-};
-
-/// What another goal is to be at least.
-struct OptimiseFloor {
-  OptimiseGoal of;
-  double least;  ///< as the goal: N mm per mm, or mm
-};
 
 struct OptimiseOptions {
   OptimiseGoal goal = OptimiseGoal::critical_friction;

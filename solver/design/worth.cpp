@@ -5,6 +5,9 @@
 namespace misalign::solver {
 namespace {
 
+// Creases stay so far from folded flat: more than rounding, less than what steps leave.
+constexpr double kFromFlat_deg = 1e-4;
+
 // As columns of catalogues have it.
 double stroke(const Sheet& sheet) {
   return measure(sheet.base(), sheet.vertices_mm(), sheet.record(), sheet.model().sample_deg())
@@ -55,8 +58,20 @@ bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
   });
 }
 
+bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
+  const double to_deg = sheet.sample_deg(options.deploys_from_sample);
+  const auto& reverses_deg = sheet.record().extremes.reverses_deg;
+  if (reverses_deg && *reverses_deg <= to_deg) return false;
+  if (sheet.way()->end_deg() < to_deg) return true;  // its end is the sample, but for rounding
+  Eigen::VectorXd folds_rad, rates;
+  sheet.way()->find_creases(sheet.way()->x_of(to_deg), folds_rad, rates);
+  return folds_rad.cwiseAbs().maxCoeff() <= (180 - kFromFlat_deg) * kRadPerDeg;
+}
+
 std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options) {
-  if (!fits(sheet, options) || !keeps_floors(sheet, options)) return {};
+  if (!fits(sheet, options) || !goes_all_the_way(sheet, options) || !keeps_floors(sheet, options)) {
+    return {};
+  }
   return value_by(options.goal, sheet, options);
 }
 

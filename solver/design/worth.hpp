@@ -17,7 +17,11 @@ bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options);
 /// Whether it deploys from the angle that is asked, can be let go there, and keeps stroke and
 /// force.
 bool fits(const Sheet& sheet, const OptimiseOptions& options);
-/// By the goal; none where it does not fit, keeps not all floors, or its own study finds none.
+/// Whether, up to the angle that is asked, no diagonal turns back between samples and no crease is
+/// all but folded flat: what a certificate wants, and a draw need not have.
+bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options);
+/// By the goal, of a sheet that is to be better than another; none where it does not fit, keeps not
+/// all floors, does not go all the way, or its own study finds none.
 std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

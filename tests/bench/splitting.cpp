@@ -18,7 +18,7 @@ void run(int argc, char** argv) {
   schema::Campaign campaign = schema::read_campaign_file(argv[1]);
   campaign.threshold_deg = std::atof(argv[2]);
   const auto populations = static_cast<std::uint32_t>(std::atoi(argv[3]));
-  schema::Splitting& splitting = campaign.splitting.emplace();
+  schema::Splitting& splitting = campaign.search.splitting.emplace();
   if (argc > 4) splitting.particles = static_cast<std::uint32_t>(std::atoi(argv[4]));
   if (argc > 5) splitting.sweeps = static_cast<std::uint32_t>(std::atoi(argv[5]));
   splitting.first_draws = 100 * splitting.particles;

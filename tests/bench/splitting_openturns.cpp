@@ -175,7 +175,7 @@ void run(const StudyOptions& options) {
   campaign.threshold_deg = options.threshold_deg;
   campaign.misalignment.distribution =
       options.is_ternary ? schema::ShiftDistribution::ternary : schema::ShiftDistribution::uniform;
-  campaign.splitting = options.splitting;
+  campaign.search.splitting = options.splitting;
   if (options.runs > 0) sample_subsets(options, campaign);
   if (options.populations > 0) split(options, campaign);
   if (options.plain_draws > 0) draw_plainly(options, campaign);

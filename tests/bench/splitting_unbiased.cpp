@@ -36,7 +36,7 @@ schema::Campaign campaign_of(const StudyOptions& options, std::uint64_t seed) {
   schema::Campaign campaign = schema::read_campaign_file(options.campaign);
   campaign.threshold_deg = options.threshold_deg;
   campaign.seed = seed;
-  campaign.splitting = options.splitting;
+  campaign.search.splitting = options.splitting;
   return campaign;
 }
 

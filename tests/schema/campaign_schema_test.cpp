@@ -157,6 +157,19 @@ constexpr Mutation kRefused[] = {
     {"/search/sweeps", "1.5"},
     {"/search/first_draws", "1"},
     {"/search/first_draws", "1000000001"},
+    {"/search/maximise", "\"static_friction_n_mm_per_mm\""},
+    {"/search/subject_to", "\"stroke_max <= 0.06\""},
+    {"/search/subject_to", "[\"stroke_max >= 0.06\"]"},
+    {"/search/subject_to", "[\"stroke <= 0.06\"]"},
+    {"/search/from_deg", "0"},
+    {"/search/from_deg", "181"},
+    {"/search/stiffness_n_per_mm", "0"},
+    {"/search/preload_n", "-1"},
+    {"/search/shifts", "\"binary\""},
+    {"/search/grid_mm", "0"},
+    {"/search/least_slope_mm_per_deg", "-1"},
+    {"/search/most_steps", "0"},
+    {"/search/most_steps", "100001"},
     {"/seed", "-1"},
     {"/seed", "1.5"},
     // Not 2^63, the first that is refused: to valijson, which compares in double, it is 2^63 - 1.
@@ -235,7 +248,8 @@ TEST(CampaignSchema, RefusesEveryWrongType) {
         "design.springs", "design.springs.stiffness_n_per_mm", "design.hinges",
         "design.hinges.friction_n_mm_per_mm", "design.hinges.stiffness_n_mm_per_mm"};
     const bool may_be_null = key.find("stop.") == 0 || key.find("accept.stop") == 0 ||
-                             key == "misalignment.grid_mm" ||
+                             key == "misalignment.grid_mm" || key == "search.from_deg" ||
+                             key == "search.grid_mm" ||
                              (key.find("design.") == 0 && !kNumbersOfDesign.contains(key));
     if (!may_be_null) wrong.push_back(nullptr);
     for (const Json& other : wrong) {
@@ -283,6 +297,10 @@ constexpr Mutation kAccepted[] = {
     {"/search", R"({"method": "splitting", "particles": 2, "sweeps": 1, "first_draws": 2})"},
     {"/search", R"({"method": "splitting", "particles": 1000000, "first_draws": 1000000000})"},
     {"/search", R"({"method": "splitting", "sweeps": 10000})"},
+    {"/search", R"({"method": "optimise", "from_deg": 170, "grid_mm": 0.4, "most_steps": 1,
+                    "subject_to": ["stroke_max <= 1", "largest_force_n<=1e9", " miscut_margin_mm >= 0 "]})"},
+    {"/search", R"({"method": "optimise", "maximise": "miscut_margin_mm", "shifts": "ternary",
+                    "preload_n": 1e6, "least_slope_mm_per_deg": 0, "stiffness_n_per_mm": 1e-6})"},
     {"/search", R"({"method": "splitting", "levels_deg": [0.001, 150, 169.999, 170]})"},
     {"/stop/populations", "null"},
     {"/stop/populations", "922337203"},

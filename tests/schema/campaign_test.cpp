@@ -128,7 +128,7 @@ TEST(Search, LevelsAreCountedWithTheThreshold) {
   };
   EXPECT_THROW(of(), UserError);
   levels_deg.pop_back();
-  EXPECT_EQ(of().splitting->levels_deg.size(), 256u);
+  EXPECT_EQ(of().search.splitting->levels_deg.size(), 256u);
 }
 
 // All faults of a splitting search at once.

@@ -104,7 +104,8 @@ TEST_F(LedgerCheckTest, RunsSayNothingThatCannotBe) {
   EXPECT_TRUE(finds("UPDATE run SET ended_at = NULL", "ended_at"));  // beside its end
   EXPECT_TRUE(finds("UPDATE run SET commits = -1", "commits"));
   EXPECT_TRUE(finds("UPDATE run SET longest_commit_s = -1", "longest_commit_s"));
-  EXPECT_TRUE(finds("UPDATE run SET schema_version = 9", "schema_version"));
+  EXPECT_TRUE(finds("UPDATE run SET schema_version = " + std::to_string(kSchemaVersion + 1),
+                    "schema_version"));
   EXPECT_TRUE(finds("UPDATE run SET schema_version = 0", "schema_version"));
   EXPECT_TRUE(finds("UPDATE run SET configuration = 'nonsense'", "configuration"));
   EXPECT_TRUE(finds("UPDATE run SET configuration = json_set(configuration, '$.seed', 2)",

@@ -73,6 +73,10 @@ TEST_F(CatalogueTest, NamedQueriesRunOnAnyCatalogue) {
     catalogue.commit({unit(0, 8192)});
     catalogue.keep({{5, 0.05, 100, 90, 0}}, "build");
   }
+  SQLite::Database(path(), SQLite::OPEN_READWRITE)
+      .exec(
+          "INSERT INTO sheet VALUES (5, zeroblob(16));"
+          "INSERT INTO ascent VALUES (5, 1, 2, 3, 4, 'most_steps', NULL)");
   int queries = 0;
   for (const CarriedFile& file : carried_files()) {
     const std::filesystem::path query = file.path;

@@ -44,6 +44,7 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
   }
   unit.candidates[1].certificate = {
       2, 120.5, 170, "reversal", "A10-A18", true, 31, 0.5, std::string("\0proof", 6), "hash"};
+  unit.candidates[0].ascent = {0.25, {}, 7, 31, "most_steps", "{}"};
   unit.undecided.push_back({9, {3, solver::Fault::undecided, -1, solver::PathEnd::stalled}});
   unit.fault_sample.push_back({1024, {7, solver::Fault::not_monotone, 5}});
   unit.screened = {{{4, 12}, 3}, {{1, 0}, 1ULL << 60}};
@@ -65,6 +66,7 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
     EXPECT_EQ(came.elongation, sent.elongation);
     EXPECT_EQ(got.candidates[k].shifts_mm, unit.candidates[k].shifts_mm);
     EXPECT_EQ(got.candidates[k].certificate, unit.candidates[k].certificate);
+    EXPECT_EQ(got.candidates[k].ascent, unit.candidates[k].ascent);
   }
   ASSERT_EQ(got.undecided.size(), 1u);
   EXPECT_EQ(got.undecided[0].verdict.path_end, solver::PathEnd::stalled);

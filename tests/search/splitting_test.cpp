@@ -180,8 +180,8 @@ Ladder piloted(std::uint64_t seed, unsigned pieces) {
 
 TEST(Splitting, PilotsAreFunctionsOfTheSeedSlow) {
   schema::Campaign campaign = climbed_miura(175);
-  campaign.splitting->particles = 100;
-  campaign.splitting->first_draws = 600;
+  campaign.search.splitting->particles = 100;
+  campaign.search.splitting->first_draws = 600;
   Climber climber(campaign, widest_set());
   const Ladder ladder = ladder_of(campaign, climber);
   EXPECT_EQ(ladder.scores.back(), last_level(campaign));
@@ -197,7 +197,7 @@ TEST(Splitting, PilotsAreFunctionsOfTheSeedSlow) {
 // Levels that are named need no level finder.
 TEST(Splitting, NamedLevelsAreTaken) {
   schema::Campaign campaign = climbed_miura(170);
-  campaign.splitting->levels_deg = {150, 162.5, 170};
+  campaign.search.splitting->levels_deg = {150, 162.5, 170};
   Climber climber(campaign, widest_set());
   const Ladder ladder = ladder_of(campaign, climber);
   EXPECT_EQ(ladder.scores, (std::vector<int>{150 * 1024, 162 * 1024 + 512, 170 * 1024}));

@@ -7,6 +7,7 @@
 #include "sheets.hpp"
 #include "solver/design/actuation.hpp"
 #include "solver/design/local_model.hpp"
+#include "solver/design/worth.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -219,6 +220,65 @@ TEST_F(Optimising, MarginsAgainstMiscutsGrow) {
     EXPECT_EQ(found.best().value, *Sheet(solver, found.best().shifts_mm).record().miscut_margin_mm);
   }
   EXPECT_EQ(optimise(Sheet(solver_, next_start(false)), options_).fault.value().name, "goal");
+}
+
+// Another goal that is not to fall: kept by every step, and priced at the end.
+TEST_F(Optimising, KeepsFloors) {
+  const Model model(base_.base, base_.shifted_vertices, {}, 150);
+  SheetSolver solver(model);
+  int priced = 0;
+  for (int trial = 0; trial < 3; ++trial) {
+    const Sheet start(solver, next_start(false));
+    const double margin_mm = *start.record().miscut_margin_mm;
+    options_.floors = {{OptimiseGoal::miscut_margin, 0.999 * margin_mm}};
+    const Optimised found = *optimise(start, options_).study;
+    EXPECT_GT(found.best().value, found.start().value);
+    for (const Optimised::Taken& step : found.taken) {
+      EXPECT_GE(*Sheet(solver, step.shifts_mm).record().miscut_margin_mm, 0.999 * margin_mm);
+    }
+    if (found.limits) priced += found.limits->per_floor.at(0) > 0;
+    // The other way round.
+    OptimiseOptions other = options_;
+    other.goal = OptimiseGoal::miscut_margin;
+    other.floors = {{OptimiseGoal::critical_friction, found.start().value}};
+    const Optimised wide = *optimise(start, other).study;
+    EXPECT_GT(wide.best().value, margin_mm);
+    EXPECT_GE(friction(wide.best().shifts_mm), found.start().value);
+    options_.floors = {{OptimiseGoal::miscut_margin, 1.001 * margin_mm}};
+    EXPECT_EQ(optimise(start, options_).fault.value().name, "subject_to");
+  }
+  EXPECT_GT(priced, 0) << "a margin that limits has its price";
+}
+
+// What a certificate wants, against lengths at close angles: draws are judged by whole degrees.
+TEST_F(Optimising, SeesWhatTurnsBackBetweenSamples) {
+  int straight = 0, turning = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Sheet sheet(solver_, next_start(trial % 2 == 0));
+    const FoldingWay& way = *sheet.way();
+    constexpr double kClose_deg = 0.01;
+    double least_mm = 1, fold_rad = 0;
+    Eigen::VectorXd last_mm = way.flat_mm(), total_mm, lengths_mm, rates;
+    way.find_lengths(way.x_of(150), total_mm, rates);
+    for (int k = 1; k * kClose_deg <= 150 + 1e-9; ++k) {
+      way.find_lengths(way.x_of(std::min(150.0, k * kClose_deg)), lengths_mm, rates);
+      for (Eigen::Index d = 0; d < last_mm.size(); ++d) {
+        const double side = total_mm(d) < way.flat_mm()(d) ? -1 : 1;
+        least_mm = std::min(least_mm, side * (lengths_mm(d) - last_mm(d)));
+      }
+      last_mm = lengths_mm;
+    }
+    way.find_creases(way.x_of(150), lengths_mm, rates);
+    fold_rad = lengths_mm.cwiseAbs().maxCoeff();
+    // Turns within less than a step of 150 degrees, and creases all but flat, are for neither side.
+    if (std::abs(least_mm) < 1e-9 || std::abs(fold_rad - M_PI) < 1e-5) continue;
+    const bool goes = least_mm > 0 && fold_rad < M_PI;
+    ++(goes ? straight : turning);
+    EXPECT_EQ(goes_all_the_way(sheet, options_), goes)
+        << "seed " << seed_ << ", trial " << trial << ", " << least_mm << " mm";
+  }
+  EXPECT_GT(straight, 20);
+  EXPECT_GT(turning, 0);
 }
 
 TEST_F(Optimising, RefusesWhatDoesNotFit) {

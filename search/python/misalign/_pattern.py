@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -203,7 +204,7 @@ class Pattern:
                  deploys_from_deg: float | None = None, ternary: bool = False, from_deg: float | None = None,
                  stiffness_n_per_mm: float | None = None, stroke_limit: float | None = None,
                  preload_n: float | None = None, thickness_mm: float | None = None, grid_mm: float | None = None,
-                 within_family: bool = False) -> tuple[Pattern, dict[str, Any]]:
+                 within_family: bool = False, subject_to: Sequence[str] = ()) -> tuple[Pattern, dict[str, Any]]:
         """A better sheet near this one, and what `misalign optimise --json` says of it.
 
         `goal`              also `bent_critical_friction_n_mm_per_mm`, `static_friction_n_mm_per_mm`, `miscut_margin_mm`
@@ -212,6 +213,7 @@ class Pattern:
         `ternary`           shifts of nothing or the amplitude alone
         `grid_mm`           whole multiples of it alone, those of this sheet rounded
         `within_family`     only among members of the base's parallel family
+        `subject_to`        what every step keeps: `"stroke_max <= 0.06"`, `"miscut_margin_mm >= 0.1"`
 
         >>> better, said = misalign.read("search/patterns/table1.json").optimise(deploys_from_deg=150, ternary=True)
         >>> said["after_n_mm_per_mm"] > 5 * said["before_n_mm_per_mm"], better.fold().deploys_from_deg >= 150
@@ -219,7 +221,7 @@ class Pattern:
         """
         said: dict[str, Any] = json.loads(_misalign.optimise(
             self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit, None, thickness_mm, preload_n=preload_n),
-            goal, amplitude_mm, deploys_from_deg, ternary, grid_mm, within_family))
+            goal, amplitude_mm, deploys_from_deg, ternary, grid_mm, within_family, list(subject_to)))
         return Pattern(_misalign.read_document(json.dumps(said["pattern"]), "optimised")), said
 
     def card(self, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:

@@ -1,11 +1,11 @@
-#include "search/terminal/suggestion.hpp"
+#include "schema/files/suggestion.hpp"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "schema/files/input.hpp"
+#include "schema/files/printable.hpp"
 
-namespace misalign::search {
+namespace misalign::schema {
 namespace {
 
 // Letters to add, leave out, change, or swap with their neighbour.
@@ -46,8 +46,8 @@ std::string nearest_word(const std::string& typed, const std::vector<std::string
 std::string unknown_word(const std::string& typed, const std::string& kind,
                          const std::vector<std::string>& known) {
   const std::string meant = nearest_word(typed, known);
-  return schema::printable(schema::utf8(typed)) + " is no " + kind +
+  return printable(utf8(typed)) + " is no " + kind +
          (meant.empty() ? "" : " (did you mean " + meant + "?)");
 }
 
-}  // namespace misalign::search
+}  // namespace misalign::schema

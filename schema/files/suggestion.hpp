@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace misalign::search {
+namespace misalign::schema {
 
 /// The known word that `typed` is nearest to: its beginning, or some letters off (one in three);
 /// empty if there is none.
@@ -14,4 +14,4 @@ std::string nearest_word(const std::string& typed, const std::vector<std::string
 std::string unknown_word(const std::string& typed, const std::string& kind,
                          const std::vector<std::string>& known);
 
-}  // namespace misalign::search
+}  // namespace misalign::schema

@@ -1,8 +1,8 @@
-#include "search/terminal/suggestion.hpp"
+#include "schema/files/suggestion.hpp"
 
 #include <gtest/gtest.h>
 
-namespace misalign::search {
+namespace misalign::schema {
 namespace {
 
 TEST(Suggestion, IsTheNearestWordOrNone) {
@@ -35,4 +35,4 @@ TEST(Suggestion, PrefersFewerLettersOff) {
 }
 
 }  // namespace
-}  // namespace misalign::search
+}  // namespace misalign::schema

@@ -1,0 +1,147 @@
+#include "schema/campaign/optimisation.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "schema/files/json_values.hpp"
+#include "schema/files/suggestion.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// Goals whose ends are the same on every machine.
+std::vector<std::string> usable_goals() {
+  std::vector<std::string> names;
+  for (const GoalName& goal : kGoalNames) {
+    if (goal.is_same_everywhere) names.emplace_back(goal.name);
+  }
+  return names;
+}
+
+constexpr const char* kOfOneSheet =
+    "comes from libraries whose last digits differ between machines, so that ends would";
+
+void read_goal(ObjectReader& reader, solver::OptimiseGoal& goal) {
+  std::string name(name_of(goal).name);
+  const std::string named = fmt::format("name one of {}", fmt::join(usable_goals(), ", "));
+  reader.text("maximise", name, named);
+  const GoalName* const found = goal_named(name);
+  if (!found) {
+    reader.faults().add(reader.shown("maximise"), unknown_word(name, "goal", usable_goals()),
+                        named);
+  } else if (!found->is_same_everywhere) {
+    reader.faults().add(reader.shown("maximise"), kOfOneSheet,
+                        named + ", or use `misalign optimise` on single sheets");
+  } else {
+    goal = found->goal;
+  }
+}
+
+void read_limits(ObjectReader& reader, OptimiseBounds& limits) {
+  const Json* list = reader.find("subject_to");
+  if (!list) return;
+  InputFaults& faults = reader.faults();
+  const std::size_t before = faults.count();
+  constexpr std::size_t kMost = 16;
+  if (!list->is_array() || list->size() > kMost) {
+    faults.add(reader.shown("subject_to"), "is no list of up to 16 limits",
+               "write [\"stroke_max <= 0.06\"], or [] for none");
+    return;
+  }
+  for (const Json& limit : *list) {
+    const auto fault = limit.is_string() ? add_bound(limit.get<std::string>(), limits)
+                                         : BoundFault{"is no text", "write \"stroke_max <= 0.06\""};
+    if (fault)
+      faults.add(reader.name("subject_to") + " has " + shortened(limit.dump(), 80), fault->why,
+                 fault->suggestion);
+  }
+  for (const auto& [of, least] : limits.floors) {
+    if (name_of(of).is_same_everywhere || faults.count() > before) continue;
+    faults.add(reader.name("subject_to") + " has " + std::string(name_of(of).name), kOfOneSheet,
+               "take it out, or use `misalign optimise` on single sheets");
+  }
+}
+
+// Null for none.
+void read_optional(ObjectReader& reader, const char* key, std::optional<double>& into, double least,
+                   double most, const std::string& suggestion) {
+  const Json* value = reader.find(key);
+  if (!value || value->is_null()) return;
+  double number = least;
+  const std::size_t before = reader.faults().count();
+  reader.number(key, number, least, most, suggestion);
+  if (reader.faults().count() == before) into = number;
+}
+
+}  // namespace
+
+Optimisation read_optimisation(ObjectReader& reader, double threshold_deg) {
+  Optimisation optimisation;
+  read_goal(reader, optimisation.goal);
+  read_limits(reader, optimisation.bounds);
+  read_optional(reader, "from_deg", optimisation.from_deg, 0.01, 180,
+                "try 36, or null for goals that need none");
+  reader.number("stiffness_n_per_mm", optimisation.stiffness_n_per_mm, 1e-6, 1e9,
+                "try 50, the paper's springs");
+  reader.number("preload_n", optimisation.preload_n, 0, 1e6,
+                "try 3: what each pulls or pushes with at flat");
+  std::string shifts = "free";
+  reader.text("shifts", shifts, "write \"free\" or \"ternary\"");
+  if (shifts != "free" && shifts != "ternary") {
+    reader.faults().add(reader.shown("shifts"), "are no shifts", "write \"free\" or \"ternary\"");
+  }
+  optimisation.ternary = shifts == "ternary";
+  read_optional(reader, "grid_mm", optimisation.grid_mm, 1e-6, 1e3,
+                "try 0.01, a cutter's step, or null for none");
+  reader.number("least_slope_mm_per_deg", optimisation.least_slope_mm_per_deg, 0, 1e6, "try 0.001");
+  std::uint64_t steps = optimisation.most_steps;
+  const std::size_t before = reader.faults().count();
+  reader.whole("most_steps", steps, 100000, "try 200");
+  if (reader.faults().count() == before && steps == 0) {
+    reader.faults().add(reader.shown("most_steps"), "leaves every draw as it is", "try 200");
+  }
+  optimisation.most_steps = static_cast<std::uint32_t>(steps);
+  if (optimisation.from_deg && *optimisation.from_deg > threshold_deg) {
+    reader.faults().add(reader.shown("from_deg"),
+                        "lies above accept.deploys_from_deg = " + shown_number(threshold_deg),
+                        "try " + shown_number(std::min(36.0, threshold_deg)));
+  }
+  return optimisation;
+}
+
+void check_optimisation(ObjectReader& reader, const Optimisation& optimisation) {
+  const auto is_friction = [](solver::OptimiseGoal goal) {
+    return goal == solver::OptimiseGoal::critical_friction;
+  };
+  const OptimiseBounds& limits = optimisation.bounds;
+  const bool lets_go = is_friction(optimisation.goal) || limits.largest_force_n ||
+                       std::ranges::any_of(limits.floors, is_friction, &solver::OptimiseFloor::of);
+  if (lets_go && !optimisation.from_deg) {
+    reader.faults().add(reader.name("from_deg"), "is not said, from where sheets are let go",
+                        "write a pilot angle, such as 36");
+  }
+  if (optimisation.ternary && optimisation.grid_mm) {
+    reader.faults().add(reader.shown("grid_mm"), "is of free shifts", "take it out");
+  }
+  for (const auto& [of, least] : limits.floors) {
+    if (of != optimisation.goal) continue;
+    reader.faults().add(reader.name("subject_to"),
+                        std::string(name_of(of).name) + " is the goal already", "take it out");
+  }
+}
+
+Json optimisation_json(const Optimisation& optimisation) {
+  return {{"maximise", name_of(optimisation.goal).name},
+          {"subject_to", bounds_json(optimisation.bounds)},
+          {"from_deg", or_null(optimisation.from_deg)},
+          {"stiffness_n_per_mm", optimisation.stiffness_n_per_mm},
+          {"preload_n", optimisation.preload_n},
+          {"shifts", optimisation.ternary ? "ternary" : "free"},
+          {"grid_mm", or_null(optimisation.grid_mm)},
+          {"least_slope_mm_per_deg", optimisation.least_slope_mm_per_deg},
+          {"most_steps", optimisation.most_steps}};
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,35 @@
+// The search method "optimise": from each draw that is accepted on to better sheets.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "schema/campaign/optimise_bounds.hpp"
+
+namespace misalign::schema {
+
+/// Everything that decides where a start ends: it is part of the identity, whatever the campaign's
+/// design says. The member initializers are the released defaults: they never change.
+struct Optimisation {
+  solver::OptimiseGoal goal = solver::OptimiseGoal::critical_friction;
+  OptimiseBounds bounds;
+  std::optional<double> from_deg;  ///< pilot angle from which it is let go; frictions need one
+  double stiffness_n_per_mm = 50;
+  double preload_n = 0;
+  bool ternary = false;           ///< ends are shifted by nothing or the amplitude, as draws are
+  std::optional<double> grid_mm;  ///< ends are shifted by whole multiples of it
+  double least_slope_mm_per_deg = 1e-3;  ///< as solver::OptimiseOptions
+  std::uint32_t most_steps = 200;
+
+  bool operator==(const Optimisation&) const = default;
+};
+
+/// Reads its keys of the part "search" of a campaign with this threshold.
+Optimisation read_optimisation(ObjectReader& reader, double threshold_deg);
+/// What an optimisation that is asked for lacks.
+void check_optimisation(ObjectReader& reader, const Optimisation& optimisation);
+
+/// Every key of its own.
+Json optimisation_json(const Optimisation& optimisation);
+
+}  // namespace misalign::schema

@@ -1,0 +1,113 @@
+#include "schema/campaign/optimise_bounds.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <regex>
+
+#include "schema/files/suggestion.hpp"
+
+namespace misalign::schema {
+namespace {
+
+constexpr const char* kStroke = "stroke_max";
+constexpr const char* kForce = "largest_force_n";
+
+// The bounds of both are those of the design's keys.
+struct Ceiling {
+  const char* name;
+  std::optional<double> OptimiseBounds::*bound;
+  double most;
+};
+constexpr Ceiling kCeilings[] = {{kStroke, &OptimiseBounds::stroke_max, 1},
+                                 {kForce, &OptimiseBounds::largest_force_n, 1e9}};
+constexpr double kLeastCeiling = 1e-6, kMostFloor = 1e9;
+
+std::vector<std::string> limited_names() {
+  std::vector<std::string> names = {kStroke, kForce};
+  for (const std::string& goal : goal_names()) names.push_back(goal);
+  return names;
+}
+
+BoundFault out_of_bounds(const std::string& name, double least, double most) {
+  return {fmt::format("{} is limited to between {} and {}", name, shown_number(least),
+                      shown_number(most)),
+          "write another number"};
+}
+
+}  // namespace
+
+const GoalName& name_of(solver::OptimiseGoal goal) {
+  const auto* const named = std::ranges::find(kGoalNames, goal, &GoalName::goal);
+  assert(named != std::end(kGoalNames));
+  return *named;
+}
+
+const GoalName* goal_named(std::string_view name) {
+  const auto* const named = std::ranges::find(kGoalNames, name, &GoalName::name);
+  return named == std::end(kGoalNames) ? nullptr : named;
+}
+
+std::vector<std::string> goal_names() {
+  std::vector<std::string> names;
+  for (const GoalName& goal : kGoalNames) names.emplace_back(goal.name);
+  return names;
+}
+
+std::optional<BoundFault> add_bound(const std::string& text, OptimiseBounds& bounds) {
+  static const std::regex form(R"(\s*([A-Za-z0-9_]+)\s*(<=|>=)\s*([-+.0-9eE]+)\s*)");
+  constexpr const char* kForms = "write \"stroke_max <= 0.06\" or \"miscut_margin_mm >= 0.1\"";
+  std::smatch part;
+  double bound = 0;
+  const auto is_number = [&](const std::string& number) {
+    const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), bound);
+    return error == std::errc{} && stop == number.data() + number.size();
+  };
+  // Longer ones are no limit, and would take the matcher's stack.
+  constexpr std::size_t kLongest = 200;
+  if (text.size() > kLongest || !std::regex_match(text, part, form) || !is_number(part[3])) {
+    return BoundFault{"is no limit", kForms};
+  }
+  const std::string name = part[1];
+  const bool is_ceiling = part[2] == "<=";
+  const auto twice = [&] { return BoundFault{"limits " + name + " twice", "write one of them"}; };
+  for (const Ceiling& ceiling : kCeilings) {
+    if (name != ceiling.name) continue;
+    if (!is_ceiling) return BoundFault{name + " is to be small", "write " + name + " <= it"};
+    if (!(bound >= kLeastCeiling && bound <= ceiling.most)) {
+      return out_of_bounds(name, kLeastCeiling, ceiling.most);
+    }
+    if (bounds.*ceiling.bound) return twice();
+    bounds.*ceiling.bound = bound;
+    return {};
+  }
+  const GoalName* const goal = goal_named(name);
+  if (!goal) {
+    return BoundFault{unknown_word(name, "number that can be limited", limited_names()),
+                      fmt::format("name one of {}", fmt::join(limited_names(), ", "))};
+  }
+  if (is_ceiling) return BoundFault{name + " is to be large", "write " + name + " >= it"};
+  if (!(bound >= 0 && bound <= kMostFloor)) return out_of_bounds(name, 0, kMostFloor);
+  if (std::ranges::count(bounds.floors, goal->goal, &solver::OptimiseFloor::of)) return twice();
+  bounds.floors.push_back({goal->goal, bound});
+  std::ranges::sort(bounds.floors, {}, &solver::OptimiseFloor::of);
+  return {};
+}
+
+Json bounds_json(const OptimiseBounds& bounds) {
+  Json list = Json::array();
+  for (const Ceiling& ceiling : kCeilings) {
+    if (bounds.*ceiling.bound) {
+      list.push_back(fmt::format("{} <= {}", ceiling.name, *(bounds.*ceiling.bound)));
+    }
+  }
+  for (const auto& [of, least] : bounds.floors) {
+    list.push_back(fmt::format("{} >= {}", name_of(of).name, least));
+  }
+  return list;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,51 @@
+// From draws that are accepted to where they end: the second half of an optimising search.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "schema/records/unit_record.hpp"
+
+namespace misalign::search {
+
+/// An accepted draw on its way to the sheet that is kept in its place: a pure function of the
+/// campaign and the draw.
+class DrawAscent {
+ public:
+  virtual ~DrawAscent() = default;
+  virtual bool finished() const = 0;
+  /// Looks at one more sheet.
+  virtual void advance() = 0;
+  /// As it is kept: the sheet at the end, its metrics, and how it came there.
+  virtual schema::Candidate take() = 0;
+};
+
+/// Begins with an accepted draw, whose metrics are not looked at.
+using BeginAscent = std::function<std::unique_ptr<DrawAscent>(schema::Candidate start)>;
+
+/// What the record of one takes in a message, as a rule, in bytes.
+inline constexpr std::size_t kUsualAscent_bytes = 4096;
+
+/// Those of a block's draws, one after the other.
+class Ascents {
+ public:
+  explicit Ascents(const BeginAscent& begin) : begin_(begin) {}
+
+  /// A block whose candidates are draws as they were accepted.
+  void begin(schema::UnitRecord block);
+  bool under_way() const { return block_.has_value(); }
+  /// Looks at one more sheet. A candidate that is as it is kept now; mostly none.
+  schema::Candidate* advance();
+  /// Whether all of the block's are.
+  bool finished() const { return next_ == block_->candidates.size(); }
+  schema::UnitRecord take();
+
+ private:
+  const BeginAscent& begin_;
+  std::optional<schema::UnitRecord> block_;
+  std::size_t next_ = 0;
+  std::unique_ptr<DrawAscent> one_;
+};
+
+}  // namespace misalign::search

@@ -1,0 +1,104 @@
+#include "search/sheets/optimised_draw.hpp"
+
+#include <cassert>
+#include <optional>
+
+#include "schema/exchange/optimise_json.hpp"
+#include "solver/design/ascent.hpp"
+#include "solver/pattern/parallel_family.hpp"
+
+namespace misalign::search {
+namespace {
+
+class OptimisedDraw final : public DrawAscent {
+ public:
+  // `asked` and `model` must outlive this object.
+  OptimisedDraw(const solver::OptimiseOptions& asked, const solver::Model& model,
+                schema::Candidate start);
+
+  bool finished() const override { return !ascent_ || ascent_->finished(); }
+  void advance() override { ascent_->advance(); }
+  schema::Candidate take() override;
+
+ private:
+  schema::Candidate candidate_;
+  solver::SheetSolver solver_;
+  std::optional<solver::Ascent> ascent_;  // none where the draw stays as it is
+};
+
+OptimisedDraw::OptimisedDraw(const solver::OptimiseOptions& asked, const solver::Model& model,
+                             schema::Candidate start)
+    : candidate_(std::move(start)), solver_(model) {
+  for (double& shift_mm : candidate_.shifts_mm.reshaped()) {
+    shift_mm = solver::on_grid(shift_mm, asked.grid_mm);  // a multiple by another product
+  }
+  const solver::Sheet sheet(solver_, candidate_.shifts_mm);
+  auto fitted = solver::fitted_start(sheet, asked);
+  if (fitted.study) {
+    ascent_.emplace(sheet, *std::move(fitted.study));
+    return;
+  }
+  const bool breaks_a_limit = fitted.fault && fitted.fault->name != "goal";
+  candidate_.ascent.emplace().ended = breaks_a_limit ? "breaks_a_limit" : "has_no_value";
+}
+
+schema::Candidate OptimisedDraw::take() {
+  assert(finished());
+  if (ascent_) {
+    const solver::Optimised found = ascent_->take();
+    candidate_.shifts_mm = found.best().shifts_mm;
+    schema::AscentRecord& ascent = candidate_.ascent.emplace();
+    ascent.start_value = found.start().value;
+    ascent.end_value = found.best().value;
+    ascent.steps = found.steps();
+    ascent.sheets_folded = found.looks;
+    ascent.ended = schema::name_of(found.end);
+    if (found.limits) {
+      ascent.limited_by =
+          schema::limits_json(solver_.model().mechanism(), found.options, *found.limits).dump();
+    }
+  }
+  const solver::Sheet end(solver_, candidate_.shifts_mm);
+  const solver::Model& model = solver_.model();
+  candidate_.metrics =
+      solver::measure(model.base(), end.vertices_mm(), end.record(), model.sample_deg());
+  return std::move(candidate_);
+}
+
+}  // namespace
+
+solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign) {
+  const schema::Optimisation& search = *campaign.search.optimisation;
+  const schema::Misalignment& draws = campaign.misalignment;
+  solver::OptimiseOptions asked;
+  asked.goal = search.goal;
+  asked.floors = search.bounds.floors;
+  asked.stroke_limit = search.bounds.stroke_max;
+  asked.largest_force_n = search.bounds.largest_force_n;
+  // Where nothing is asked of it any angle does at which all of them are on their way.
+  asked.deploying.from_deg = search.from_deg.value_or(campaign.threshold_deg / 2);
+  asked.deploying.sheet.springs.stiffness_n_per_mm = search.stiffness_n_per_mm;
+  asked.deploying.sheet.springs.preload.each_n = search.preload_n;
+  asked.shifted = draws.vertices;
+  asked.amplitude_mm = draws.amplitude_mm;
+  asked.ternary = search.ternary;
+  asked.grid_mm = search.grid_mm.value_or(0);
+  asked.deploys_from_sample = campaign.threshold_sample();
+  asked.least_slope_mm_per_deg = search.least_slope_mm_per_deg;
+  asked.most_steps = static_cast<int>(search.most_steps);
+  if (draws.parallel) {
+    asked.shifted = draws.parallel->family->vertices();
+    asked.moves = draws.parallel->family->basis();
+  }
+  return asked;
+}
+
+void optimise_if_asked(DrawEvaluator& evaluator) {
+  if (!evaluator.campaign().search.optimisation) return;
+  evaluator.ascend_with([asked = asked_of_ends(evaluator.campaign()),
+                         &model = evaluator.model()](schema::Candidate start) {
+    return std::make_unique<OptimisedDraw>(asked, model, std::move(start));
+  });
+}
+
+}  // namespace misalign::search

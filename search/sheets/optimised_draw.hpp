@@ -1,0 +1,16 @@
+// An accepted draw of an optimising search, made better.
+#pragma once
+
+#include "search/draws/draw_evaluator.hpp"
+#include "solver/design/optimise.hpp"
+
+namespace misalign::search {
+
+/// What the campaign asks of sheets that are made better: of the optimisation and the misalignment,
+/// all in its identity.
+solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign);
+
+/// Accepted draws go to their ends, if the campaign optimises.
+void optimise_if_asked(DrawEvaluator& evaluator);
+
+}  // namespace misalign::search
