@@ -105,6 +105,20 @@ void check_screened(SQLite::Database& database, const Campaign& campaign,
   }
 }
 
+void check_ascents(SQLite::Database& database, const Campaign& campaign,
+                   std::vector<Finding>& findings) {
+  if (!campaign.search.optimisation) return;
+  SQLite::Statement row(database,
+                        "SELECT candidate.draw, ascent.draw IS NULL FROM candidate LEFT JOIN "
+                        "ascent USING (draw) WHERE ascent.draw IS NULL OR start_value > end_value");
+  while (row.executeStep()) {
+    const std::string where = "draw " + std::to_string(draw_of(row.getColumn(0)));
+    const bool is_missing = row.getColumn(1).getInt() != 0;
+    findings.push_back(differs(where, "ascent", is_missing ? "none" : "less at its end",
+                               is_missing ? "one" : "no less"));
+  }
+}
+
 void check_level(const std::string& where, const LevelCount& level, const Splitting& splitting,
                  std::vector<Finding>& findings) {
   const auto compare = [&](const char* column, std::uint64_t stored, std::uint64_t expected) {

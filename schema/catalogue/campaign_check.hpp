@@ -22,6 +22,11 @@ std::optional<Finding> goal_fault(SQLite::Database& database, const CatalogueSta
 void check_screened(SQLite::Database& database, const Campaign& campaign,
                     std::vector<Finding>& findings);
 
+/// Of an optimising search: each candidate has its ascent, and a value that is no less than its
+/// start's.
+void check_ascents(SQLite::Database& database, const Campaign& campaign,
+                   std::vector<Finding>& findings);
+
 /// Of a population at a level, what the campaign knows: how many particles there are, and that each
 /// tries so many moves; of its first draws it takes those that survive.
 void check_level(const std::string& where, const LevelCount& level, const Splitting& splitting,

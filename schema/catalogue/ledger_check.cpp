@@ -1,6 +1,5 @@
 #include "schema/catalogue/ledger_check.hpp"
 
-#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -33,7 +32,6 @@ class LedgerCheck {
     sum_candidates();
     sum_levels();
     check_sheets_once();
-    check_ascents();
     count_undecided();
     count_fault_sample();
     check_units();
@@ -43,6 +41,7 @@ class LedgerCheck {
     check_digest();
     check_campaign_row(database_, campaign_, state_, findings_);
     check_screened(database_, campaign_, findings_);
+    check_ascents(database_, campaign_, findings_);
     check_runs(database_, campaign_, findings_);
     return {std::move(findings_), std::move(state_), std::move(why_no_state_)};
   }
@@ -175,10 +174,9 @@ class LedgerCheck {
   }
 
   std::string candidates_sql() const {
-    return campaign_.search.stores_sheets()
-               ? "SELECT draw, unit, deploys_from_sample, hash, displacements_mm "
-                 "FROM candidate LEFT JOIN sheet USING (draw)"
-               : "SELECT draw, unit, deploys_from_sample FROM candidate";
+    const std::string row = "SELECT draw, unit, deploys_from_sample";
+    if (!campaign_.search.stores_sheets()) return row + " FROM candidate";
+    return row + ", hash, displacements_mm FROM candidate LEFT JOIN sheet USING (draw)";
   }
 
   // The hash by which a sheet is known again, by its displacements.
@@ -216,20 +214,6 @@ class LedgerCheck {
     while (row.executeStep()) {
       add("draw " + std::to_string(draw_of(row.getColumn(0))), "sheet.hash",
           "that of draw " + std::to_string(draw_of(row.getColumn(1))), "its own");
-    }
-  }
-
-  // Each candidate has its own, and a value that is no less than its start's.
-  void check_ascents() {
-    if (!campaign_.search.optimisation || version_of(database_) < kAscentSince) return;
-    SQLite::Statement row(
-        database_,
-        "SELECT candidate.draw, ascent.draw IS NULL FROM candidate LEFT JOIN "
-        "ascent USING (draw) WHERE ascent.draw IS NULL OR start_value > end_value");
-    while (row.executeStep()) {
-      const std::string where = "draw " + std::to_string(draw_of(row.getColumn(0)));
-      const bool is_missing = row.getColumn(1).getInt() != 0;
-      add(where, "ascent", is_missing ? "none" : "less at its end", is_missing ? "one" : "no less");
     }
   }
 
@@ -274,7 +258,7 @@ class LedgerCheck {
   }
 
   void check_fault_sample() {
-    if (campaign_.search.optimisation) return;  // a sample is of the draw, a candidate its end
+    if (campaign_.search.optimisation) return;  // the sample is of the draw
     SQLite::Statement row(database_,
                           "SELECT draw, fault_sample.deploys_from_sample, "
                           "candidate.deploys_from_sample FROM fault_sample JOIN candidate USING "

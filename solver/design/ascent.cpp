@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "solver/design/local_program.hpp"
 #include "solver/design/worth.hpp"
 
 namespace misalign::solver {

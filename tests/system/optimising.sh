@@ -1,0 +1,118 @@
+# An optimising search: one digest whatever the ranks, kills, order, registers, files and functions of the C library;
+# ends that keep what is asked by other verbs' numbers, proven; and what cannot be is refused.
+# The long form: optimising.sh PROGRAM SOURCE_DIR KILLS [SEED].
+. "$(dirname "$0")/lib.sh"
+kills_wanted=${3:-6}
+RANDOM=${4:-1}
+draws=$((8 * kills_wanted))
+campaign() {  # FILE SEARCH
+  cat > "$1" << END
+{"name": "better", "pattern": {"family": "miura", "rows": 4, "columns": 4}, "accept": {"deploys_from_deg": 150},
+ "search": {"method": "optimise", $2}, "stop": {"draws": $draws}}
+END
+}
+campaign better.json '"from_deg": 36, "subject_to": ["stroke_max <= 0.06", "miscut_margin_mm >= 0.005"]'
+search() { "$program" search better.json --progress none "$@" > out 2> err; }
+
+search --catalogue calm.db || fail "search: $(cat err)"
+cat out
+sound calm.db $draws
+expected=$(digest_of calm.db)
+[ "$(sql calm.db 'SELECT (SELECT count(*) FROM ascent) = count(*) AND count(*) > 5 FROM candidate')" = 1 ] || fail "ascents"
+[ "$(sql calm.db "SELECT count(*) > 3 AND min(end_value > start_value) FROM ascent WHERE steps > 0")" = 1 ] || fail "nothing is better"
+"$program" verify calm.db --all --units 100 > out || { fail "verify"; cat out; }
+"$program" certify calm.db --all > out || fail "certify"
+[ "$(sql calm.db 'SELECT min(certified_deg) >= 150 FROM certificate JOIN ascent USING (draw) WHERE steps > 0')" = 1 ] ||
+  fail "an end is not proven"
+"$program" certify calm.db --best 3 --by end_value --check > out || { fail "a proof is none"; cat out; }
+
+# Ranks, registers, other functions of the C library, halves that overlap, and kills at any moment.
+for n in 2 3; do
+  "${ranks[@]}" $n "$program" search better.json --progress none --unit-draws $((3 + n)) --catalogue ranks$n.db > /dev/null 2>&1
+done
+search --catalogue baseline.db --instruction-set baseline
+GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4 "$program" search better.json --progress none --catalogue library.db > out 2> err
+search --catalogue a.db --range 0:$((draws / 2 + 5))
+search --catalogue b.db --range $((draws / 2 - 5)):$draws
+"$program" merge joined.db b.db a.db > out || { fail "merge"; cat out; }
+hit=0 ended=0
+while [ $hit -lt "$kills_wanted" ] && [ $failures = 0 ]; do
+  some=$(sql killed.db 'SELECT count(*) FROM unit' 2> /dev/null)
+  "${ranks[@]}" $((1 + RANDOM % 3)) "$program" search better.json --progress none --unit-draws 4 --catalogue killed.db > /dev/null 2>&1 &
+  search=$!
+  goes_on_or_ended() {
+    gives_1 killed.db "SELECT count(*) > ${some:-0} FROM unit" || ! kill -0 $search 2> /dev/null
+  }
+  eventually "a unit more than ${some:-0}" goes_on_or_ended
+  sleep 0.$((RANDOM % 3))$((RANDOM % 10))
+  if pkill -KILL -f -- "^$program search .*--catalogue killed.db"; then
+    hit=$((hit + 1))
+  else
+    ended=$((ended + 1))
+    rm -f killed.db*
+  fi
+  { wait $search; } 2> /dev/null
+done
+echo "$hit kills of a search under way, $ended came too late"
+# A signal hands in what is done, and drops the block that is on its way.
+search --catalogue killed.db --max-time 1
+sound_so_far killed.db
+search --catalogue killed.db
+for file in ranks2 ranks3 baseline library joined killed; do
+  sound $file.db $draws
+  [ "$(digest_of $file.db)" = "$expected" ] || fail "$file: another digest"
+  [ "$(sql $file.db 'SELECT draw, start_value, end_value, steps, sheets_folded, ended, limited_by FROM ascent' | cksum)" = \
+    "$(sql calm.db 'SELECT draw, start_value, end_value, steps, sheets_folded, ended, limited_by FROM ascent' | cksum)" ] ||
+    fail "$file: other ways"
+done
+
+# The best end as a file, by other verbs.
+best=$("$program" query calm.db ends --csv 2> /dev/null | sed -n 2p | cut -d, -f1)
+end_value=$(sql calm.db "SELECT end_value FROM ascent WHERE draw = $best")
+file=$("$program" export calm.db --best 1 --by end_value --output found)
+grep -q "$best" <<< "$file" || fail "the best is another: $file, $best"
+"$program" deploy "$file" --from 36 --stiffness 50 --json > let_go.json || fail "deploy"
+"$program" fold "$file" --json > folded.json || fail "fold"
+json_test let_go.json "abs(json_extract(j, '\$.critical_friction_n_mm_per_mm') / $end_value - 1) < 1e-9" || fail "worth something else"
+json_test folded.json "json_extract(j, '\$.verdict.deploys_from_deg') >= 150" || fail "D"
+json_test folded.json "(SELECT max(abs(l.value / json_extract(d.value, '\$.flat_mm') - 1)) <= 0.06 FROM json_each(j, '\$.diagonals') d,
+  json_each(d.value, '\$.length_mm') l WHERE l.key < 150)" || fail "a longer stroke"
+[ "$(sql calm.db "SELECT miscut_margin_mm >= 0.005 FROM candidates WHERE draw = $best")" = 1 ] || fail "a smaller margin"
+# From the draw once more, and as it is stored; a draw that is not accepted is its own.
+for again in '' --again; do
+  # shellcheck disable=SC2086
+  "$program" replay calm.db "$best" $again --json > "replayed$again.json" || fail "replay $again"
+done
+cmp -s replayed.json replayed--again.json || fail "made again it is another"
+other=$(sql calm.db "WITH RECURSIVE n(k) AS (SELECT 0 UNION ALL SELECT k + 1 FROM n WHERE k < $draws - 1)
+  SELECT min(k) FROM n WHERE k NOT IN (SELECT draw FROM candidate)")
+"$program" replay calm.db "$other" > out && grep -q 'not accepted' out || fail "a draw that is rejected"
+"$program" status calm.db --json > state.json
+json_test state.json "abs(json_extract(j, '\$.ends.best') - $end_value) < 1e-12" || fail "status"
+"$program" status calm.db | grep -q 'critical_friction_n_mm_per_mm .* at best' || fail "status in words"
+
+# What was changed in the file is found.
+cp calm.db changed.db
+sqlite3 changed.db "UPDATE ascent SET end_value = end_value * 1.001 WHERE draw = $best"
+"$program" verify changed.db --all > out && fail "a value that is none"
+grep -q "draw $best: ascent.end_value" out || fail "it is not named: $(cat out)"
+
+# Other goals and shifts.
+for way in '"maximise": "miscut_margin_mm"' '"from_deg": 36, "shifts": "ternary"' '"from_deg": 36, "grid_mm": 0.1, "preload_n": 0.1'; do
+  campaign other.json "$way"
+  "$program" search other.json --draws 12 --progress none --catalogue other.db > /dev/null 2> err || fail "$way: $(cat err)"
+  "$program" verify other.db --all --units 100 > out || { fail "$way"; cat out; }
+  [ "$(sql other.db 'SELECT count(*) > 1 AND max(end_value > 1.1 * start_value) FROM ascent')" = 1 ] || fail "$way: nothing is better"
+  rm other.db
+done
+
+# All that is wrong at once, and nothing is begun.
+campaign wrong.json '"maximise": "friction", "subject_to": ["stroke <= 0.1", "stroke_max >= 0.1"], "shifts": "ternarry"'
+"$program" search wrong.json --catalogue wrong.db > out 2> err
+[ $? = 3 ] && grep -q 'search.maximise' err && grep -q 'did you mean stroke_max' err && grep -q 'is to be small' err &&
+  grep -q 'search.shifts' err || fail "faults: $(cat err)"
+[ ! -e wrong.db ] || fail "something was begun"
+campaign wrong.json '"maximise": "static_friction_n_mm_per_mm"'
+"$program" search wrong.json --catalogue wrong.db > out 2> err
+[ $? = 3 ] && grep -q 'misalign optimise' err || fail "a goal of single sheets: $(cat err)"
+finish
