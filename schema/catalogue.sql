@@ -259,6 +259,7 @@ SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_pe
          AS yield_amplitude_mm,
        (SELECT certified_deg FROM certificate WHERE certificate.draw = candidate.draw)
          AS certified_deg,
+       (SELECT start_value FROM ascent WHERE ascent.draw = candidate.draw) AS start_value,
        (SELECT end_value FROM ascent WHERE ascent.draw = candidate.draw) AS end_value
 FROM candidate;
 

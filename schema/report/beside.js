@@ -1,6 +1,7 @@
-// Two sheets side by side: the one that is picked, and one that is held. State "beside" is its draw.
+// Two sheets side by side: the one that is picked, and one that is held. State "beside" is its draw,
+// or "start": the draw from which an optimising search made the one that is picked.
 import { show_when_wide } from "./chart.js";
-import { decode_detail, last_sample_up_to, values_of } from "./data.js";
+import { decode_lengths, last_sample_up_to, values_of } from "./data.js";
 import { by_id, h } from "./format.js";
 import { make_histories } from "./histories.js";
 import { metrics, with_unit } from "./metrics.js";
@@ -14,8 +15,22 @@ function which_is_better({ better, none_is_best }, first, second) {
   return first < second === (better === "less") ? -1 : 1;
 }
 
-function comparison(report, candidates, held, picked) {
-  const [one, other] = [held, picked].map((draw) => values_of(report, candidates, draw));
+const kStart = "start";
+
+/** The one that is held, of the one that is picked: { name, values, detail }; nothing if there is none. */
+function held_one(report, candidates, held, picked) {
+  const detail_of = (draw) => report.details.find((entry) => entry.draw === draw);
+  if (held !== kStart) {
+    return { name: heading(report, held), values: values_of(report, candidates, held), detail: detail_of(held) };
+  }
+  const ascent = detail_of(picked)?.ascent;
+  if (!ascent) return null;
+  const name = `${heading(report, picked)} as drawn`;
+  return { name, values: { ...ascent.start.metrics, end_value: ascent.start_value }, detail: ascent.start };
+}
+
+function comparison(report, candidates, { name, values: one }, picked) {
+  const other = values_of(report, candidates, picked);
   const cell = (metric, values, is_better) =>
     h("td", is_better ? { class: "better", title: "The better of the two" } : {}, with_unit(metric, values[metric.name]));
   const lines = metrics
@@ -27,7 +42,7 @@ function comparison(report, candidates, held, picked) {
         cell(metric, one, which < 0),
         cell(metric, other, which > 0));
     });
-  const heads = ["", heading(report, held), heading(report, picked)];
+  const heads = ["", name, heading(report, picked)];
   return h("table", { class: "beside" },
     h("thead", {}, h("tr", {}, heads.map((text) => h("th", { scope: "col" }, text)))),
     h("tbody", {}, lines));
@@ -45,6 +60,7 @@ class Beside {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
     by_id("beside-card").hidden = is_pattern(report);
     by_id("hold").addEventListener("click", () => state.set("beside", state.get("picked")));
+    by_id("hold-start").addEventListener("click", () => state.set("beside", kStart));
     by_id("release").addEventListener("click", () => state.set("beside", ""));
     state.on("beside", () => this.show());
     state.on("picked", () => this.show());
@@ -57,32 +73,35 @@ class Beside {
   show() {
     const held = this.#state.get("beside"),
       picked = this.#state.get("picked"),
-      is_shown = held !== "" && held !== picked && picked !== null;
+      one = held !== "" && held !== picked && picked !== null ? held_one(this.#report, this.#candidates, held, picked) : null;
     by_id("hold").hidden = held === picked;
+    by_id("hold-start").hidden = held === kStart || !held_one(this.#report, this.#candidates, kStart, picked);
     by_id("release").hidden = held === "";
     by_id("beside-words").textContent =
       held === ""
         ? "Hold this one, and pick another: their numbers and their diagonals stand side by side."
-        : is_shown
+        : one
           ? "In bold the better of each two."
-          : `${heading(this.#report, held)} is held. Pick another one.`;
+          : held === kStart
+            ? "The draw that a sheet was made of is held. Pick one with all details."
+            : `${heading(this.#report, held)} is held. Pick another one.`;
     by_id("beside").replaceChildren(
-      ...(is_shown ? [comparison(this.#report, this.#candidates, held, picked)] : []),
+      ...(one ? [comparison(this.#report, this.#candidates, one, picked)] : []),
     );
-    this.#show_histories(is_shown ? held : null);
+    this.#show_histories(one);
   }
 
-  #show_histories(held) {
+  #show_histories(one) {
     const report = this.#report,
-      detail = report.details.find((entry) => entry.draw === held);
+      detail = one?.detail;
     by_id("beside-figure").hidden = !detail;
     this.#histories = null;
     if (!detail) {
       by_id("beside-histories").replaceChildren();
       return;
     }
-    const decoded = decode_detail(detail, report);
-    by_id("beside-title").textContent = `Lengths of the diagonals of ${heading(report, held).toLowerCase()}`;
+    const decoded = decode_lengths(detail, report);
+    by_id("beside-title").textContent = `Lengths of the diagonals of ${one.name.toLowerCase()}`;
     const along = { state: this.#held_state, detail, decoded, end_deg: end_of_path(report) };
     this.#histories = { decoded, chart: make_histories(h("p"), report, along) };
     this.#follow();

@@ -65,6 +65,20 @@ const search_words = ({ levels_deg, particles, sweeps, first_draws }, known) =>
   `At each level the sheets that came there are copied until there are ${plural(particles, "particle")}, ` +
   `and all of them are moved at random within the level, in ${plural(sweeps, "sweep")}.`;
 
+const kGoals = {
+  critical_friction_n_mm_per_mm: "it overcomes the most friction",
+  miscut_margin_mm: "it has the largest margin against miscuts",
+};
+
+/** What becomes of accepted draws in an optimising search. */
+const ascent_words = ({ method, maximise, subject_to, from_deg, shifts, grid_mm }) =>
+  method === "optimise"
+    ? ` From each accepted draw it goes on in steps to sheets near it, until ${kGoals[maximise] ?? maximise}` +
+      `${from_deg === null ? "" : ` from ${degrees(from_deg)}`}${subject_to.length ? `, with ${subject_to.join(" and ")}` : ""}; ` +
+      `ends are shifted ${shifts === "ternary" ? "as draws are" : grid_mm === null ? "freely within the amplitude" : `in steps of ${grid_mm} mm`}. ` +
+      "A candidate is the sheet at the end."
+    : "";
+
 export function asked(report) {
   const { pattern, misalignment, path, accept, search } = report.campaign.configuration,
     { between_samples } = accept;
@@ -73,6 +87,7 @@ export function asked(report) {
     `of every hole only grows or only shrinks from flat to a pilot fold angle of ${degrees(accept.deploys_from_deg)} or more` +
     `${stop_words(accept, report.actuators)}. It is measured every ${degrees(path.sample_deg)} up to ` +
     `${degrees(path.end_deg)}${kBetween[between_samples] ?? ""}.` +
-    (is_splitting(report) ? search_words(search, report.state.ladder.levels.length - 1) : "")
+    (is_splitting(report) ? search_words(search, report.state.ladder.levels.length - 1) : "") +
+    ascent_words(search)
   );
 }

@@ -57,16 +57,13 @@ function curve(lists, name) {
   return Array.from(floats(lists.time_s), (time, k) => [time, values[k]]);
 }
 
-/** A draw's histories: n samples, the first of them flat. */
-export function decode_detail(detail, report) {
+/** A draw's lengths: n samples, the first of them flat. */
+export function decode_lengths(detail, report) {
   const diagonals = report.diagonals.length,
-    vertices = report.sheet.vertices_mm.length;
-  const samples = detail.pilot_deg.length;
-  const length_mm = floats(detail.length_mm);
-  const packed = new Int16Array(bytes_of(detail.vertices_mm.data));
-  const coordinates = Float32Array.from(packed, (value) => value * detail.vertices_mm.unit_mm);
-  const relative = (k, d) => length_mm[k * diagonals + d] / length_mm[d];
-  const depth = last_sample_up_to(detail.pilot_deg, detail.verdict.deploys_from_deg);
+    samples = detail.pilot_deg.length,
+    length_mm = floats(detail.length_mm),
+    relative = (k, d) => length_mm[k * diagonals + d] / length_mm[d],
+    depth = last_sample_up_to(detail.pilot_deg, detail.verdict.deploys_from_deg);
   return {
     samples,
     depth,
@@ -78,8 +75,16 @@ export function decode_detail(detail, report) {
     grows: report.diagonals.map(
       (_, d) => relative(Math.max(depth, Math.min(1, samples - 1)), d) >= 1,
     ),
-    vertex_count: vertices,
-    vertices_mm: coordinates,
+  };
+}
+
+/** All of its histories. */
+export function decode_detail(detail, report) {
+  const packed = new Int16Array(bytes_of(detail.vertices_mm.data));
+  return {
+    ...decode_lengths(detail, report),
+    vertex_count: report.sheet.vertices_mm.length,
+    vertices_mm: Float32Array.from(packed, (value) => value * detail.vertices_mm.unit_mm),
     energy_n_mm: floats(detail.energy_n_mm),
     moment_n_mm: floats(detail.moment_n_mm),
     mechanical_advantage: floats(detail.mechanical_advantage),

@@ -1,5 +1,6 @@
 // The selected draw: everything that is known of it, and the views that move together.
 import { make_actuation, show_actuation_words } from "./actuation.js";
+import { show_ascent } from "./ascent.js";
 import {
   show_certificate,
   show_commands,
@@ -77,6 +78,7 @@ export class Inspector {
       this.#candidates,
       report,
     );
+    show_ascent(by_id("ascent"), detail);
     show_certificate(by_id("certificate"), report, draw);
     show_yields(by_id("yields"), report, draw);
     show_commands(by_id("commands"), report, draw, this.#state);

@@ -1,4 +1,5 @@
 // Sliders that say which candidates suffice: my angle, my friction. Each writes its condition into the filter.
+import { bounds_in, with_bounds } from "./conditions.js";
 import { by_id, h, number } from "./format.js";
 import { metric_of, with_unit } from "./metrics.js";
 
@@ -7,19 +8,6 @@ const kLimits = [
   { name: "critical_friction_n_mm_per_mm", says: "My friction" },
 ];
 const kSteps = 200;
-
-/** The filter with this condition in place of the one on that column; without a value none. */
-export function with_limit(filter, name, value) {
-  const condition = new RegExp(`(^|\\s)${name} >= [^\\s]+`, "g");
-  const rest = filter.replace(condition, " ").replace(/\s+/g, " ").trim();
-  return value === null ? rest : `${rest} ${name} >= ${value}`.trim();
-}
-
-/** The value of that condition; null: there is none. */
-export function limit_in(filter, name) {
-  const found = new RegExp(`(?:^|\\s)${name} >= ([^\\s]+)`).exec(filter);
-  return found && Number.isFinite(Number(found[1])) ? Number(found[1]) : null;
-}
 
 function slider({ name, says }, values, state) {
   const known = values.filter((value) => value !== null);
@@ -32,10 +20,10 @@ function slider({ name, says }, values, state) {
   });
   const value_of = (place) => (place === 0 ? null : Number((least + place * step).toPrecision(3)));
   input.addEventListener("input", () => {
-    state.set("filter", with_limit(state.get("filter"), name, value_of(Number(input.value))));
+    state.set("filter", with_bounds(state.get("filter"), name, { least: value_of(Number(input.value)) }));
   });
   const show = (filter) => {
-    const value = limit_in(filter, name);
+    const value = bounds_in(filter, name).least;
     input.value = value === null ? 0 : Math.round((value - least) / step);
     out.textContent = value === null ? "any" : with_unit({ ...metric_of[name], text: (v) => number(v) }, value);
   };

@@ -9,6 +9,7 @@ import { Inspector } from "./inspector.js";
 import { show_overview } from "./overview.js";
 import { first_axes, make_scatter, metrics_of } from "./scatter.js";
 import { make_limits } from "./limits.js";
+import { make_parallel } from "./parallel.js";
 import { link_manual } from "./manual.js";
 import { make_state } from "./state.js";
 import { make_table, save_rows } from "./table.js";
@@ -74,6 +75,7 @@ function show_candidates(report, candidates, state) {
   const { name } = report.campaign;
   const table = make_table(by_id("table"), candidates, state);
   make_scatter(by_id("scatter"), candidates, state, name);
+  make_parallel(by_id("parallel"), candidates, state);
   make_filter_field(candidates, table, state);
   make_limits(candidates, state);
   make_columns_menu(candidates, state);
@@ -186,7 +188,7 @@ function follow_the_address(candidates, table, state) {
   const known = {
     picked: (draw) => candidates.row_of.has(draw) || detailed(draw),
     filter: () => true, // whatever is wrong with it is said below the field
-    beside: (draw) => candidates.row_of.has(draw) || detailed(draw),
+    beside: (draw) => draw === "start" || candidates.row_of.has(draw) || detailed(draw),
     sort: (words) => is_order(words, candidates),
     columns: (words) => is_choice(words, candidates),
     across: (name) => metrics_of(candidates).some((metric) => metric.name === name),

@@ -75,6 +75,27 @@ const kCertified = [
       "Up to here `misalign certify` has proven that it folds in one way and every diagonal only grows or only shrinks, at every pilot fold angle.",
   },
 ];
+// Of an optimising search, in the unit of its goal.
+const kEnds = [
+  {
+    name: "start_value",
+    label: "worth as drawn",
+    unit: "",
+    better: "more",
+    may_be_unknown: true,
+    text: (v) => number(v),
+    about: "What the draw itself was worth, by the campaign’s goal (search.maximise), before it was made better.",
+  },
+  {
+    name: "end_value",
+    label: "worth",
+    unit: "",
+    better: "more",
+    may_be_unknown: true,
+    text: (v) => number(v),
+    about: "What this sheet is worth by the campaign’s goal: N mm per mm of friction, or mm of margin against miscuts.",
+  },
+];
 const kEnergy = [
   {
     name: "energy_n_mm",
@@ -95,7 +116,7 @@ const kOfStudies = words.columns_of_studies
   text: (v) => number(v),
   about: meaning,
 }));
-const kAfter = { reverses_at_deg: kCertified, miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kOfStudies] };
+const kAfter = { reverses_at_deg: [...kCertified, ...kEnds], miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kOfStudies] };
 
 export const metrics = kStored.flatMap((metric) => [metric, ...(kAfter[metric.name] ?? [])]);
 

@@ -228,21 +228,29 @@ Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism) {
           {"ball_joints", balls},    {"pilot", {pilot.a, pilot.b}}};
 }
 
+Json path_json(const FoldingView& view) {
+  const solver::Metrics* const metrics = view.sheet.metrics();
+  std::vector<double> pilot_deg = {0};
+  for (const solver::Station& station : view.history.stations) {
+    pilot_deg.push_back(station.pilot_deg);
+  }
+  return {{"verdict", verdict_json(view)},
+          {"fold_limit_deg", view.history.path.fold_limit_deg},
+          {"metrics", metrics ? metrics_json(*metrics) : Json()},
+          {"displacements_mm", displacements_json(view.shifts_mm)},
+          {"pilot_deg", pilot_deg},
+          {"length_mm", floats(lengths_row_by_row(view.history))}};
+}
+
 Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
                  const solver::Actuation& actuation) {
-  const solver::Metrics* const metrics = view.sheet.metrics();
-  Json json = {{"draw", std::to_string(draw)},
+  Json json = path_json(view);
+  json.update({{"draw", std::to_string(draw)},
                {"accepted", accepted},
-               {"verdict", verdict_json(view)},
-               {"fold_limit_deg", view.history.path.fold_limit_deg},
-               {"metrics", metrics ? metrics_json(*metrics) : Json()},
-               {"displacements_mm", displacements_json(view.shifts_mm)},
-               {"pilot_deg", actuation.pilot_deg},
-               {"length_mm", floats(lengths_row_by_row(view.history))},
                {"vertices_mm", shapes_json(view.sheet)},
                {"energy_n_mm", floats(actuation.energy_n_mm)},
                {"moment_n_mm", floats(actuation.moment_n_mm)},
-               {"mechanical_advantage", floats(actuation.mechanical_advantage)}};
+               {"mechanical_advantage", floats(actuation.mechanical_advantage)}});
   json.update(limits_json(actuation));
   return json;
 }

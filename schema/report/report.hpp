@@ -40,6 +40,9 @@ Json faults_json(SQLite::Database& database, const Campaign& campaign);
 /// The unshifted sheet: vertices, panels, holes, creases, cuts, ball joints, pilot.
 Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism);
 
+/// Of a sheet's path what stands beside another's: verdict, metrics, shifts, lengths in base64.
+Json path_json(const FoldingView& view);
+
 /// A draw to look at, flat first: histories, shapes and springs in base64, so that dozens of them
 /// make no large page. Shapes are seen from the middle of the flat sheet, in whole numbers of
 /// hundredths of a mm (more on sheets that reach farther than 320 mm).

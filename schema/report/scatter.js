@@ -5,6 +5,7 @@ import { plot_with_room, when_wide } from "./chart.js";
 import { count, h, plural, power, powers, with_modifier } from "./format.js";
 import { axis_title, metrics, metric_of, with_unit } from "./metrics.js";
 import { add_saving } from "./save.js";
+import { front_of } from "./front.js";
 import { colour, on_theme } from "./theme.js";
 
 const kHeight = 400,
@@ -104,6 +105,7 @@ class Scatter {
       event.preventDefault();
       pick(row);
     });
+    document.getElementById("scatter-front").addEventListener("change", () => this.#paint());
     this.#state.on("order", () => this.#paint());
     this.#state.on("picked", () => this.#paint());
     on_theme(() => this.#paint());
@@ -189,16 +191,34 @@ class Scatter {
         pen.stroke();
       }
     }
-    this.#say(order);
+    const front = this.#front(order);
+    this.#paint_front(pen, front);
+    this.#say(order, front);
   }
 
-  #say(order) {
+  /** Of those that are shown the ones than which none is better in both metrics, along the first. */
+  #front(order) {
+    if (!document.getElementById("scatter-front").checked) return [];
+    const placed = order.filter((row) => this.#has_place(row)),
+      goals = this.#metrics().map(({ name, better }) => ({ values: this.#candidates.columns[name], better }));
+    return front_of(placed, goals).sort((a, b) => this.#xs[a] - this.#xs[b]);
+  }
+
+  #paint_front(pen, front) {
+    [pen.strokeStyle, pen.lineWidth, pen.globalAlpha] = [colour("ink"), 1.5, 1];
+    pen.beginPath();
+    for (const row of front) pen.lineTo(this.#xs[row], this.#ys[row]);
+    pen.stroke();
+  }
+
+  #say(order, front) {
     const missing = order.filter((row) => !this.#has_place(row)).length;
     document.getElementById("scatter-note").textContent =
       `${plural(order.length - missing, "candidate")} shown` +
       (missing ? `, ${count(missing)} without a value on these axes` : "") +
       (order.length < this.#candidates.count ? "; faint: those the filter leaves out" : "") +
-      ". Ringed: with all details in this report.";
+      ". Ringed: with all details in this report." +
+      (front.length ? ` On the line: ${count(front.length)} than which none is better in both.` : "");
   }
 
   #nearest(event) {

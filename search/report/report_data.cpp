@@ -14,6 +14,7 @@
 #include "schema/files/json_values.hpp"
 #include "schema/files/suggestion.hpp"
 #include "schema/report/report.hpp"
+#include "search/draws/draw.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/study_functions.hpp"
@@ -76,7 +77,15 @@ DetailedDraws detailed_draws(SQLite::Database& database, const Json& candidates,
 Json detail_json(SQLite::Database& database, const schema::Campaign& campaign, FoldingModel& model,
                  std::uint64_t draw, const ReportDetails& details) {
   const solver::Sheet sheet = model.sheet(shifts_of_number(database, campaign, draw));
-  return details.of_draw(sheet, draw, campaign.accepts(sheet.history().verdict));
+  Json json = details.of_draw(sheet, draw, campaign.accepts(sheet.history().verdict));
+  if (!campaign.search.optimisation) return json;
+  Json ascent = schema::read_ascent(database, draw);
+  if (!ascent.is_object()) return json;
+  ascent["limited_by"] = schema::json_of(ascent["limited_by"]);
+  const solver::Sheet start = model.sheet(shifts_of_draw(campaign, draw));
+  ascent["start"] = schema::path_json({campaign.pattern, start});
+  json["ascent"] = std::move(ascent);
+  return json;
 }
 
 Json details_json(SQLite::Database& database, const schema::Campaign& campaign, FoldingModel& model,

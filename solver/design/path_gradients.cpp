@@ -119,11 +119,13 @@ std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_fold
     with.hold_closed(row);
     found.length_by_mm.row(d) = row.transpose();
   }
+  for (Index c = 0; c < creases; ++c) {
+    found.fold_deg(c) = mechanism.side * angle_deg(with.state.creases[static_cast<std::size_t>(c)]);
+  }
   if (!with_folds) return found;
   const double deg_per_mm = 1 / (kRadPerDeg * mechanism.panel_width_mm);
   for (Index c = 0; c < creases; ++c) {
     const auto crease = static_cast<std::size_t>(c);
-    found.fold_deg(c) = mechanism.side * angle_deg(with.state.creases[crease]);
     if (static_cast<int>(crease) == mechanism.pilot) continue;
     with.rates.setZero();
     with.rates(mechanism.creases[crease].column) = mechanism.side * deg_per_mm;

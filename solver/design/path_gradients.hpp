@@ -36,7 +36,7 @@ class PathGradients {
   ~PathGradients();
 
   /// On the way, between flat and its end: states are corrected there. Flat, only lengths change.
-  /// None where the correction fails.
+  /// None where the correction fails; without folds their gradients are 0.
   std::optional<AngleGradients> at(double pilot_deg, bool with_folds = true);
   /// None where the way does not end at a fold limit.
   std::optional<LimitGradient> fold_limit();

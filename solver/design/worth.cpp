@@ -1,12 +1,16 @@
 #include "solver/design/worth.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "solver/design/path_gradients.hpp"
 
 namespace misalign::solver {
 namespace {
 
 // Creases stay so far from folded flat: more than rounding, less than what steps leave.
-constexpr double kFromFlat_deg = 1e-4;
+// Nearer ones are solved, since ways are off by thousandths of a degree between their stations.
+constexpr double kFromFlat_deg = 1e-4, kSolvedNearFlat_deg = 0.1;
 
 // As columns of catalogues have it.
 double stroke(const Sheet& sheet) {
@@ -65,7 +69,10 @@ bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
   if (sheet.way()->end_deg() < to_deg) return true;  // its end is the sample, but for rounding
   Eigen::VectorXd folds_rad, rates;
   sheet.way()->find_creases(sheet.way()->x_of(to_deg), folds_rad, rates);
-  return folds_rad.cwiseAbs().maxCoeff() <= (180 - kFromFlat_deg) * kRadPerDeg;
+  const double fold_deg = folds_rad.cwiseAbs().maxCoeff() / kRadPerDeg;
+  if (std::abs(fold_deg - 180) > kSolvedNearFlat_deg) return fold_deg < 180;
+  const auto solved = PathGradients(sheet).at(to_deg, false);
+  return solved && solved->fold_deg.cwiseAbs().maxCoeff() <= 180 - kFromFlat_deg;
 }
 
 std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options) {

@@ -27,6 +27,7 @@ import {
   faults_checks,
   figures_check,
 } from "./overview_checks.mjs";
+import { parallel_checks } from "./parallel_checks.mjs";
 import { by, check, data_of, say, state, summary, together } from "./reading.mjs";
 import { scatter_checks } from "./scatter_checks.mjs";
 import { table_checks } from "./table_checks.mjs";
@@ -45,6 +46,7 @@ async function choosing_checks(page, data) {
   await table_checks(page, data);
   await layout_checks(page, data);
   await scatter_checks(page, data);
+  await parallel_checks(page, data);
   await yield_checks(page, data);
   await certificate_checks(page, data);
   await no_detail_checks(page, data);
