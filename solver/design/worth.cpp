@@ -1,7 +1,6 @@
 #include "solver/design/worth.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "solver/design/path_gradients.hpp"
 
@@ -9,8 +8,7 @@ namespace misalign::solver {
 namespace {
 
 // Creases stay so far from folded flat: more than rounding, less than what steps leave.
-// Nearer ones are solved, since ways are off by thousandths of a degree between their stations.
-constexpr double kFromFlat_deg = 1e-4, kSolvedNearFlat_deg = 0.1;
+constexpr double kFromFlat_deg = 1e-4;
 
 // As columns of catalogues have it.
 double stroke(const Sheet& sheet) {
@@ -67,10 +65,7 @@ bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
   const auto& reverses_deg = sheet.record().extremes.reverses_deg;
   if (reverses_deg && *reverses_deg <= to_deg) return false;
   if (sheet.way()->end_deg() < to_deg) return true;  // its end is the sample, but for rounding
-  Eigen::VectorXd folds_rad, rates;
-  sheet.way()->find_creases(sheet.way()->x_of(to_deg), folds_rad, rates);
-  const double fold_deg = folds_rad.cwiseAbs().maxCoeff() / kRadPerDeg;
-  if (std::abs(fold_deg - 180) > kSolvedNearFlat_deg) return fold_deg < 180;
+  // Solved: between their stations ways are off by thousandths of a degree, next to limits by more.
   const auto solved = PathGradients(sheet).at(to_deg, false);
   return solved && solved->fold_deg.cwiseAbs().maxCoeff() <= 180 - kFromFlat_deg;
 }
