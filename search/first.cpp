@@ -3,6 +3,7 @@
 #include "schema/files/user_error.hpp"
 #include "search/ranks/process_start.hpp"
 #include "search/ranks/stop_signal.hpp"
+#include "search/sheets/front_query.hpp"
 #include "search/sheets/optimised_draw.hpp"
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/study_functions.hpp"
@@ -27,6 +28,11 @@ void certify_if_asked(DrawEvaluator& evaluator) {
 void optimise_if_asked(DrawEvaluator& evaluator) {
   if (!evaluator.campaign().search.optimisation) return;
   throw whole_program_needed("makes no draw better");
+}
+
+std::string front_sql(SQLite::Database& /*database*/, const std::vector<std::string>& /*words*/,
+                      const std::string& /*where*/) {
+  throw whole_program_needed("finds no front");
 }
 
 // No sheet is studied here.

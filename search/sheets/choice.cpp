@@ -266,12 +266,13 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
 
 }  // namespace
 
-std::string column_sql(SQLite::Database& database, const std::string& word) {
+std::string column_sql(SQLite::Database& database, const std::string& word,
+                       const std::string& parameter) {
   const std::vector<std::string> columns = columns_of_candidates(database);
   const std::string name = word.substr(0, word.find('('));
   if (!is_word_of_candidates(word, columns)) {
     throw schema::UserError(solver::OptionFault{
-        "columns", word, "is no column or function of a candidate" + column_meant(name, columns),
+        parameter, word, "is no column or function of a candidate" + column_meant(name, columns),
         fmt::format("choose one of {}", fmt::join(words_of_candidates(columns), ", "))});
   }
   return schema::in_full(word) + " AS \"" + word + "\"";

@@ -28,8 +28,9 @@ inline constexpr std::uint64_t kDiverseAmong = 1000;
 std::string best_sql(SQLite::Database& database, const std::string& columns, const Choice& choice);
 
 /// A word of the candidates as a column of a SELECT: "thickness_mm(draw, 140) AS thickness_mm".
-/// UserError (bad_request, "columns") for any other.
-std::string column_sql(SQLite::Database& database, const std::string& word);
+/// UserError (bad_request, by this parameter) for any other.
+std::string column_sql(SQLite::Database& database, const std::string& word,
+                       const std::string& parameter = "columns");
 
 /// The draws that are chosen: those named, in their order; the best first, of those that `where`
 /// lets through; or all of those. Diverse ones are a spread (farthest first, from the best one on)

@@ -6,6 +6,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/study_table.hpp"
+#include "search/sheets/front_query.hpp"
 #include "search/sheets/query_text.hpp"
 #include "search/sheets/study_functions.hpp"
 #include "search/terminal/nothing_found.hpp"
@@ -16,7 +17,8 @@ namespace misalign::search {
 namespace {
 
 struct QueryCall {
-  std::string path, sql = "best";
+  std::string path, sql = "best", where;
+  std::optional<std::string> front;
   bool json = false, csv = false, unpaged = false;
 };
 
@@ -58,10 +60,27 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
   }
 }
 
+// "D, thickness_mm(draw, 140)": at commas outside of brackets.
+std::vector<std::string> listed(const std::string& typed) {
+  std::vector<std::string> words(1);
+  int depth = 0;
+  for (const char c : typed) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == ',' && depth == 0) {
+      words.emplace_back();
+    } else if (c != ' ' || !words.back().empty()) {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
 void query(const QueryCall& call) {
   const auto database = schema::open_for_reading(call.path);
   add_study_functions(*database, call.path);
-  const QueryText text = query_text(*database, call.sql);
+  const QueryText text = !call.front
+                             ? query_text(*database, call.sql)
+                             : QueryText{front_sql(*database, listed(*call.front), call.where), ""};
   look_ahead(*database, text.sql);
   if (!call.json && !call.csv) {
     show_rows(*database, text.name, text.sql, !call.unpaged);
@@ -97,11 +116,21 @@ Action query_verb(CLI::App& verb) {
       "length: stroke_max < 0.08 is 8 %.\n"
       "On a terminal the rows go through $PAGER [less].\n\n"
       "Examples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
+      "  misalign query results/miura-6x6-1a2b3c4d.db --front miscut_margin_mm,stroke_max\n"
       "  misalign query results/miura-6x6-1a2b3c4d.db --csv \\\n"
       "    \"SELECT draw FROM candidates WHERE stroke_max < 0.08\"");
   auto call = std::make_shared<QueryCall>();
   verb.add_option("CATALOGUE", call->path, "catalogue file")->required();
-  verb.add_option("QUERY", call->sql, "name or SQL [best]");
+  auto* const sql = verb.add_option("QUERY", call->sql, "name or SQL [best]");
+  auto* const front =
+      verb.add_option("--front", call->front,
+                      "of these columns or functions, such as end_value,miscut_margin_mm: the "
+                      "candidates than which none is as good in all and better in one")
+          ->excludes(sql)
+          ->type_name("NAME,NAME");
+  verb.add_option("--where", call->where, "the front of those alone for which this holds")
+      ->needs(front)
+      ->type_name("SQL");
   auto* json_flag = verb.add_flag("--json", call->json, "as JSON; a second column x is called x_2");
   verb.add_flag("--csv", call->csv, "as CSV; on a terminal control characters are escaped")
       ->excludes(json_flag);
