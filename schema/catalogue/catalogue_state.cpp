@@ -137,25 +137,6 @@ bool is_goal(const Goal& goal, std::uint64_t goal_end) {
          goal.accepted.value_or(0) <= kEndOfDraws && goal.relative_error.value_or(1) > 0;
 }
 
-EndsState read_ends(SQLite::Database& database, std::uint64_t goal_end) {
-  SQLite::Statement row(
-      database,
-      "WITH ended AS (SELECT * FROM ascent WHERE draw < ?) "
-      "SELECT (SELECT json_extract(configuration, '$.search.maximise') FROM campaign), "
-      "(SELECT count(DISTINCT hash) FROM sheet WHERE draw < ?1), "
-      "count(*) - count(start_value), max(end_value), "
-      "(SELECT end_value FROM ended WHERE end_value IS NOT NULL ORDER BY end_value LIMIT 1 "
-      "OFFSET (SELECT count(end_value) / 2 FROM ended)) FROM ended");
-  row.bind(1, stored(goal_end));
-  row.executeStep();
-  const auto value = [&](int column) {
-    return row.getColumn(column).isNull() ? std::nullopt
-                                          : std::optional(row.getColumn(column).getDouble());
-  };
-  return {text_of(row.getColumn(0)), draw_of(row.getColumn(1)), draw_of(row.getColumn(2)), value(3),
-          value(4)};
-}
-
 CatalogueState state_of(SQLite::Database& database) {
   std::optional<SQLite::Transaction> snapshot;  // one moment for all that follows
   if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
@@ -316,24 +297,8 @@ WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Colum
   return WeightedCount::of(draw_of(rows), draws);
 }
 
-namespace {
-
-Json row_of(SQLite::Database& database, const std::string& table, std::uint64_t draw) {
-  return reading(database, [&] {
-    SQLite::Statement row(database, "SELECT * FROM " + table + " WHERE draw = ?");
-    row.bind(1, stored(draw));
-    return row.executeStep() ? row_json(row) : Json();
-  });
-}
-
-}  // namespace
-
 Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
-  return row_of(database, "candidate", draw);
-}
-
-Json read_ascent(SQLite::Database& database, std::uint64_t draw) {
-  return row_of(database, "ascent", draw);
+  return row_of_draw(database, "candidate", draw);
 }
 
 std::uint64_t count_deploying_from(SQLite::Database& database, int sample) {

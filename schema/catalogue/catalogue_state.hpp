@@ -8,18 +8,11 @@
 #include "schema/campaign/campaign.hpp"
 #include "schema/campaign/goal.hpp"
 #include "schema/catalogue/database.hpp"
+#include "schema/catalogue/ends_state.hpp"
 #include "schema/catalogue/ladder_state.hpp"
 #include "schema/catalogue/weighted_count.hpp"
 
 namespace misalign::schema {
-
-/// Where draws of an optimising search ended, below the goal's end: values as its goal, none where
-/// no draw has one.
-struct EndsState {
-  std::string goal;
-  std::uint64_t sheets, kept_as_drawn;  ///< different ones; that broke a limit, or had no value
-  std::optional<double> best, median;
-};
 
 /// Totals of what lies below the goal's end.
 struct CatalogueState {
@@ -66,8 +59,6 @@ WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Colum
 
 /// A candidate's row, every column under its name; null if there is none.
 Json read_candidate(SQLite::Database& database, std::uint64_t draw);
-/// The same of its ascent, in a catalogue that has them.
-Json read_ascent(SQLite::Database& database, std::uint64_t draw);
 
 /// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw);

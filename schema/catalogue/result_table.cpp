@@ -247,6 +247,14 @@ std::vector<std::string> query_columns(SQLite::Database& database, const std::st
   });
 }
 
+Json row_of_draw(SQLite::Database& database, const std::string& table, std::uint64_t draw) {
+  return reading(database, [&] {
+    SQLite::Statement row(database, "SELECT * FROM " + table + " WHERE draw = ?");
+    row.bind(1, stored(draw));
+    return row.executeStep() ? row_json(row) : Json();
+  });
+}
+
 std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style) {
   std::string text;
   write_query(database, sql, style, [&](const std::string& piece) {

@@ -44,6 +44,8 @@ Json query_rows(SQLite::Database& database, const std::string& sql);
 /// The row that a statement stands at, every column under its name; a text that is no UTF-8 is made
 /// such.
 Json row_json(SQLite::Statement& row);
+/// The row of a draw in one of this program's own tables; null if there is none.
+Json row_of_draw(SQLite::Database& database, const std::string& table, std::uint64_t draw);
 
 /// The SQL of a named query; empty if there is no such name.
 std::string named_query(const std::string& name);

@@ -1,30 +1,13 @@
 // Residual and Jacobian of loop closure.
 #include <random>
 
+#include "dual.hpp"
 #include "sheets.hpp"
 #include "solver/kinematics/loop_closure.hpp"
 #include "solver/linear/newton.hpp"
 
 namespace misalign::solver {
 namespace {
-
-// A dual number a + b e with e^2 = 0: the derivative by one unknown, exact to rounding, from the
-// residual's own arithmetic and none of the Jacobian's.
-struct Dual {
-  double a, b;
-  Dual(double real = 0, double slope = 0) : a(real), b(slope) {}
-  explicit Dual(int value) : a(value), b(0) {}
-  friend Dual operator+(Dual x, Dual y) { return {x.a + y.a, x.b + y.b}; }
-  friend Dual operator-(Dual x, Dual y) { return {x.a - y.a, x.b - y.b}; }
-  friend Dual operator*(Dual x, Dual y) { return {x.a * y.a, x.a * y.b + x.b * y.a}; }
-  friend Dual operator/(Dual x, Dual y) {
-    return {x.a / y.a, (x.b * y.a - x.a * y.b) / (y.a * y.a)};
-  }
-  Dual operator-() const { return {-a, -b}; }
-  friend bool operator<(Dual x, Dual y) { return x.a < y.a; }
-  friend Dual sqrt(Dual x) { return {std::sqrt(x.a), x.b / (2 * std::sqrt(x.a))}; }
-  friend Dual abs(Dual x) { return x.a < 0 ? -x : x; }
-};
 
 FoldState<double> random_state(const Mechanism& mechanism, std::mt19937_64& random) {
   std::uniform_real_distribution<double> angle(-kPi, kPi);
@@ -45,9 +28,7 @@ FoldState<double> random_state(const Mechanism& mechanism, std::mt19937_64& rand
 
 FoldState<Dual> with_slope_in(const FoldState<double>& state, const Mechanism& mechanism,
                               int column) {
-  FoldState<Dual> dual;
-  for (const auto& rho : state.creases) dual.creases.push_back({rho.c, rho.s});
-  for (const auto& q : state.balls) dual.balls.push_back({q.w, q.x, q.y, q.z});
+  FoldState<Dual> dual = as_dual(state);
   std::vector<Dual> delta(mechanism.unknowns);
   delta[column] = Dual(0, 1);
   advance(mechanism, delta.data(), dual);

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "dual.hpp"
 #include "families.hpp"
 #include "sheets.hpp"
 #include "solver/linear/newton.hpp"
@@ -35,6 +36,47 @@ Eigen::VectorXd folded(const Model& model, const FlatVertices& vertices_mm,
         mechanism.side * angle_deg(state.creases[c]);
   }
   return numbers;
+}
+
+// How the same numbers change along a direction, by Newton's method in dual numbers: the closure's
+// own arithmetic forwards, and none of what the gradients transpose.
+Eigen::VectorXd changing(const Model& model, const FlatVertices& vertices_mm,
+                         const Eigen::Matrix2Xd& direction, const FoldState<double>& near) {
+  const Mechanism& mechanism = model.mechanism();
+  SheetGeometry<double> geometry;
+  place(mechanism, vertices_mm, geometry);
+  FoldState<double> solved = near;
+  Newton newton(mechanism);
+  EXPECT_EQ(newton.correct(geometry, solved).end, NewtonEnd::converged);
+  ClosureSystem system(mechanism);
+  system.evaluate(geometry, solved);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(system.jacobian().leftCols(mechanism.equations));
+  const SheetGeometry<Dual> moving = placed(mechanism, vertices_mm, direction);
+  FoldState<Dual> state = as_dual(solved);
+  std::vector<Dual> residual(static_cast<std::size_t>(mechanism.equations));
+  for (int step = 0; step < 3; ++step) {
+    evaluate<Dual>(mechanism, moving, state, residual.data(), nullptr);
+    Eigen::MatrixX2d open(mechanism.equations, 2);
+    for (int row = 0; row < mechanism.equations; ++row) {
+      open.row(row) << residual[static_cast<std::size_t>(row)].a,
+          residual[static_cast<std::size_t>(row)].b;
+    }
+    const Eigen::MatrixX2d closing = -lu.solve(open);
+    std::vector<Dual> delta(static_cast<std::size_t>(mechanism.unknowns));  // the pilot is held
+    for (int row = 0; row < mechanism.equations; ++row) {
+      delta[static_cast<std::size_t>(row)] = {closing(row, 0), closing(row, 1)};
+    }
+    advance(mechanism, delta.data(), state);
+  }
+  std::vector<Dual> lengths(mechanism.diagonals.size());
+  folded_lengths(mechanism, moving, state, lengths.data());
+  Eigen::VectorXd by(std::ssize(lengths) + std::ssize(state.creases));
+  Eigen::Index k = 0;
+  for (const Dual& length : lengths) by(k++) = length.b * mechanism.panel_width_mm;
+  for (const HalfAngle<Dual>& rho : state.creases) {
+    by(k++) = mechanism.side * 2 * (rho.c.a * rho.s.b - rho.s.a * rho.c.b) / kRadPerDeg;
+  }
+  return by;
 }
 
 TEST(PathGradients, EqualDifferencesBetweenWays) {
@@ -118,8 +160,9 @@ TEST(PathGradients, FoldLimitsMoveAsTheySay) {
 
 class PathGradientsOfFamilies : public testing::TestWithParam<std::string> {};
 
-// 200 sheets of each family at an angle each, along a direction in which every vertex moves.
-TEST_P(PathGradientsOfFamilies, EqualDifferences) {
+// 200 sheets of each family at an angle each, along a direction in which every vertex moves; by
+// dual numbers and by differences.
+TEST_P(PathGradientsOfFamilies, EqualDualNumbersAndDifferences) {
   constexpr int kSheets = 200, kLimits = 8;
   const CarriedFamily family(GetParam());
   const Model model(family.base);
@@ -128,7 +171,7 @@ TEST_P(PathGradientsOfFamilies, EqualDifferences) {
   std::mt19937_64 random(39);
   std::uniform_real_distribution<double> part(-1, 1), angle_deg(5, 100);
   const double step_mm = 2.5e-5 * family.base.sheet.panel_width_mm;
-  double worst = 0, worst_limit = 0;
+  double worst = 0, worst_dual = 0, worst_limit = 0;
   int sheets = 0, limits = 0, jumping = 0;
   for (int trial = 0; trial < kSheets; ++trial) {
     const Eigen::Matrix2Xd shifts_mm =
@@ -155,6 +198,8 @@ TEST_P(PathGradientsOfFamilies, EqualDifferences) {
     Eigen::VectorXd foreseen(by.size());
     foreseen << found.length_by_mm * along, found.fold_by_mm * along;
     worst = std::max(worst, (by - foreseen).norm() / foreseen.norm());
+    const Eigen::VectorXd dual = changing(model, own.vertices_mm(), direction, state);
+    worst_dual = std::max(worst_dual, (dual - foreseen).norm() / foreseen.norm());
     if (!own.way()->ends_at_limit() || limits == kLimits) continue;
     ++limits;
     const auto at_limit = gradients.fold_limit();
@@ -175,9 +220,11 @@ TEST_P(PathGradientsOfFamilies, EqualDifferences) {
                                             (limit.by_mm.norm() * along.norm()));
   }
   RecordProperty("worst", scientific(worst));
+  RecordProperty("worst_dual", scientific(worst_dual));
   RecordProperty("worst_limit", scientific(worst_limit));
   EXPECT_GE(sheets, kSheets / 2);
   EXPECT_LE(worst, 1e-7);
+  EXPECT_LE(worst_dual, 1e-9) << "rounding, and how well states are known";
   EXPECT_LE(jumping, 1) << "of " << limits;
   EXPECT_LE(worst_limit, 5e-5) << limits << " limits, known to 1e-7 degrees";
 }
