@@ -29,7 +29,8 @@ function held_one(report, candidates, held, picked) {
   return { name, values: { ...ascent.start.metrics, end_value: ascent.start_value }, detail: ascent.start };
 }
 
-function comparison(report, candidates, { name, values: one }, picked) {
+function comparison(report, candidates, held, picked) {
+  const one = held.values;
   const other = values_of(report, candidates, picked);
   const cell = (metric, values, is_better) =>
     h("td", is_better ? { class: "better", title: "The better of the two" } : {}, with_unit(metric, values[metric.name]));
@@ -42,7 +43,7 @@ function comparison(report, candidates, { name, values: one }, picked) {
         cell(metric, one, which < 0),
         cell(metric, other, which > 0));
     });
-  const heads = ["", name, heading(report, picked)];
+  const heads = ["", held.name, heading(report, picked)];
   return h("table", { class: "beside" },
     h("thead", {}, h("tr", {}, heads.map((text) => h("th", { scope: "col" }, text)))),
     h("tbody", {}, lines));
