@@ -98,7 +98,9 @@ class Merge {
       catalogue.take_over(*inputs_[k].database, plan_.kept[k]);
       report_.units += plan_.kept[k].size();
     }
-    catalogue.begin_run(options_.run, goal_of(inputs_), options_.builds);
+    schema::RunInfo run = options_.run;
+    run.golden_verdicts = fingerprint(evaluator_->campaign(), run.golden_verdicts);
+    catalogue.begin_run(run, goal_of(inputs_), options_.builds);
     for (const DrawRange& range : plan_.recomputed) {
       for (std::uint64_t next = range.lo; next < range.hi;) {
         UnitWork work(*evaluator_, {next, range.hi});

@@ -51,7 +51,7 @@ int run_rank_zero(const Options& options, MpiSession& mpi) {
   const auto code_of = [&](auto work) { return exit_code_of(options.border, work); };
   if (const int code = mpi.broadcast(code_of([&] { zero.emplace(options); }))) return code;
   mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
-  const RankInfo own = Zero::Workspace::info(options);
+  const RankInfo own = Zero::Workspace::info(options, zero->campaign());
   if (const int code = mpi.broadcast(code_of([&] { zero->begin(gather_ranks(mpi, own)); })))
     return code;
   int exit_code = 0;
@@ -71,7 +71,7 @@ int run_other_rank(const Options& options, MpiSession& mpi) {
   const int failure = exit_code_of(options.border, [&] {
     Workspace workspace(
         schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"), options);
-    gather_ranks(mpi, Workspace::info(options));
+    gather_ranks(mpi, Workspace::info(options, workspace.campaign));
     refused = mpi.broadcast(0);
     if (!refused) workspace.work(mpi);
   });
@@ -83,8 +83,8 @@ int run_other_rank(const Options& options, MpiSession& mpi) {
 /// Returns this rank's exit code. Rank 0 is a `Zero`(options), which opens the files: `campaign()`;
 /// `begin(ranks)` once all are ready; `run(mpi, heartbeat)`, whose exit code ends every rank at
 /// once if it is not 0; `conclude()` once all have met, with the exit code. Each other rank makes a
-/// `Zero::Workspace`(campaign, options) and does jobs in `work(mpi)`; `info(options)` is what it
-/// is. Rank 0 has `alone_s` to leave where it is alone, see watch_for_signals.
+/// `Zero::Workspace`(campaign, options) and does jobs in `work(mpi)`; `info(options, campaign)` is
+/// what it is. Rank 0 has `alone_s` to leave where it is alone, see watch_for_signals.
 template <class Zero, class Options>
 int run_campaign(const Options& options, double alone_s) {
   hold_signals();

@@ -53,7 +53,9 @@ std::string name_of_draw(std::uint64_t draw) { return SheetKey{draw, ""}.name();
 
 // What a rank makes of the campaign.
 struct CertifyWorkspace {
-  static RankInfo info(const CertifyOptions&) { return {host_name(), certify_layout()}; }
+  static RankInfo info(const CertifyOptions&, const schema::Campaign&) {
+    return {host_name(), certify_layout()};
+  }
   CertifyWorkspace(schema::Campaign its_campaign, const CertifyOptions& options)
       : campaign(std::move(its_campaign)),
         model(model_of(campaign)),

@@ -112,8 +112,9 @@ std::string place_of(const SearchOptions& options, const schema::Campaign& campa
 
 // The campaign made ready on one rank: for plain draws, or for populations.
 struct SearchWorkspace {
-  static RankInfo info(const SearchOptions& options) {
-    return {host_name(), message_layout(), golden_verdicts(options.instruction_set)};
+  static RankInfo info(const SearchOptions& options, const schema::Campaign& campaign) {
+    return {host_name(), message_layout(),
+            fingerprint(campaign, golden_verdicts(options.instruction_set))};
   }
 
   SearchWorkspace(schema::Campaign its_campaign, const SearchOptions& options)

@@ -3,7 +3,10 @@
 #include <cassert>
 #include <optional>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/optimise_json.hpp"
+#include "schema/files/hash.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/design/ascent.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
@@ -65,7 +68,29 @@ schema::Candidate OptimisedDraw::take() {
   return std::move(candidate_);
 }
 
+// Of two draws of a small sheet, by either goal.
+std::string golden_ends() {
+  std::string ends;
+  for (const schema::GoalName& goal : schema::kGoalNames) {
+    if (!goal.is_same_everywhere) continue;
+    DrawEvaluator evaluator(schema::read_campaign(
+        {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
+         {"accept", {{"deploys_from_deg", 150}}},
+         {"search", {{"method", "optimise"}, {"maximise", goal.name}, {"from_deg", 36}}}},
+        "the golden campaign"));
+    optimise_if_asked(evaluator);
+    for (const schema::Candidate& end : work_off(evaluator, {0, 4}).candidates) {
+      ends += schema::displacements_json(end.shifts_mm).dump();
+    }
+  }
+  return schema::hex(schema::hash_of(ends));
+}
+
 }  // namespace
+
+std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts) {
+  return campaign.search.optimisation ? golden_verdicts + "-" + golden_ends() : golden_verdicts;
+}
 
 solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign) {
   const schema::Optimisation& search = *campaign.search.optimisation;

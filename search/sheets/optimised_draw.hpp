@@ -13,4 +13,8 @@ solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign);
 /// Accepted draws go to their ends, if the campaign optimises.
 void optimise_if_asked(DrawEvaluator& evaluator);
 
+/// By what builds and machines know each other that work on this campaign: their golden_verdicts,
+/// and where it optimises also the sheets at which fixed draws end, to the last bit.
+std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts);
+
 }  // namespace misalign::search

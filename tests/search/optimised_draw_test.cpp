@@ -139,6 +139,16 @@ TEST_F(OptimisedDraws, AreCertifiedAtTheirEnds) {
   }
 }
 
+// Builds that end elsewhere do not work on one catalogue; of other campaigns verdicts suffice.
+TEST_F(OptimisedDraws, HaveAFingerprintOfTheirOwn) {
+  const schema::Campaign asked = campaign(Json::object());
+  const std::string own = fingerprint(asked, "verdicts");
+  EXPECT_EQ(own.size(), std::string("verdicts-").size() + 32);
+  EXPECT_EQ(own.rfind("verdicts-", 0), 0u);
+  EXPECT_EQ(fingerprint(campaign({{"maximise", "miscut_margin_mm"}}), "verdicts"), own);
+  EXPECT_EQ(fingerprint(plain(asked), "verdicts"), "verdicts");
+}
+
 // Members of the parallel family stay members.
 TEST_F(OptimisedDraws, StayWithinTheFamily) {
   Json value = campaign_json(campaign(Json::object()));
