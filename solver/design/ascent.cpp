@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "solver/design/local_program.hpp"
 #include "solver/design/worth.hpp"
@@ -60,12 +61,6 @@ std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOption
   }
   return {};
 }
-
-// A change of few coordinates, and what it would be worth.
-struct Flip {
-  VectorXd change_mm;
-  double foreseen;
-};
 
 }  // namespace
 
@@ -181,36 +176,42 @@ void Ascent::give_up_box() {
 // Of one or two coordinates: those first that promise most. None of those that promise: before it
 // is given up, of single ones every one is looked at.
 void Ascent::begin_flips() {
-  trying_ = Trying::flips;
-  const std::vector<VectorXd> singles_mm = single_flips();
-  const double own_goal = around_->goal(VectorXd::Zero(around_->coordinates));
-  std::vector<Flip> flips;
-  const auto consider = [&](const VectorXd& change_mm) {
-    const double foreseen = around_->goal(change_mm) - own_goal;
-    if (foreseen > kWorth * now_.value) flips.push_back({change_mm, foreseen});
+  trying_ = Trying::promising_flips;
+  next_flip_ = 0;
+  looks_of_step_ = 0;
+  singles_ = single_flips();
+  promising_.clear();
+  const auto consider = [&](Flip flip) {
+    flip.foreseen = foreseen(flip);
+    if (flip.foreseen > kWorth * now_.value) promising_.push_back(flip);
   };
-  for (std::size_t one = 0; one < singles_mm.size(); ++one) {
-    consider(singles_mm[one]);
-    for (std::size_t other = one + 1; other < singles_mm.size(); ++other) {
-      if (singles_mm[one].cwiseProduct(singles_mm[other]).isZero(0)) {
-        consider(singles_mm[one] + singles_mm[other]);
-      }
+  for (std::size_t one = 0; one < singles_.size(); ++one) {
+    consider(singles_[one]);
+    for (std::size_t other = one + 1; other < singles_.size(); ++other) {
+      const Index first = singles_[one].coordinate[0], second = singles_[other].coordinate[0];
+      if (first == second) continue;
+      consider({{first, second}, {singles_[one].by_mm[0], singles_[other].by_mm[0]}});
     }
   }
-  std::ranges::stable_sort(flips, std::ranges::greater(), &Flip::foreseen);
-  flips_mm_.clear();
-  next_flip_ = 0;
-  for (Flip& flip : flips) {
-    if (std::ssize(flips_mm_) == options_.most_looks) break;
-    if (may_fit(flip.change_mm)) flips_mm_.push_back(std::move(flip.change_mm));
-  }
-  flips_mm_.insert(flips_mm_.end(), singles_mm.begin(), singles_mm.end());
+  std::ranges::stable_sort(promising_, std::ranges::greater(), &Flip::foreseen);
 }
 
 // The first that does better is a step.
 void Ascent::try_flip() {
-  if (next_flip_ == flips_mm_.size()) return end(OptimiseEnd::no_step_is_better);
-  auto next = look(flips_mm_[next_flip_++]);
+  const bool by_promise = trying_ == Trying::promising_flips;
+  std::vector<Flip>& flips = by_promise ? promising_ : singles_;
+  while (by_promise && next_flip_ < flips.size() && !may_fit(flips[next_flip_])) ++next_flip_;
+  if (next_flip_ == flips.size() || (by_promise && looks_of_step_ == options_.most_looks)) {
+    if (!by_promise) return end(OptimiseEnd::no_step_is_better);
+    trying_ = Trying::single_flips;
+    next_flip_ = 0;
+    return;
+  }
+  const Flip& flip = flips[next_flip_++];
+  ++looks_of_step_;
+  VectorXd change_mm = VectorXd::Zero(around_->coordinates);
+  for (const int k : {0, 1}) change_mm(flip.coordinate[k]) += flip.by_mm[k];
+  auto next = look(change_mm);
   if (next && next->value > now_.value * (1 + kWorth)) take_step(std::move(*next));
 }
 
@@ -250,17 +251,27 @@ std::optional<Ascent::Worthy> Ascent::look(const VectorXd& coordinates_mm) {
   return Worthy{std::move(sheet), *value};
 }
 
-bool Ascent::may_fit(const VectorXd& change_mm) const {
+double Ascent::foreseen(const Flip& flip) const {
+  double then = std::numeric_limits<double>::infinity(), now = then;
+  for (const LocalGoal& one : around_->goals) {
+    now = std::min(now, one.amount / one.over);
+    then = std::min(then, (one.amount + flip.along(one.row)) / one.over);
+  }
+  return then - now;
+}
+
+bool Ascent::may_fit(const Flip& flip) const {
   return std::ranges::all_of(around_->rows, [&](const LocalRow& one) {
     const double doubt = one.pilot_deg <= kLateFrom_deg ? kEarlyDoubt : kLateDoubt;
-    const double moved = one.row.cwiseAbs().dot(change_mm.cwiseAbs());
-    return std::max(one.slack, 0.0) + one.row.dot(change_mm) >= -doubt * moved;
+    double moved = 0;
+    for (const int k : {0, 1}) moved += std::abs(one.row(flip.coordinate[k]) * flip.by_mm[k]);
+    return std::max(one.slack, 0.0) + flip.along(one.row) >= -doubt * moved;
   });
 }
 
 // To nothing, to the amplitude, and to what is next on a grid.
-std::vector<VectorXd> Ascent::single_flips() const {
-  std::vector<VectorXd> flips_mm;
+std::vector<Ascent::Flip> Ascent::single_flips() const {
+  std::vector<Flip> flips;
   const VectorXd from_mm = own_mm();
   const double most_mm = largest_mm(), grid_mm = options_.grid_mm;
   for (Index k = 0; k < from_mm.size(); ++k) {
@@ -271,11 +282,10 @@ std::vector<VectorXd> Ascent::single_flips() const {
       }
     }
     for (const double to_mm : levels_mm) {
-      if (to_mm != from_mm(k))
-        flips_mm.push_back((to_mm - from_mm(k)) * VectorXd::Unit(from_mm.size(), k));
+      if (to_mm != from_mm(k)) flips.push_back({{k, k}, {to_mm - from_mm(k), 0}});
     }
   }
-  return flips_mm;
+  return flips;
 }
 
 void Ascent::find_limits() {

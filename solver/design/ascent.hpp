@@ -2,6 +2,7 @@
 // (optimise.hpp), for callers that must not wait for its end.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,8 +38,19 @@ class Ascent {
     std::unique_ptr<const Sheet> sheet;
     double value;
   };
-  // The changes that are tried next: those of a linear program in a box, or flips in their order.
-  enum class Trying { in_a_box, flips };
+  // A change of one coordinate or two, and what it would be worth.
+  struct Flip {
+    std::array<Eigen::Index, 2> coordinate;  // the same twice: of one
+    std::array<double, 2> by_mm;
+    double foreseen = 0;
+
+    double along(const Eigen::VectorXd& row) const {
+      return by_mm[0] * row(coordinate[0]) + by_mm[1] * row(coordinate[1]);
+    }
+  };
+  // The changes that are tried next: those of a linear program in a box, or flips in their order:
+  // those that promise most, then all single ones.
+  enum class Trying { in_a_box, promising_flips, single_flips };
 
   void begin_step();
   void end(OptimiseEnd why);
@@ -53,8 +65,9 @@ class Ascent {
   Eigen::VectorXd own_mm() const;
   double largest_mm() const;
   std::optional<Worthy> look(const Eigen::VectorXd& coordinates_mm);
-  bool may_fit(const Eigen::VectorXd& change_mm) const;
-  std::vector<Eigen::VectorXd> single_flips() const;
+  double foreseen(const Flip& flip) const;
+  bool may_fit(const Flip& flip) const;
+  std::vector<Flip> single_flips() const;
   void find_limits();
 
   const OptimiseOptions options_;
@@ -64,8 +77,9 @@ class Ascent {
   Optimised found_{};
   std::optional<LocalModel> around_;  // the sheet that was reached
   Trying trying_ = Trying::in_a_box;
-  std::vector<Eigen::VectorXd> flips_mm_;
+  std::vector<Flip> promising_, singles_;
   std::size_t next_flip_ = 0;
+  int looks_of_step_ = 0;
   bool finished_ = false;
 };
 
