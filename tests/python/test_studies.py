@@ -54,7 +54,7 @@ class Studies(unittest.TestCase):
         better, said = sheet.optimise(deploys_from_deg=150, ternary=True, stroke_limit=0.1)
         self.assertEqual(said, program_json("optimise", TABLE1, "--deploys-from", 150, "--ternary", "--stroke-limit", 0.1))
         self.assertEqual(better.deploy()["critical_friction_n_mm_per_mm"], said["after_n_mm_per_mm"])
-        with self.assertRaisesRegex(misalign.Error, "goal: most is none"):
+        with self.assertRaisesRegex(misalign.Error, "most is no goal"):
             sheet.optimise("most")
 
     def test_are_those_of_the_program(self):

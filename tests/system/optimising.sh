@@ -38,14 +38,14 @@ search --catalogue b.db --range $((draws / 2 - 5)):$draws
 hit=0 ended=0
 while [ $hit -lt "$kills_wanted" ] && [ $failures = 0 ]; do
   some=$(sql killed.db 'SELECT count(*) FROM unit' 2> /dev/null)
-  "${ranks[@]}" $((1 + RANDOM % 3)) "$program" search better.json --progress none --unit-draws 4 --catalogue killed.db > /dev/null 2>&1 &
+  "${ranks[@]}" $((1 + RANDOM % 3)) "$program" search better.json --progress none --unit-draws 4 --catalogue "$PWD/killed.db" > /dev/null 2>&1 &
   search=$!
   goes_on_or_ended() {
     gives_1 killed.db "SELECT count(*) > ${some:-0} FROM unit" || ! kill -0 $search 2> /dev/null
   }
   eventually "a unit more than ${some:-0}" goes_on_or_ended
   sleep 0.$((RANDOM % 3))$((RANDOM % 10))
-  if pkill -KILL -f -- "^$program search .*--catalogue killed.db"; then
+  if pkill -KILL -f -- "^$program search .*--catalogue $PWD/killed.db"; then  # no other test's
     hit=$((hit + 1))
   else
     ended=$((ended + 1))
