@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "schema/files/text_table.hpp"
 
 namespace misalign::search {
@@ -24,6 +27,25 @@ std::string card_text(const schema::Card& card) {
                      card.from_deg, card.verdict(),
                      schema::aligned(asked, {false, false, true, true, true}),
                      schema::aligned(facts, {false, false}));
+}
+
+std::string cards_text(const schema::Card& before, const schema::Card& after) {
+  const auto shown = [](const schema::CardLine& line) {
+    const std::string found = line.found_text();
+    return found.empty() ? line.note : found;
+  };
+  std::vector<schema::Row> rows = {{"", "what", "asked", "before", "after"}};
+  for (const schema::CardLine& line : after.lines) {
+    const auto earlier = std::ranges::find_if(before.lines, [&](const schema::CardLine& other) {
+      return std::string_view(other.key) == line.key;
+    });
+    const std::string was = earlier == before.lines.end() ? "" : shown(*earlier);
+    const char* const passes = !line.is_asked() ? "" : line.passes() ? "pass" : "FAIL";
+    rows.push_back({passes, line.what, line.wanted_text(), was, shown(line)});
+  }
+  return fmt::format("{}\nbefore: {}\nafter: {}\n",
+                     schema::aligned(rows, {false, false, true, true, true}), before.verdict(),
+                     after.verdict());
 }
 
 }  // namespace misalign::search

@@ -10,4 +10,7 @@ namespace misalign::search {
 /// Requirements as a table, then what is known besides.
 std::string card_text(const schema::Card& card);
 
+/// Requirements and facts of two sheets of one design, side by side.
+std::string cards_text(const schema::Card& before, const schema::Card& after);
+
 }  // namespace misalign::search

@@ -3,8 +3,11 @@
 
 #include "schema/catalogue/study_table.hpp"
 #include "schema/files/text_file.hpp"
+#include "search/sheets/card.hpp"
+#include "search/sheets/card_text.hpp"
 #include "search/sheets/sheet_said.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/terminal/usable_threads.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -17,8 +20,22 @@ struct OptimiseCall {
   schema::Design design;
   std::string material_file, output;
   OptimiseInput input;
-  bool json = false;
+  bool with_card = false, json = false;
 };
+
+// Before and after.
+struct Cards {
+  schema::Card before, after;
+};
+
+Cards cards_of(const Subject& subject, const ProvenBetter& better) {
+  const CardOptions options{.jobs = usable_threads()};
+  const Subject end(
+      sheet_of_pattern_document(better_pattern(subject, better), "the sheet that was found", {},
+                                "the sheet that was found", schema::Perforations::of_one_path),
+      {});
+  return {card_of(subject, options).card, card_of(end, options).card};
+}
 
 void show_optimised(OptimiseCall call) {
   read_material(call.material_file, call.design);
@@ -27,9 +44,19 @@ void show_optimised(OptimiseCall call) {
   if (!call.output.empty()) {
     schema::write_text_file(call.output, better_pattern(subject, better).dump(1) + "\n");
   }
-  if (call.json) return put_json(optimise_said(subject, better));
+  std::optional<Cards> cards;
+  if (call.with_card) cards = cards_of(subject, better);
+  if (call.json) {
+    schema::Json said = optimise_said(subject, better);
+    if (cards) {
+      said["card_before"] = schema::card_json(cards->before);
+      said["card_after"] = schema::card_json(cards->after);
+    }
+    return put_json(said);
+  }
   const auto& shifts_mm = better.found.best().shifts_mm;
   put(optimise_text(subject, subject.model.sheet(shifts_mm, "the sheet that was found"), better));
+  if (cards) put("\n" + cards_text(cards->before, cards->after));
 }
 
 }  // namespace
@@ -103,6 +130,8 @@ Action optimise_verb(CLI::App& verb) {
   add_material(verb, call->material_file);
   verb.add_option("--output", call->output, "write the sheet to this pattern file")
       ->type_name("FILE");
+  verb.add_flag("--card", call->with_card,
+                "also what the design asks of both sheets and what was found, side by side");
   verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");
   return [call] {
     show_optimised(*call);

@@ -48,6 +48,18 @@ export GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4
 "$program" optimise six.db "$draw" --json > again.json && cmp -s free.json again.json || fail "another sheet by friction with other functions of the C library"
 unset GLIBC_TUNABLES
 
+# What the design asks, of both sheets as their own cards have it.
+"$program" optimise "$table1" --deploys-from 150 --ternary --thickness 1 --card --json --output carded.json > cards.json || fail "--card"
+"$program" card "$table1" --thickness 1 --json > one.json && "$program" card carded.json --json > other.json || fail "cards"
+json_test cards.json "json_extract(j, '\$.card_before.lines') = (SELECT json_extract(readfile('one.json'), '\$.lines'))
+  AND json_extract(j, '\$.card_after.lines') = (SELECT json_extract(readfile('other.json'), '\$.lines'))" || fail "cards differ"
+"$program" optimise "$table1" --deploys-from 150 --ternary --thickness 1 --card > words && grep -q 'asked  *before  *after' words &&
+  grep -q '^after: 3 of 4 requirements are met' words || fail "cards in words: $(cat words)"
+# Another goal that is not to fall, and what it costs.
+"$program" optimise six.db "$draw" --subject-to "miscut_margin_mm >= 0.02" --subject-to "stroke_max <= 0.12" --json > floored.json || fail "--subject-to"
+json_test floored.json "json_extract(j, '\$.after_n_mm_per_mm') > 2 * json_extract(j, '\$.before_n_mm_per_mm') AND json_extract(j, '\$.stroke') <= 0.12
+  AND json_extract(j, '\$.subject_to[1]') = 'miscut_margin_mm >= 0.02'" || fail "--subject-to: $(head -c 400 floored.json)"
+
 refused() {  # CODE WORDS OPTION...
   local code=$1 words=$2 got=0
   shift 2
@@ -62,6 +74,8 @@ refused 2 "--stroke-limit 0.001: a diagonal of the sheet that it starts from elo
 refused 2 "static_friction_n_mm_per_mm" "$table1" --goal static_friction
 refused 2 "nothing drives the sheet that it starts from to flat" "$table1" --goal static_friction_n_mm_per_mm --preload 5
 refused 2 "--within-family: the sheet that it starts from is no member" "$table1" --within-family
+refused 2 "--subject-to stroke >= 1: stroke is no number that can be limited (did you mean" "$table1" --subject-to "stroke >= 1"
+refused 2 "--subject-to >= 1: the sheet that it starts from has" "$table1" --deploys-from 150 --goal critical_friction_n_mm_per_mm --subject-to "miscut_margin_mm >= 1"
 refused 3 "nowhere.json" nowhere.json
 tr '\n' ' ' < "$table1" | sed 's/"displacements_mm": {[^}]*}/"displacements_mm": {}/' > plain.json
 refused 2 "--amplitude 0: leaves no room" plain.json --from 10
