@@ -149,6 +149,12 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
 schema::DeployingFrom deploying_from(SQLite::Database& database,
                                      const schema::CatalogueState& state,
                                      const schema::Campaign& campaign, double at_deg) {
+  if (campaign.search.optimisation) {
+    throw schema::UserError(solver::OptionFault{
+        "at_deg", schema::shown_number(at_deg),
+        "this campaign made its draws better, and from where they deployed themselves is not kept",
+        "ask a plain campaign of the same draws"});
+  }
   if (!(at_deg >= campaign.threshold_deg && at_deg <= campaign.end_deg)) {
     throw schema::UserError(solver::OptionFault{
         "at_deg", schema::shown_number(at_deg),

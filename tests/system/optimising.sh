@@ -91,6 +91,9 @@ other=$(sql calm.db "WITH RECURSIVE n(k) AS (SELECT 0 UNION ALL SELECT k + 1 FRO
 json_test state.json "abs(json_extract(j, '\$.ends.best') - $end_value) < 1e-12" || fail "status"
 "$program" status calm.db | grep -q 'critical_friction_n_mm_per_mm .* at best' || fail "status in words"
 
+"$program" status calm.db --at 160 > out 2> err
+[ $? = 2 ] && grep -q 'made its draws better' err || fail "a rate of draws from their ends: $(cat err)"
+
 # What was changed in the file is found.
 cp calm.db changed.db
 sqlite3 changed.db "UPDATE ascent SET end_value = end_value * 1.001 WHERE draw = $best"
