@@ -17,6 +17,31 @@ CLI::Option* add_number(CLI::App& verb, const std::string& name, double& value,
 
 constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
 
+// How it ends, and when.
+void add_motion(CLI::App& verb, DeployInput& input) {
+  solver::DeploymentOptions& options = input.options.motion;
+  auto* latch =
+      verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
+  constexpr double kMostRestitution = 0.99;
+  verb.add_option("--stop", options.restitution,
+                  "a stop at flat that gives back this share of the speed: 0, it rests there")
+      ->check(within(0, kMostRestitution))
+      ->type_name("SHARE")
+      ->excludes(latch);
+  verb.add_flag(
+      "--least-damping", input.options.seeks_damping,
+      "also the least damping of creases with which it comes to rest flat without passing "
+      "through");
+  verb.add_option("--swings", options.swings,
+                  fmt::format("pass flat, or turn round without losses, this often before the end "
+                              "[{}]",
+                              options.swings))
+      ->check(counted(0, 10000))
+      ->type_name("N");
+  add_number(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s", 1e-9,
+             1e6, "S");
+}
+
 }  // namespace
 
 void add_deployment(CLI::App& verb, DeployInput& input) {
@@ -76,27 +101,7 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
       ->expected(3)
       ->check(within(-1e3, 1e3))
       ->type_name("X,Y,Z");
-  solver::DeploymentOptions& options = input.options.motion;
-  auto* latch =
-      verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
-  constexpr double kMostRestitution = 0.99;
-  verb.add_option("--stop", options.restitution,
-                  "a stop at flat that gives back this share of the speed: 0, it rests there")
-      ->check(within(0, kMostRestitution))
-      ->type_name("SHARE")
-      ->excludes(latch);
-  verb.add_flag(
-      "--least-damping", input.options.seeks_damping,
-      "also the least damping of creases with which it comes to rest flat without passing "
-      "through");
-  verb.add_option("--swings", options.swings,
-                  fmt::format("pass flat, or turn round without losses, this often before the end "
-                              "[{}]",
-                              options.swings))
-      ->check(counted(0, 10000))
-      ->type_name("N");
-  add_number(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s", 1e-9,
-             1e6, "S");
+  add_motion(verb, input);
 }
 
 }  // namespace misalign::search

@@ -59,6 +59,53 @@ void show_optimised(OptimiseCall call) {
   if (cards) put("\n" + cards_text(cards->before, cards->after));
 }
 
+// What is to be as large as can be, and what every step keeps.
+void add_goal_and_limits(CLI::App& verb, OptimiseInput& input) {
+  Names<solver::OptimiseGoal> goals;
+  for (const schema::GoalName& one : schema::kGoalNames)
+    goals.emplace_back(std::string(one.name), one.goal);
+  verb.add_option("--goal", input.goal,
+                  fmt::format("what is to be as large as can be [{}]", schema::kGoalNames[0].name))
+      ->transform(one_of<solver::OptimiseGoal>(goals));
+  verb.add_option("--subject-to", input.subject_to,
+                  "what every step keeps, again for each: \"stroke_max <= 0.06\", "
+                  "\"largest_force_n <= 20\", or a goal as in \"miscut_margin_mm >= 0.1\"")
+      ->type_name("LIMIT");
+  verb.add_option("--deploys-from", input.deploys_from_deg,
+                  "it still deploys from this pilot angle [the campaign's, or its own D]")
+      ->check(within(0.01, 180))
+      ->type_name("DEG");
+  verb.add_option("--least-slope", input.least_slope_mm_per_deg,
+                  fmt::format("what free shifts leave every diagonal, mm per degree at 90 deg and "
+                              "less by the sine elsewhere: against miscuts [{}]",
+                              input.least_slope_mm_per_deg))
+      ->check(within(0, 1e6))
+      ->type_name("MM_PER_DEG");
+  verb.add_option("--steps", input.most_steps,
+                  fmt::format("end after so many [{}]", input.most_steps))
+      ->check(counted(1, 100000))
+      ->type_name("N");
+}
+
+// How far vertices may be shifted, and by what.
+void add_shifts(CLI::App& verb, OptimiseInput& input) {
+  verb.add_option("--amplitude", input.amplitude_mm,
+                  "shift no vertex by more in x or y, mm [the campaign's, or the largest of its "
+                  "own shifts]")
+      ->check(within(1e-6, 1e6))
+      ->type_name("MM");
+  verb.add_flag("--ternary", input.ternary, "shift by nothing or the amplitude only");
+  verb.add_option("--grid", input.grid_mm,
+                  "shift by whole multiples of this only, mm: a cutter's steps")
+      ->check(within(1e-6, 1e3))
+      ->excludes("--ternary")
+      ->type_name("MM");
+  verb.add_flag("--within-family", input.within_family,
+                "only among members of the base's parallel family, which fold to 180 deg")
+      ->excludes("--ternary")
+      ->excludes("--grid");
+}
+
 }  // namespace
 
 Action optimise_verb(CLI::App& verb) {
@@ -81,45 +128,8 @@ Action optimise_verb(CLI::App& verb) {
   schema::Design& design = call->design;
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
-  Names<solver::OptimiseGoal> goals;
-  for (const schema::GoalName& one : schema::kGoalNames)
-    goals.emplace_back(std::string(one.name), one.goal);
-  verb.add_option("--goal", call->input.goal,
-                  fmt::format("what is to be as large as can be [{}]", schema::kGoalNames[0].name))
-      ->transform(one_of<solver::OptimiseGoal>(goals));
-  verb.add_option("--subject-to", call->input.subject_to,
-                  "what every step keeps, again for each: \"stroke_max <= 0.06\", "
-                  "\"largest_force_n <= 20\", or a goal as in \"miscut_margin_mm >= 0.1\"")
-      ->type_name("LIMIT");
-  verb.add_option("--amplitude", call->input.amplitude_mm,
-                  "shift no vertex by more in x or y, mm [the campaign's, or the largest of its "
-                  "own shifts]")
-      ->check(within(1e-6, 1e6))
-      ->type_name("MM");
-  verb.add_option("--deploys-from", call->input.deploys_from_deg,
-                  "it still deploys from this pilot angle [the campaign's, or its own D]")
-      ->check(within(0.01, 180))
-      ->type_name("DEG");
-  verb.add_flag("--ternary", call->input.ternary, "shift by nothing or the amplitude only");
-  verb.add_option("--grid", call->input.grid_mm,
-                  "shift by whole multiples of this only, mm: a cutter's steps")
-      ->check(within(1e-6, 1e3))
-      ->excludes("--ternary")
-      ->type_name("MM");
-  verb.add_flag("--within-family", call->input.within_family,
-                "only among members of the base's parallel family, which fold to 180 deg")
-      ->excludes("--ternary")
-      ->excludes("--grid");
-  verb.add_option("--least-slope", call->input.least_slope_mm_per_deg,
-                  fmt::format("what free shifts leave every diagonal, mm per degree at 90 deg and "
-                              "less by the sine elsewhere: against miscuts [{}]",
-                              call->input.least_slope_mm_per_deg))
-      ->check(within(0, 1e6))
-      ->type_name("MM_PER_DEG");
-  verb.add_option("--steps", call->input.most_steps,
-                  fmt::format("end after so many [{}]", call->input.most_steps))
-      ->check(counted(1, 100000))
-      ->type_name("N");
+  add_goal_and_limits(verb, call->input);
+  add_shifts(verb, call->input);
   add_release_from(verb, design.from_deg, 0.01);
   add_springs(verb, design);
   add_thickness(verb, design.thickness_mm);

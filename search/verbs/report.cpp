@@ -74,6 +74,25 @@ void write_page(const ReportCall& call, const schema::Json& data) {
   put(schema::printable(call.output) + "\n");
 }
 
+int show_report(ReportCall& call, const CLI::App& verb, const CLI::App& group) {
+  schema::need("Node.js");
+  if (call.studies["deploy"]) schema::need("SUNDIALS");
+  call.detail.contact = call.studies["contact"];
+  if (!has("SUNDIALS")) {
+    spdlog::warn("no deployment is in the page: {}", schema::missing_text("SUNDIALS"));
+  }
+  if (is_pattern_file(call.path)) {
+    refuse_choice_of_candidates(call, verb, group);
+    refuse_own_input(call);
+    write_page(call, report_of_pattern(call));
+    return 0;
+  }
+  if (call.choice.where.empty()) check_by(call.choice);
+  refuse_own_input(call);
+  write_page(call, report_of_catalogue(call));
+  return 0;
+}
+
 }  // namespace
 
 Action report_verb(CLI::App& verb) {
@@ -129,24 +148,7 @@ Action report_verb(CLI::App& verb) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE");
-  return [call, &verb, group] {
-    schema::need("Node.js");
-    if (call->studies["deploy"]) schema::need("SUNDIALS");
-    call->detail.contact = call->studies["contact"];
-    if (!has("SUNDIALS")) {
-      spdlog::warn("no deployment is in the page: {}", schema::missing_text("SUNDIALS"));
-    }
-    if (is_pattern_file(call->path)) {
-      refuse_choice_of_candidates(*call, verb, *group);
-      refuse_own_input(*call);
-      write_page(*call, report_of_pattern(*call));
-      return 0;
-    }
-    if (call->choice.where.empty()) check_by(call->choice);
-    refuse_own_input(*call);
-    write_page(*call, report_of_catalogue(*call));
-    return 0;
-  };
+  return [call, &verb, group] { return show_report(*call, verb, *group); };
 }
 
 }  // namespace misalign::search
