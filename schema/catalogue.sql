@@ -263,9 +263,10 @@ SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_pe
        (SELECT end_value FROM ascent WHERE ascent.draw = candidate.draw) AS end_value
 FROM candidate;
 
--- Of an optimising search: each sheet at which draws ended, under the least of their numbers.
+-- Of an optimising search: each sheet at which draws ended, under the least of their numbers, with that
+-- draw's start and steps (of a row with one min() SQLite takes the other columns from where it is).
 CREATE VIEW ends AS
-SELECT min(draw) AS draw, count(*) AS starts, max(end_value) AS end_value, start_value, steps, ended,
+SELECT min(draw) AS draw, count(*) AS starts, start_value, end_value, steps, ended,
        deploys_from_deg, stroke_max, miscut_margin_mm, slope_min_mm_per_deg, shifted_vertices, limited_by
 FROM ascent JOIN sheet USING (draw) JOIN candidate USING (draw)
 GROUP BY hash;

@@ -7,6 +7,7 @@
 
 #include "schema/files/json_values.hpp"
 #include "schema/files/suggestion.hpp"
+#include "schema/pattern/design.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -64,15 +65,12 @@ void read_limits(ObjectReader& reader, OptimiseBounds& limits) {
   }
 }
 
-// Null for none.
-void read_optional(ObjectReader& reader, const char* key, std::optional<double>& into, double least,
-                   double most, const std::string& suggestion) {
-  const Json* value = reader.find(key);
-  if (!value || value->is_null()) return;
-  double number = least;
-  const std::size_t before = reader.faults().count();
-  reader.number(key, number, least, most, suggestion);
-  if (reader.faults().count() == before) into = number;
+// Of a key that the design block has, too: within its bounds.
+template <class Number>
+void read_as_design(ObjectReader& reader, const char* key, std::string_view design_key,
+                    Number& into, const char* suggestion) {
+  const auto [least, most] = design_bounds(design_key);
+  reader.number(key, into, least, most, suggestion);
 }
 
 }  // namespace
@@ -81,19 +79,19 @@ Optimisation read_optimisation(ObjectReader& reader, double threshold_deg) {
   Optimisation optimisation;
   read_goal(reader, optimisation.goal);
   read_limits(reader, optimisation.bounds);
-  read_optional(reader, "from_deg", optimisation.from_deg, 0.01, 180,
-                "try 36, or null for goals that need none");
-  reader.number("stiffness_n_per_mm", optimisation.stiffness_n_per_mm, 1e-6, 1e9,
-                "try 50, the paper's springs");
-  reader.number("preload_n", optimisation.preload_n, 0, 1e6,
-                "try 3: what each pulls or pushes with at flat");
+  read_as_design(reader, "from_deg", "from_deg", optimisation.from_deg,
+                 "try 36, or null for goals that need none");
+  read_as_design(reader, "stiffness_n_per_mm", "springs.stiffness_n_per_mm",
+                 optimisation.stiffness_n_per_mm, "try 50, the paper's springs");
+  read_as_design(reader, "preload_n", "springs.preload_n", optimisation.preload_n,
+                 "try 3: what each pulls or pushes with at flat");
   std::string shifts = "free";
   reader.text("shifts", shifts, "write \"free\" or \"ternary\"");
   if (shifts != "free" && shifts != "ternary") {
     reader.faults().add(reader.shown("shifts"), "are no shifts", "write \"free\" or \"ternary\"");
   }
   optimisation.ternary = shifts == "ternary";
-  read_optional(reader, "grid_mm", optimisation.grid_mm, 1e-6, 1e3,
+  reader.number("grid_mm", optimisation.grid_mm, 1e-6, 1e3,
                 "try 0.01, a cutter's step, or null for none");
   reader.number("least_slope_mm_per_deg", optimisation.least_slope_mm_per_deg, 0, 1e6, "try 0.001");
   std::uint64_t steps = optimisation.most_steps;

@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "schema/files/suggestion.hpp"
+#include "schema/pattern/design.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -16,15 +17,15 @@ namespace {
 constexpr const char* kStroke = "stroke_max";
 constexpr const char* kForce = "largest_force_n";
 
-// The bounds of both are those of the design's keys.
 struct Ceiling {
   const char* name;
   std::optional<double> OptimiseBounds::*bound;
-  double most;
+  std::string_view design_key;  // which has the same bounds
 };
-constexpr Ceiling kCeilings[] = {{kStroke, &OptimiseBounds::stroke_max, 1},
-                                 {kForce, &OptimiseBounds::largest_force_n, 1e9}};
-constexpr double kLeastCeiling = 1e-6, kMostFloor = 1e9;
+constexpr Ceiling kCeilings[] = {
+    {kStroke, &OptimiseBounds::stroke_max, "springs.stroke_limit"},
+    {kForce, &OptimiseBounds::largest_force_n, "springs.largest_force_n"}};
+constexpr double kMostFloor = 1e9;
 
 std::vector<std::string> limited_names() {
   std::vector<std::string> names = {kStroke, kForce};
@@ -77,9 +78,8 @@ std::optional<BoundFault> add_bound(const std::string& text, OptimiseBounds& bou
   for (const Ceiling& ceiling : kCeilings) {
     if (name != ceiling.name) continue;
     if (!is_ceiling) return BoundFault{name + " is to be small", "write " + name + " <= it"};
-    if (!(bound >= kLeastCeiling && bound <= ceiling.most)) {
-      return out_of_bounds(name, kLeastCeiling, ceiling.most);
-    }
+    const auto [least, most] = design_bounds(ceiling.design_key);
+    if (!(bound >= least && bound <= most)) return out_of_bounds(name, least, most);
     if (bounds.*ceiling.bound) return twice();
     bounds.*ceiling.bound = bound;
     return {};

@@ -7,34 +7,20 @@ namespace misalign::schema {
 
 // A key that may be null for "no limit".
 void read_stop(ObjectReader reader, StopRule& stop) {
-  const auto limit = [&](const char* key, auto& into, auto read) {
+  const auto whole = [&](const char* key, std::optional<std::uint64_t>& into, std::uint64_t most) {
     const Json* value = reader.find(key);
     if (!value) return;
     into.reset();
-    if (!value->is_null()) into = read(key);
+    if (!value->is_null()) {
+      reader.whole(key, into.emplace(0), most, "write a count, or null for no limit");
+    }
   };
-  const auto whole = [&](const char* key) {
-    std::uint64_t n = 0;
-    reader.whole(key, n, kEndOfDraws, "write a count, or null for no limit");
-    return n;
-  };
-  limit("draws", stop.draws, whole);
-  limit("populations", stop.populations, [&](const char* key) {
-    std::uint64_t n = 0;
-    reader.whole(key, n, kEndOfPopulations, "write a count, or null for no limit");
-    return n;
-  });
-  limit("accepted", stop.accepted, whole);
-  limit("relative_error", stop.relative_error, [&](const char* key) {
-    double error = 0;
-    reader.number(key, error, 1e-6, 1, "write a share of the rate like 0.05, or null for no limit");
-    return error;
-  });
-  limit("wall_s", stop.wall_s, [&](const char* key) {
-    double seconds = 0;
-    reader.number(key, seconds, 0, 1e9, "write seconds, or null for no limit");
-    return seconds;
-  });
+  whole("draws", stop.draws, kEndOfDraws);
+  whole("populations", stop.populations, kEndOfPopulations);
+  whole("accepted", stop.accepted, kEndOfDraws);
+  reader.number("relative_error", stop.relative_error, 1e-6, 1,
+                "write a share of the rate like 0.05, or null for no limit");
+  reader.number("wall_s", stop.wall_s, 0, 1e9, "write seconds, or null for no limit");
   reader.refuse_unknown_keys();
 }
 

@@ -111,6 +111,14 @@ void ObjectReader::number(const std::string& key, double& into, double least, do
   }
 }
 
+void ObjectReader::number(const std::string& key, std::optional<double>& into, double least,
+                          double most, const std::string& suggestion) {
+  const Json* value = find(key);
+  if (!value) return;
+  into.reset();
+  if (!value->is_null()) number(key, into.emplace(least), least, most, suggestion);
+}
+
 void ObjectReader::whole(const std::string& key, std::uint64_t& into, std::uint64_t most,
                          const std::string& suggestion) {
   const Json* value = find(key);

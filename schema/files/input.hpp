@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ class ObjectReader {
   void require(const std::string& key, const std::string& suggestion);
 
   void number(const std::string& key, double& into, double least, double most,
+              const std::string& suggestion);
+  /// The same, or null for none.
+  void number(const std::string& key, std::optional<double>& into, double least, double most,
               const std::string& suggestion);
   void whole(const std::string& key, std::uint64_t& into, std::uint64_t most,
              const std::string& suggestion);

@@ -13,7 +13,7 @@ CREATE TABLE ascent (
 
 -- Each sheet at which draws ended, under the least of their numbers.
 CREATE VIEW ends AS
-SELECT min(draw) AS draw, count(*) AS starts, max(end_value) AS end_value, start_value, steps, ended,
+SELECT min(draw) AS draw, count(*) AS starts, start_value, end_value, steps, ended,
        deploys_from_deg, stroke_max, miscut_margin_mm, slope_min_mm_per_deg, shifted_vertices, limited_by
 FROM ascent JOIN sheet USING (draw) JOIN candidate USING (draw)
 GROUP BY hash;

@@ -93,11 +93,17 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
     if (!agrees) differs(std::string("ascent.") + column, stored, schema::or_null(worth));
   };
   const solver::Sheet start(solver, shifts_of_draw(campaign_, draw)), end(solver, *shifts_mm);
+  const bool is_as_drawn = ascent.value("steps", Json()) == 0;
+  // But for a grid's multiples, by another product.
+  constexpr double kSame_mm = 1e-12;
+  if (is_as_drawn && (start.shifts_mm() - end.shifts_mm()).cwiseAbs().maxCoeff() > kSame_mm) {
+    differs("displacements_mm", row.at("displacements_mm"),
+            schema::displacements_json(start.shifts_mm()).dump());
+  }
   compare("start_value", solver::value_by(asked_->goal, start, *asked_));
   // Of a start from which no step was found less is asked.
-  const bool is_made_better = ascent.value("steps", Json()) != 0;
-  compare("end_value", is_made_better ? solver::worth(end, *asked_)
-                                      : solver::value_by(asked_->goal, end, *asked_));
+  compare("end_value",
+          is_as_drawn ? solver::value_by(asked_->goal, end, *asked_) : solver::worth(end, *asked_));
 }
 
 void CandidateCheck::check_metrics(const Json& row, int metrics_version,

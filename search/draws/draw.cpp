@@ -21,6 +21,11 @@ double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
 // amplitude.
 constexpr double kMemberRounding = 1e-9;
 
+// Whether it is a whole multiple of the grid's step; 0: there is no grid.
+bool is_on_grid(double shift_mm, double grid_mm) {
+  return grid_mm == 0 || std::round(shift_mm / grid_mm) * grid_mm == shift_mm;
+}
+
 // A level, or a share whose word gives it again.
 bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
   assert(misalignment.amplitude_mm > 0);
@@ -30,9 +35,8 @@ bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
            shift_mm == -misalignment.amplitude_mm;
   }
   if (misalignment.parallel) {
-    const double grid_mm = misalignment.parallel->grid_mm;
-    const bool is_on_grid = grid_mm == 0 || std::round(shift_mm / grid_mm) * grid_mm == shift_mm;
-    return is_on_grid && std::abs(share) <= 1 + kMemberRounding;
+    return is_on_grid(shift_mm, misalignment.parallel->grid_mm) &&
+           std::abs(share) <= 1 + kMemberRounding;
   }
   constexpr double kMostShare = 1 - 1e-10;  // the words end 2^-32 before 1
   if (!(std::abs(share) <= kMostShare)) return false;
@@ -102,11 +106,9 @@ bool can_be_kept(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shift
   if (!campaign.search.optimisation) return can_be_drawn(campaign, shifts_mm);
   const schema::Optimisation& ends = *campaign.search.optimisation;
   const double most_mm = (1 + kMemberRounding) * campaign.misalignment.amplitude_mm;
-  const double grid_mm = ends.grid_mm.value_or(0);
   return are_shifts(campaign, shifts_mm, [&](double shift_mm) {
     if (ends.ternary) return can_be_drawn(campaign.misalignment, shift_mm);
-    const bool is_on_grid = grid_mm == 0 || std::round(shift_mm / grid_mm) * grid_mm == shift_mm;
-    return is_on_grid && std::abs(shift_mm) <= most_mm;
+    return is_on_grid(shift_mm, ends.grid_mm.value_or(0)) && std::abs(shift_mm) <= most_mm;
   });
 }
 

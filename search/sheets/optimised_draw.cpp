@@ -26,19 +26,21 @@ class OptimisedDraw final : public DrawAscent {
  private:
   schema::Candidate candidate_;
   solver::SheetSolver solver_;
+  const solver::Sheet start_;
   std::optional<solver::Ascent> ascent_;  // none where the draw stays as it is
 };
 
 OptimisedDraw::OptimisedDraw(const solver::OptimiseOptions& asked, const solver::Model& model,
                              schema::Candidate start)
-    : candidate_(std::move(start)), solver_(model) {
-  for (double& shift_mm : candidate_.shifts_mm.reshaped()) {
-    shift_mm = solver::on_grid(shift_mm, asked.grid_mm);  // a multiple by another product
-  }
-  const solver::Sheet sheet(solver_, candidate_.shifts_mm);
-  auto fitted = solver::fitted_start(sheet, asked);
+    : candidate_(std::move(start)),
+      solver_(model),
+      start_(solver_, candidate_.shifts_mm.unaryExpr([&](double shift_mm) {
+        return solver::on_grid(shift_mm, asked.grid_mm);  // a multiple by another product
+      })) {
+  candidate_.shifts_mm = start_.shifts_mm();
+  auto fitted = solver::fitted_start(start_, asked);
   if (fitted.study) {
-    ascent_.emplace(sheet, *std::move(fitted.study));
+    ascent_.emplace(start_, *std::move(fitted.study));
     return;
   }
   const bool breaks_a_limit = fitted.fault && fitted.fault->name != "goal";
@@ -58,13 +60,12 @@ schema::Candidate OptimisedDraw::take() {
     ascent.ended = schema::name_of(found.end);
     if (found.limits) {
       ascent.limited_by =
-          schema::limits_json(solver_.model().mechanism(), found.options, *found.limits).dump();
+          schema::limits_json(start_.mechanism(), found.options, *found.limits).dump();
     }
   }
-  const solver::Sheet end(solver_, candidate_.shifts_mm);
-  const solver::Model& model = solver_.model();
+  const solver::Sheet& end = ascent_ ? ascent_->reached() : start_;
   candidate_.metrics =
-      solver::measure(model.base(), end.vertices_mm(), end.record(), model.sample_deg());
+      solver::measure(end.base(), end.vertices_mm(), end.record(), end.model().sample_deg());
   return std::move(candidate_);
 }
 

@@ -35,9 +35,10 @@ Eigen::Matrix2Xd end_of(const schema::Campaign& campaign, std::uint64_t draw) {
 // As stored, or made again.
 Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& campaign,
                            const ReplayCall& call) {
-  if (!call.again) return shifts_of_number(database, campaign, call.draw);
+  if (!call.again || !campaign.search.stores_sheets()) {
+    return shifts_of_number(database, campaign, call.draw);
+  }
   if (campaign.search.optimisation) return end_of(campaign, call.draw);
-  if (!campaign.search.splitting) return shifts_of_draw(campaign, call.draw);
   Climber climber(campaign, solver::available_instruction_sets().back());
   const Ladder ladder = stored_ladder(campaign, schema::read_levels(database));
   const Origin origin = origin_of(call.draw, *campaign.search.splitting);

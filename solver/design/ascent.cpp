@@ -181,8 +181,9 @@ void Ascent::begin_flips() {
   looks_of_step_ = 0;
   singles_ = single_flips();
   promising_.clear();
+  const double own_goal = around_->goal(VectorXd::Zero(around_->coordinates));
   const auto consider = [&](Flip flip) {
-    flip.foreseen = foreseen(flip);
+    flip.foreseen = goal_after(flip) - own_goal;
     if (flip.foreseen > kWorth * now_.value) promising_.push_back(flip);
   };
   for (std::size_t one = 0; one < singles_.size(); ++one) {
@@ -251,13 +252,12 @@ std::optional<Ascent::Worthy> Ascent::look(const VectorXd& coordinates_mm) {
   return Worthy{std::move(sheet), *value};
 }
 
-double Ascent::foreseen(const Flip& flip) const {
-  double then = std::numeric_limits<double>::infinity(), now = then;
+double Ascent::goal_after(const Flip& flip) const {
+  double least = std::numeric_limits<double>::infinity();
   for (const LocalGoal& one : around_->goals) {
-    now = std::min(now, one.amount / one.over);
-    then = std::min(then, (one.amount + flip.along(one.row)) / one.over);
+    least = std::min(least, (one.amount + flip.along(one.row)) / one.over);
   }
-  return then - now;
+  return least;
 }
 
 bool Ascent::may_fit(const Flip& flip) const {

@@ -28,8 +28,8 @@ class Ascent {
   bool finished() const { return finished_; }
   /// Looks at one more sheet, or at how those around the one that was reached differ from it.
   void advance();
-  /// What was found so far.
-  const Optimised& found() const { return found_; }
+  /// The sheet that was reached, with what was found of it.
+  const Sheet& reached() const { return *now_.sheet; }
   Optimised take() { return std::move(found_); }
 
  private:
@@ -65,7 +65,7 @@ class Ascent {
   Eigen::VectorXd own_mm() const;
   double largest_mm() const;
   std::optional<Worthy> look(const Eigen::VectorXd& coordinates_mm);
-  double foreseen(const Flip& flip) const;
+  double goal_after(const Flip& flip) const;
   bool may_fit(const Flip& flip) const;
   std::vector<Flip> single_flips() const;
   void find_limits();

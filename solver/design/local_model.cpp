@@ -94,8 +94,7 @@ class Builder {
     model_.rows.push_back({of, static_cast<int>(where), pilot_deg, slack, of_shifted(all)});
   }
 
-  std::vector<double> angles_of_directions() const {
-    const double to_deg = sheet_.sample_deg(options_.deploys_from_sample);
+  static std::vector<double> angles_of_directions(double to_deg) {
     std::vector<double> angles_deg;
     for (double angle_deg = kLong_deg; angle_deg < to_deg;
          angle_deg += angle_deg < to_deg - kNearEnd_deg ? kLong_deg : kShort_deg) {
@@ -108,10 +107,11 @@ class Builder {
 
   void add_directions() {
     AngleGradients last = flat_;
-    const VectorXd longer_mm =
-        at(sheet_.sample_deg(options_.deploys_from_sample)).length_mm - flat_.length_mm;
-    for (const double pilot_deg : angles_of_directions()) {
-      AngleGradients here = at(pilot_deg);
+    const double to_deg = sheet_.sample_deg(options_.deploys_from_sample);
+    const AngleGradients end = at(to_deg, to_deg >= kFoldedFar_deg);
+    const VectorXd longer_mm = end.length_mm - flat_.length_mm;
+    for (const double pilot_deg : angles_of_directions(to_deg)) {
+      AngleGradients here = pilot_deg == to_deg ? end : at(pilot_deg);
       const double least_mm = options_.least_slope_mm_per_deg *
                               half_angle_of_deg(pilot_deg + last.pilot_deg).s *
                               (pilot_deg - last.pilot_deg);
@@ -123,7 +123,7 @@ class Builder {
       }
       last = std::move(here);
     }
-    if (last.pilot_deg >= kFoldedFar_deg) add_folds(last.pilot_deg);
+    if (to_deg >= kFoldedFar_deg) add_folds(end);
     if (options_.stroke_limit) {
       add_elongations(LocalRow::Of::stroke, sheet_.deploys_from_deg(), *options_.stroke_limit,
                       Eigen::ArrayXd::Zero(flat_.length_mm.size()));
@@ -136,17 +136,16 @@ class Builder {
     }
   }
 
-  void add_folds(double pilot_deg) {
-    const AngleGradients here = at(pilot_deg, true);
+  void add_folds(const AngleGradients& here) {
     for (Index c = 0; c < here.fold_deg.size(); ++c) {
       if (static_cast<int>(c) == sheet_.mechanism().pilot) continue;
       const double side = here.fold_deg(c) < 0 ? -1 : 1;
-      add(LocalRow::Of::fold_angle, c, pilot_deg, 180 - kBeforeFlat_deg - side * here.fold_deg(c),
-          -side * here.fold_by_mm.row(c));
+      add(LocalRow::Of::fold_angle, c, here.pilot_deg,
+          180 - kBeforeFlat_deg - side * here.fold_deg(c), -side * here.fold_by_mm.row(c));
     }
     if (const auto limit = gradients_.fold_limit()) {
       add(LocalRow::Of::fold_limit, 0, limit->fold_limit_deg,
-          limit->fold_limit_deg - pilot_deg - kBeforeLimit_deg, limit->by_mm);
+          limit->fold_limit_deg - here.pilot_deg - kBeforeLimit_deg, limit->by_mm);
     }
   }
 

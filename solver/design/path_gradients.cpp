@@ -43,6 +43,14 @@ struct PathGradients::Workspace {
     gradient.add_closure(weights.data(), of_quantity.data());
   }
 
+  VectorXd folds_deg() const {
+    VectorXd folds(std::ssize(state.creases));
+    for (Index c = 0; c < folds.size(); ++c) {
+      folds(c) = mechanism.side * angle_deg(state.creases[static_cast<std::size_t>(c)]);
+    }
+    return folds;
+  }
+
   // Brings the state from near the limit to it: onto the curve by the shortest step, along it by
   // secants of the pilot's rate.
   bool reach_limit() {
@@ -88,6 +96,17 @@ PathGradients::PathGradients(const Sheet& sheet) : sheet_(sheet) {
 
 PathGradients::~PathGradients() = default;
 
+bool PathGradients::solve_at(double pilot_deg) {
+  Workspace& with = *workspace_;
+  sheet_.way()->find_state(sheet_.way()->x_of(pilot_deg), with.state);
+  return with.newton.correct(with.geometry, with.state).end == NewtonEnd::converged;
+}
+
+std::optional<VectorXd> PathGradients::folds_deg(double pilot_deg) {
+  if (!solve_at(pilot_deg)) return {};
+  return workspace_->folds_deg();
+}
+
 std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_folds) {
   Workspace& with = *workspace_;
   const Mechanism& mechanism = with.mechanism;
@@ -104,8 +123,7 @@ std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_fold
     }
     return found;
   }
-  way.find_state(way.x_of(pilot_deg), with.state);
-  if (with.newton.correct(with.geometry, with.state).end != NewtonEnd::converged) return {};
+  if (!solve_at(pilot_deg)) return {};
   with.system.evaluate(with.geometry, with.state);
   with.lu.factorize(with.system.jacobian().leftCols(mechanism.equations));
   with.gradient.at(with.geometry, with.state);
@@ -119,10 +137,8 @@ std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_fold
     with.hold_closed(row);
     found.length_by_mm.row(d) = row.transpose();
   }
-  for (Index c = 0; c < creases; ++c) {
-    found.fold_deg(c) = mechanism.side * angle_deg(with.state.creases[static_cast<std::size_t>(c)]);
-  }
   if (!with_folds) return found;
+  found.fold_deg = with.folds_deg();
   const double deg_per_mm = 1 / (kRadPerDeg * mechanism.panel_width_mm);
   for (Index c = 0; c < creases; ++c) {
     const auto crease = static_cast<std::size_t>(c);

@@ -36,13 +36,17 @@ class PathGradients {
   ~PathGradients();
 
   /// On the way, between flat and its end: states are corrected there. Flat, only lengths change.
-  /// None where the correction fails; without folds their gradients are 0.
+  /// None where the correction fails.
   std::optional<AngleGradients> at(double pilot_deg, bool with_folds = true);
+  /// The fold angles alone, there.
+  std::optional<Eigen::VectorXd> folds_deg(double pilot_deg);
   /// None where the way does not end at a fold limit.
   std::optional<LimitGradient> fold_limit();
 
  private:
   struct Workspace;
+  bool solve_at(double pilot_deg);
+
   const Sheet& sheet_;
   std::unique_ptr<Workspace> workspace_;
 };

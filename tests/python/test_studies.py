@@ -54,6 +54,11 @@ class Studies(unittest.TestCase):
         better, said = sheet.optimise(deploys_from_deg=150, ternary=True, stroke_limit=0.1)
         self.assertEqual(said, program_json("optimise", TABLE1, "--deploys-from", 150, "--ternary", "--stroke-limit", 0.1))
         self.assertEqual(better.deploy()["critical_friction_n_mm_per_mm"], said["after_n_mm_per_mm"])
+        limits = ["stroke_max <= 0.1", "largest_force_n <= 400"]
+        self.assertEqual(sheet.optimise(deploys_from_deg=150, ternary=True, subject_to=limits)[1], program_json(
+            "optimise", TABLE1, "--deploys-from", 150, "--ternary", "--subject-to", limits[0], "--subject-to", limits[1]))
+        with self.assertRaisesRegex(misalign.Error, "subject_to=stroke_max >= 1: stroke_max is to be small"):
+            sheet.optimise(subject_to=["stroke_max >= 1"])
         with self.assertRaisesRegex(misalign.Error, "most is no goal"):
             sheet.optimise("most")
 

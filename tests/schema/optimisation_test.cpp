@@ -138,7 +138,8 @@ class OptimisedCatalogue : public CatalogueTest {
     for (Candidate& one : record.candidates) {
       const double value = static_cast<double>(one.draw % 3);
       one.shifts_mm(1, 9) = 0.1 * value;  // so that there are three ends
-      one.ascent = AscentRecord{0.5 * value, value, 2, 30, "no_step_is_better", "{}"};
+      const double start = value / static_cast<double>(2 + one.draw);
+      one.ascent = AscentRecord{start, value, 2, 30, "no_step_is_better", "{}"};
       if (one.draw % 3 == 0) one.ascent = AscentRecord{{}, {}, 0, 0, "breaks_a_limit", {}};
     }
     return record;
@@ -199,11 +200,13 @@ TEST_F(OptimisedCatalogue, KeepsWhereDrawsEnd) {
   EXPECT_EQ(ends[0]["end_value"], 2);
   EXPECT_EQ(ends[0]["starts"], of_two);
   EXPECT_EQ(ends[0]["draw"], first);
+  EXPECT_EQ(ends[0]["start_value"], 2 / static_cast<double>(2 + first)) << "the first one's";
   EXPECT_EQ(ends[2]["end_value"], nullptr);
   EXPECT_TRUE(check_ledger(*database, optimising_).empty());
 
   EXPECT_FALSE(findings("DELETE FROM ascent WHERE draw = (SELECT min(draw) FROM ascent)").empty());
-  EXPECT_FALSE(findings("UPDATE ascent SET end_value = 0.1 WHERE start_value > 0.1").empty());
+  EXPECT_FALSE(
+      findings("UPDATE ascent SET end_value = start_value / 2 WHERE start_value > 0").empty());
   EXPECT_FALSE(findings("UPDATE sheet SET hash = zeroblob(16)").empty());
   EXPECT_FALSE(
       findings("UPDATE candidate SET displacements_mm = '{\"A10\":[0.4,0.3]}' WHERE draw = "

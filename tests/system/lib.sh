@@ -54,6 +54,31 @@ gives_1() { [ "$(sql "$1" "$2" 2> /dev/null)" = 1 ]; }
 # begun FILE [TABLE [ROWS]]: waits until the catalogue's run has begun, or that table has a row, or so many.
 begun() { eventually "$1: rows in ${2:-run}" gives_1 "$1" "SELECT count(*) >= ${3:-1} FROM ${2:-run}"; }
 
+# killed_often KILLS COMMAND...: a search into killed.db, killed with all of its ranks some moments after its next unit is
+# there, and again; one that was done before begins anew.
+killed_often() {
+  local wanted=$1 hit=0 ended=0 some search
+  shift
+  goes_on_or_ended() {
+    gives_1 killed.db "SELECT count(*) > ${some:-0} FROM unit" || ! kill -0 $search 2> /dev/null
+  }
+  while [ $hit -lt "$wanted" ] && [ $failures = 0 ]; do
+    some=$(sql killed.db 'SELECT count(*) FROM unit' 2> /dev/null)
+    "$@" --progress none --catalogue "$PWD/killed.db" > /dev/null 2>&1 &
+    search=$!
+    eventually "a unit more than ${some:-0}" goes_on_or_ended
+    sleep 0.0$((RANDOM % 10))
+    if pkill -KILL -f -- "^$program search .*--catalogue $PWD/killed.db"; then  # no other test's
+      hit=$((hit + 1))
+    else
+      ended=$((ended + 1))
+      rm -f killed.db*
+    fi
+    { wait $search; } 2> /dev/null
+  done
+  echo "$hit kills of a search under way, $ended came too late"
+}
+
 digest_of() { "$program" status "$1" --json | sed -n 's/.*"digest": "\(.*\)".*/\1/p'; }
 
 # sound_so_far FILE: integrity, no overlap, and every draw of a unit counted once.

@@ -35,25 +35,8 @@ GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4 "$program" search better.json -
 search --catalogue a.db --range 0:$((draws / 2 + 5))
 search --catalogue b.db --range $((draws / 2 - 5)):$draws
 "$program" merge joined.db b.db a.db > out || { fail "merge"; cat out; }
-hit=0 ended=0
-while [ $hit -lt "$kills_wanted" ] && [ $failures = 0 ]; do
-  some=$(sql killed.db 'SELECT count(*) FROM unit' 2> /dev/null)
-  "${ranks[@]}" $((1 + RANDOM % 3)) "$program" search better.json --progress none --unit-draws 4 --catalogue "$PWD/killed.db" > /dev/null 2>&1 &
-  search=$!
-  goes_on_or_ended() {
-    gives_1 killed.db "SELECT count(*) > ${some:-0} FROM unit" || ! kill -0 $search 2> /dev/null
-  }
-  eventually "a unit more than ${some:-0}" goes_on_or_ended
-  sleep 0.$((RANDOM % 3))$((RANDOM % 10))
-  if pkill -KILL -f -- "^$program search .*--catalogue $PWD/killed.db"; then  # no other test's
-    hit=$((hit + 1))
-  else
-    ended=$((ended + 1))
-    rm -f killed.db*
-  fi
-  { wait $search; } 2> /dev/null
-done
-echo "$hit kills of a search under way, $ended came too late"
+on_some_ranks() { "${ranks[@]}" $((1 + RANDOM % 3)) "$program" search better.json --unit-draws 4 "$@"; }
+killed_often "$kills_wanted" on_some_ranks
 # A signal hands in what is done, and drops the block that is on its way.
 search --catalogue killed.db --max-time 1
 sound_so_far killed.db

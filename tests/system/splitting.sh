@@ -31,26 +31,7 @@ search --catalogue baseline.db --instruction-set baseline
 search --catalogue a.db --range 0:$((populations / 2 + 2))
 search --catalogue b.db --range $((populations / 2 - 1)):$populations
 "$program" merge joined.db b.db a.db > out || { fail "merge"; cat out; }
-# Some moments after the next population is there; a search that was done before begins anew.
-hit=0 ended=0
-while [ $hit -lt "$kills_wanted" ] && [ $failures = 0 ]; do
-  some=$(sql killed.db 'SELECT count(*) FROM unit' 2> /dev/null)
-  "$program" search rare.json --progress none --catalogue killed.db > /dev/null 2>&1 &
-  search=$!
-  goes_on_or_ended() {
-    gives_1 killed.db "SELECT count(*) > ${some:-0} FROM unit" || ! kill -0 $search 2> /dev/null
-  }
-  eventually "a population more than ${some:-0}" goes_on_or_ended
-  sleep 0.0$((RANDOM % 10))
-  if kill -KILL $search 2> /dev/null; then
-    hit=$((hit + 1))
-  else
-    ended=$((ended + 1))
-    rm -f killed.db*
-  fi
-  { wait $search; } 2> /dev/null
-done
-echo "$hit kills of a search under way, $ended came too late"
+killed_often "$kills_wanted" "$program" search rare.json
 search --catalogue killed.db
 # What became of each population at each level, but for the time that it took.
 levels() {
