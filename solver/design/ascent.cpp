@@ -245,6 +245,11 @@ std::optional<Ascent::Worthy> Ascent::look(const VectorXd& coordinates_mm) {
     // Programs pass their bounds by rounding, and grids by up to half a step.
     if (!moves_together()) shift_mm = std::clamp(shift_mm, -largest_mm(), largest_mm());
   }
+  // A member of a family that is made smaller as a whole is one still.
+  if (const double most_mm = shifts_mm.cwiseAbs().maxCoeff();
+      moves_together() && most_mm > options_.amplitude_mm) {
+    shifts_mm *= options_.amplitude_mm / most_mm;
+  }
   auto sheet = std::make_unique<const Sheet>(solver_, std::move(shifts_mm));
   ++found_.looks;
   const std::optional<double> value = worth(*sheet, options_);

@@ -26,8 +26,6 @@ constexpr double kBeforeLimit_deg = 0.05, kBeforeFlat_deg = 1e-3;
 // Of margins those within so much of the least are followed to second order, by sheets that are
 // shifted by so much: between rounding of gradients, 1e-9, and their curvature.
 constexpr double kNearTheLeast = 1.5, kAlong_mm = 1e-4;
-// Programs pass their bounds by less than this share of a box.
-constexpr double kRoundingOfPrograms = 1e-9;
 // Fold angles are asked for from here on.
 constexpr double kFoldedFar_deg = 150;
 
@@ -75,7 +73,6 @@ class Builder {
       model_.fall_mm = options_.amplitude_mm + own_mm.array();
       return;
     }
-    const double most_mm = (1 - kRoundingOfPrograms) * options_.amplitude_mm;
     model_.coordinates = options_.moves.cols();
     model_.rise_mm = model_.fall_mm =
         Eigen::ArrayXd::Constant(model_.coordinates, std::numeric_limits<double>::infinity());
@@ -84,7 +81,8 @@ class Builder {
       const double own_mm = sheet_.shifts_mm()(k % 2, vertex);
       for (const double side : {-1.0, 1.0}) {
         model_.rows.push_back({LocalRow::Of::amplitude, static_cast<int>(k), 0,
-                               most_mm - side * own_mm, -side * options_.moves.row(k)});
+                               options_.amplitude_mm - side * own_mm,
+                               -side * options_.moves.row(k)});
       }
     }
   }

@@ -200,7 +200,7 @@ TEST_F(Optimising, MovesWithinAFamily) {
   const Optimised found = *optimise(Sheet(solver, start), options_).study;
   EXPECT_GT(found.best().value, 1.5 * found.start().value);
   EXPECT_LE(parallel_misfit(large.base, found.best().shifts_mm).mm, kMemberWithin_mm);
-  EXPECT_LE(found.best().shifts_mm.cwiseAbs().maxCoeff(), 2 * (1 + 1e-9));
+  EXPECT_LE(found.best().shifts_mm.cwiseAbs().maxCoeff(), 2 * (1 + 1e-15));
   EXPECT_GE(Sheet(solver, found.best().shifts_mm).history().verdict.deploys_from_sample, 178);
 }
 
