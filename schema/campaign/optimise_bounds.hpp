@@ -32,7 +32,17 @@ inline constexpr GoalName kGoalNames[] = {
     {"static_friction_n_mm_per_mm", solver::OptimiseGoal::static_friction,
      "static friction, panels bent", false},
     {"miscut_margin_mm", solver::OptimiseGoal::miscut_margin, "margin against miscuts", true, "mm",
-     "mm"}};
+     "mm"},
+    {"energy_n_mm", solver::OptimiseGoal::energy, "energy of the springs", true, "n_mm", "N mm"},
+    {"deploys_from_deg", solver::OptimiseGoal::deploys_from, "angle from which it deploys", false,
+     "deg", "deg"},
+    {"rest_stiffness_n_mm_per_rad", solver::OptimiseGoal::rest_stiffness,
+     "stiffness where its springs rest, panels bent", false, "n_mm_per_rad", "N mm per rad"},
+    {"thickness_mm", solver::OptimiseGoal::thickness, "thickness of its plates", false, "mm", "mm"},
+    {"yield", solver::OptimiseGoal::yield, "share of miscut copies that deploy", false, "share",
+     "of 1"},
+    {"spare_diagonals", solver::OptimiseGoal::spare_diagonals, "diagonals that need no spring",
+     false, "diagonals", "diagonals"}};
 const GoalName& name_of(solver::OptimiseGoal goal);
 /// Null where none has this name.
 const GoalName* goal_named(std::string_view name);

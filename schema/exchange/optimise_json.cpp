@@ -20,13 +20,27 @@ Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseOptio
   for (std::size_t k = 0; k < options.floors.size(); ++k) {
     floors[std::string(name_of(options.floors[k].of).name)] = limits.per_floor[k];
   }
-  return {{"per_share_of_stroke", limits.per_share_of_stroke},
-          {"per_n_of_force", limits.per_n_of_force},
-          {"per_mm_of_amplitude", limits.per_mm_of_amplitude},
-          {"per_1_of_floors", floors},
-          {"turning", turning},
-          {"fold_limit", limits.by_fold_limit}};
+  Json json = {{"per_share_of_stroke", limits.per_share_of_stroke},
+               {"per_n_of_force", limits.per_n_of_force},
+               {"per_mm_of_amplitude", limits.per_mm_of_amplitude},
+               {"per_1_of_floors", floors},
+               {"turning", turning},
+               {"fold_limit", limits.by_fold_limit}};
+  if (options.stiffness_n_per_mm) {
+    json["per_n_per_mm_of_stiffness"] = limits.per_n_per_mm_of_stiffness;
+  }
+  if (options.preload_n) json["per_n_of_preload"] = limits.per_n_of_preload;
+  return json;
 }
+
+namespace {
+
+// What springs may have, and what they have at the end.
+Json chosen_json(const std::optional<solver::OptimiseOptions::Range>& range, double own) {
+  return range ? Json{{"within", {range->least, range->most}}, {"chosen", own}} : Json();
+}
+
+}  // namespace
 
 Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
                    std::optional<double> certified_deg, const Json& pattern) {
@@ -43,6 +57,9 @@ Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
       {"within_family", options.moves.size() > 0},
       {"stroke_limit", or_null(options.stroke_limit)},
       {"largest_force_n", or_null(options.largest_force_n)},
+      {"stiffness_n_per_mm",
+       chosen_json(options.stiffness_n_per_mm, found.best().stiffness_n_per_mm)},
+      {"preload_n", chosen_json(options.preload_n, found.best().preload_n)},
       {"subject_to", bounds_json({options.stroke_limit, options.largest_force_n, options.floors})},
       {"steps", found.steps()},
       {"sheets_folded", found.looks},

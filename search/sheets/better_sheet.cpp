@@ -1,5 +1,7 @@
 #include "search/sheets/better_sheet.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,18 +10,28 @@
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/found_study.hpp"
 #include "search/sheets/row_certifier.hpp"
+#include "search/sheets/tolerance.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {
 namespace {
 
+// Up to where the sheet that was found is to be proven: the angle that is asked, or where that is
+// the goal the last sample before it.
+double asked_deg(const solver::Optimised& found, double sample_deg) {
+  const double asked_deg = found.options.deploys_from_sample * sample_deg;
+  if (found.options.goal != solver::OptimiseGoal::deploys_from) return asked_deg;
+  return std::max(asked_deg, std::floor(found.best().value / sample_deg) * sample_deg);
+}
+
 // The last sheet that is proven up to there; where not even the start is, all stay.
-ProvenBetter proven(const Subject& subject, solver::Optimised found, double to_deg) {
+ProvenBetter proven(const Subject& subject, solver::Optimised found) {
   if (!subject.sheet.base().springs.in_mid_plane()) return {std::move(found), {}};
   RowCertifier certifier(subject.chosen.base, subject.sheet.model());
   std::optional<double> first;
   const std::vector<solver::Optimised::Taken> all = found.taken;
   for (;;) {
+    const double to_deg = asked_deg(found, subject.sheet.model().sample_deg());
     const auto row = certifier.certify(0, found.best().shifts_mm, to_deg);
     if (!first) first = row.certified_deg;
     if (row.certified_deg >= to_deg) return {std::move(found), row.certified_deg};
@@ -65,13 +77,61 @@ std::optional<double> lower(const std::optional<double>& a, const std::optional<
   return a && b ? std::min(*a, *b) : a ? a : b;
 }
 
-// Margins are up to a threshold, which the model of a single sheet has not.
+bool asks_for(const solver::OptimiseOptions& options, solver::OptimiseGoal goal) {
+  return options.goal == goal ||
+         std::ranges::count(options.floors, goal, &solver::OptimiseFloor::of);
+}
+
+// Margins, which lead to yields, are up to a threshold, which the model of a single sheet has not.
 bool needs_threshold(const solver::OptimiseOptions& options) {
-  const auto is_margin = [](solver::OptimiseGoal goal) {
-    return goal == solver::OptimiseGoal::miscut_margin;
+  return asks_for(options, solver::OptimiseGoal::miscut_margin) ||
+         asks_for(options, solver::OptimiseGoal::yield);
+}
+
+using Range = solver::OptimiseOptions::Range;
+
+// What springs may have, with what they have to begin with in it.
+std::optional<Range> range_of(const char* option, const std::vector<double>& bounds, double own) {
+  if (bounds.empty()) return {};
+  const double least = bounds.front(), most = bounds.back();
+  const std::string shown = fmt::format("{:g},{:g}", least, most);
+  const auto refuse = [&](const std::string& why, const std::string& instead) {
+    throw schema::UserError(solver::OptionFault{option, shown, why, instead});
   };
-  return is_margin(options.goal) ||
-         std::ranges::any_of(options.floors, is_margin, &solver::OptimiseFloor::of);
+  if (!(least < most)) refuse("the least is not below the most", "write the smaller one first");
+  if (own < least || own > most) {
+    refuse(fmt::format("the springs that it starts from have {:g}", own),
+           "name limits on either side of that, or other springs to start from");
+  }
+  return Range{least, most};
+}
+
+// Copies are those of `misalign tolerance`, and deploy from where the sheet is asked to.
+void add_yield(const ChosenSheet& chosen, const OptimiseInput& input, const schema::Campaign& asked,
+               solver::OptimiseOptions& options) {
+  check_miscut(input.miscut_mm, chosen.base.base.sheet, chosen.shifts_mm, chosen.name());
+  options.yield = [asked,
+                   copies = ToleranceOptions{.amplitude_mm = input.miscut_mm,
+                                             .trials = input.trials,
+                                             .jobs = input.jobs,
+                                             .set = solver::available_instruction_sets().back()}](
+                      const solver::Sheet& sheet) -> std::optional<double> {
+    const solver::Tolerance found = study_tolerance(asked, {sheet.shifts_mm()}, copies).front();
+    if (found.copies.decided() == 0) return {};
+    return static_cast<double>(found.survivors()) / static_cast<double>(found.copies.decided());
+  };
+}
+
+void choose_springs(const OptimiseInput& input, solver::OptimiseOptions& options) {
+  solver::Springs& springs = options.deploying.sheet.springs;
+  springs.rest_deg = input.rest_deg.value_or(springs.rest_deg);
+  options.stiffness_n_per_mm =
+      range_of("stiffness_within", input.stiffness_n_per_mm, springs.stiffness_n_per_mm);
+  options.preload_n = range_of("preload_within", input.preload_n, springs.preload.each_n);
+  if (options.preload_n && !springs.preload.others.empty()) {
+    throw schema::UserError(solver::OptionFault{
+        "preload_within", {}, "the design has preloads of single springs", "take these out"});
+  }
 }
 
 }  // namespace
@@ -88,6 +148,7 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   }
   solver::OptimiseOptions options;
   options.goal = input.goal;
+  options.used_from_deg = design.from_deg;
   options.deploying = deploy_options(design, sheet);
   options.bending = bending(design);
   const schema::OptimiseBounds bounds = bounds_of(input.subject_to);
@@ -113,10 +174,12 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   options.grid_mm = input.grid_mm.value_or(0);
   const double sample = std::ceil(deploys_from_deg / sheet.model().sample_deg() - 1e-9);
   options.deploys_from_sample = std::max(1, static_cast<int>(sample));
+  choose_springs(input, options);
   std::unique_ptr<const solver::Model> up_to_there;
   if (needs_threshold(options)) {
     schema::Campaign campaign = chosen.drawn ? chosen.drawn->campaign : chosen.as_campaign();
     campaign.threshold_deg = options.deploys_from_sample * campaign.sample_deg;
+    if (asks_for(options, solver::OptimiseGoal::yield)) add_yield(chosen, input, campaign, options);
     campaign.misalignment.vertices = options.shifted;
     up_to_there.reset(new solver::Model(model_of(campaign)));
   }
@@ -125,14 +188,16 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   if (input.grid_mm) shifts_mm = (shifts_mm.array() / *input.grid_mm).round() * *input.grid_mm;
   const solver::Sheet start(solver, shifts_mm, sheet.name());
   return proven(subject,
-                found(solver::optimise(start, options), sheet.name() + ": its path is lost"),
-                options.deploys_from_sample * sheet.model().sample_deg());
+                found(solver::optimise(start, options), sheet.name() + ": its path is lost"));
 }
 
 schema::Json better_pattern(const Subject& subject, const ProvenBetter& better) {
   const FoldingModel& model = subject.model;
-  return schema::pattern_file_json(model.base(), better.found.best().shifts_mm, model.sampling(),
-                                   model.design());
+  const solver::Optimised& found = better.found;
+  schema::Design design = model.design();
+  if (found.options.stiffness_n_per_mm) design.stiffness_n_per_mm = found.best().stiffness_n_per_mm;
+  if (found.options.preload_n) design.preload_n = found.best().preload_n;
+  return schema::pattern_file_json(model.base(), found.best().shifts_mm, model.sampling(), design);
 }
 
 }  // namespace misalign::search

@@ -15,6 +15,12 @@ struct OptimiseInput {
   std::optional<double> grid_mm = {};  ///< on which shifts lie, those of the start rounded to it
   bool within_family = false;          ///< only among members of the base's parallel family
   std::vector<std::string> subject_to = {};  ///< limits (schema/campaign/optimise_bounds.hpp)
+  /// The least and the most of what springs may have; empty: what the design says.
+  std::vector<double> stiffness_n_per_mm = {}, preload_n = {};
+  std::optional<double> rest_deg = {};  ///< where the springs are relaxed; none: flat
+  double miscut_mm = 0.05;              ///< of copies, where their yield is asked
+  std::uint64_t trials = 200;           ///< so many of them
+  int jobs = 1;                         ///< threads that judge copies
   double least_slope_mm_per_deg = solver::OptimiseOptions{}.least_slope_mm_per_deg;
   int most_steps = solver::OptimiseOptions{}.most_steps;
 };

@@ -27,6 +27,14 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
     text += fmt::format("  the amplitude: 0.1 mm more would give {:.3g} more\n",
                         limits.per_mm_of_amplitude / 10);
   }
+  if (limits.per_n_per_mm_of_stiffness > 0) {
+    text += fmt::format("  the springs' rate: 1 N/mm beyond its limit would give {:.3g} more\n",
+                        limits.per_n_per_mm_of_stiffness);
+  }
+  if (limits.per_n_of_preload > 0) {
+    text += fmt::format("  the preload: 1 N beyond its limit would give {:.3g} more\n",
+                        limits.per_n_of_preload);
+  }
   for (std::size_t k = 0; k < found.options.floors.size(); ++k) {
     if (limits.per_floor[k] == 0) continue;
     const auto& [of, least] = found.options.floors[k];
@@ -45,11 +53,22 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
   return text;
 }
 
-// Margins are up to the threshold, whatever the angle of use.
+// Some goals are of an angle of use.
 std::string goal_text(const solver::Optimised& found) {
+  using enum solver::OptimiseGoal;
   const schema::GoalName& goal = schema::name_of(found.options.goal);
-  if (goal.goal == solver::OptimiseGoal::miscut_margin) return goal.words;
-  return fmt::format("{} from {:g} deg", goal.words, found.from_deg);
+  const bool is_of_use = goal.goal == critical_friction || goal.goal == bent_critical_friction ||
+                         goal.goal == static_friction || goal.goal == energy ||
+                         goal.goal == spare_diagonals;
+  return is_of_use ? fmt::format("{} from {:g} deg", goal.words, found.from_deg) : goal.words;
+}
+
+std::string springs_text(const solver::Optimised& found) {
+  std::string text;
+  const auto& [shifts_mm, n_per_mm, preload_n, value] = found.best();
+  if (found.options.stiffness_n_per_mm) text += fmt::format(" of {:.4g} N/mm", n_per_mm);
+  if (found.options.preload_n) text += fmt::format(" left with {:.4g} N at flat", preload_n);
+  return text.empty() ? text : "springs" + text + "\n";
 }
 
 }  // namespace
@@ -67,6 +86,7 @@ std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
                   sheet.deploys_from_deg(),
                   certified_deg ? fmt::format(", proven up to {:g}", *certified_deg) : "",
                   100 * sheet.metrics()->stroke_max, found.best().shifts_mm.cwiseAbs().maxCoeff());
+  text += springs_text(found);
   if (found.limits) text += limits_text(sheet.mechanism(), found);
   return text;
 }

@@ -39,6 +39,7 @@ Cards cards_of(const Subject& subject, const ProvenBetter& better) {
 
 void show_optimised(OptimiseCall call) {
   read_material(call.material_file, call.design);
+  call.input.jobs = usable_threads();
   Subject subject = choose_sheet(call.path, call.draw, call.design);
   const ProvenBetter better = optimised(subject, call.input);
   if (!call.output.empty()) {
@@ -87,6 +88,35 @@ void add_goal_and_limits(CLI::App& verb, OptimiseInput& input) {
       ->type_name("N");
 }
 
+// What of the springs may be chosen, and how copies are miscut.
+void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
+  const auto add_range = [&](const char* name, std::vector<double>& range, const char* says) {
+    verb.add_option(name, range, says)
+        ->delimiter(',')
+        ->expected(2)
+        ->check(within(0, 1e9))
+        ->type_name("LEAST,MOST")
+        ->excludes("--ternary");
+  };
+  add_range("--stiffness-within", input.stiffness_n_per_mm,
+            "choose the springs' rate, too, N/mm: from the design's, within these");
+  add_range("--preload-within", input.preload_n,
+            "choose what all springs are left with at flat, too, N: within these");
+  verb.add_option("--rest-deg", input.rest_deg,
+                  "pilot angle where the springs are relaxed: a stop for "
+                  "rest_stiffness_n_mm_per_rad [flat]")
+      ->check(within(0, 180))
+      ->type_name("DEG");
+  verb.add_option("--miscut", input.miscut_mm,
+                  fmt::format("copies whose yield is asked are cut off by up to this, mm [{:g}]",
+                              input.miscut_mm))
+      ->check(within(1e-6, 1e3))
+      ->type_name("MM");
+  verb.add_option("--trials", input.trials, fmt::format("so many copies [{}]", input.trials))
+      ->check(counted(1, 1000000))
+      ->type_name("N");
+}
+
 // How far vertices may be shifted, and by what.
 void add_shifts(CLI::App& verb, OptimiseInput& input) {
   verb.add_option("--amplitude", input.amplitude_mm,
@@ -123,13 +153,15 @@ Action optimise_verb(CLI::App& verb) {
       "  misalign optimise results/miura-6x6-1a2b3c4d.db 1234 --subject-to \"miscut_margin_mm >= "
       "0.1\"\n"
       "  misalign optimise search/patterns/table1.json --goal static_friction_n_mm_per_mm "
-      "--thickness 2 --preload 0.1");
+      "--thickness 2 --preload 0.1 --preload-within 0,3\n"
+      "  misalign optimise search/patterns/table1.json --goal deploys_from_deg");
   auto call = std::make_shared<OptimiseCall>();
   schema::Design& design = call->design;
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
   add_goal_and_limits(verb, call->input);
   add_shifts(verb, call->input);
+  add_springs_and_copies(verb, call->input);
   add_release_from(verb, design.from_deg, 0.01);
   add_springs(verb, design);
   add_thickness(verb, design.thickness_mm);

@@ -64,10 +64,6 @@ std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOption
 
 }  // namespace
 
-double on_grid(double mm, double grid_mm) {
-  return grid_mm > 0 ? std::round(mm / grid_mm) * grid_mm : mm;
-}
-
 Studied<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options) {
   assert(!options.shifted.empty() && options.deploys_from_sample > 0);
   assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
@@ -110,12 +106,21 @@ Studied<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& opt
 
 Ascent::Ascent(const Sheet& start, AscentStart fitted)
     : options_(std::move(fitted.options)),
+      by_(options_),
       solver_(start.model()),
       box_mm_(kFirstBox * options_.amplitude_mm),
-      now_{std::make_unique<const Sheet>(solver_, start.shifts_mm()), fitted.value} {
+      now_{std::make_unique<const Sheet>(solver_, start.shifts_mm()),
+           {start.shifts_mm(), options_.deploying.sheet.springs.stiffness_n_per_mm,
+            options_.deploying.sheet.springs.preload.each_n},
+           fitted.value} {
   found_.options = options_;
   found_.from_deg = *options_.deploying.from_deg;
-  found_.taken.push_back({start.shifts_mm(), fitted.value});
+  add_taken();
+}
+
+void Ascent::add_taken() {
+  const auto& [shifts_mm, n_per_mm, preload_n] = now_.point;
+  found_.taken.push_back({shifts_mm, n_per_mm, preload_n, now_.value});
 }
 
 void Ascent::advance() {
@@ -130,6 +135,7 @@ void Ascent::advance() {
 
 void Ascent::begin_step() {
   if (found_.steps() >= options_.most_steps) return end(OptimiseEnd::most_steps);
+  if (now_.value >= most_of(options_.goal)) return end(OptimiseEnd::no_step_is_better);
   around_ = local_model(*now_.sheet, options_);
   if (!around_) return end(OptimiseEnd::no_step_is_better);
   trying_ = Trying::in_a_box;
@@ -139,12 +145,13 @@ void Ascent::begin_step() {
 void Ascent::end(OptimiseEnd why) {
   found_.end = why;
   finished_ = true;
-  if (around_ && !options_.ternary) find_limits();
+  if (around_ && !options_.ternary && is_foreseen(options_.goal)) find_limits();
 }
 
 void Ascent::take_step(Worthy next) {
   now_ = std::move(next);
-  found_.taken.push_back({now_.sheet->shifts_mm(), now_.value});
+  set_springs(options_, now_.point);
+  add_taken();
   around_.reset();
 }
 
@@ -156,10 +163,13 @@ void Ascent::try_box() {
   const LocalProgram inside = local_program(*around_, box_mm_);
   const LinearOptimum best = maximize(inside.linear);
   const double foreseen = best.value * inside.unit;
-  if (best.end != LinearEnd::optimal || foreseen < kWorth * now_.value) return give_up_box();
+  const double worth_it = is_foreseen(options_.goal) ? kWorth * now_.value : 0;
+  if (best.end != LinearEnd::optimal || foreseen <= worth_it) return give_up_box();
   auto next = look(inside.change_mm(best));
   const double gained = next ? next->value - now_.value : 0;
-  if (gained > kForeseen * foreseen) {
+  const bool came_true =
+      is_foreseen(options_.goal) ? gained > kForeseen * foreseen : gained > kWorth * now_.value;
+  if (came_true) {
     box_mm_ = std::min(2 * box_mm_, options_.amplitude_mm);
     return take_step(std::move(*next));
   }
@@ -169,7 +179,7 @@ void Ascent::try_box() {
 
 void Ascent::give_up_box() {
   box_mm_ = kFirstBox * options_.amplitude_mm;
-  if (moves_together()) return end(OptimiseEnd::no_step_is_better);
+  if (by_.are_free()) return end(OptimiseEnd::no_step_is_better);
   begin_flips();
 }
 
@@ -182,9 +192,10 @@ void Ascent::begin_flips() {
   singles_ = single_flips();
   promising_.clear();
   const double own_goal = around_->goal(VectorXd::Zero(around_->coordinates));
+  const double worth_it = is_foreseen(options_.goal) ? kWorth * now_.value : 0;
   const auto consider = [&](Flip flip) {
     flip.foreseen = goal_after(flip) - own_goal;
-    if (flip.foreseen > kWorth * now_.value) promising_.push_back(flip);
+    if (flip.foreseen > worth_it) promising_.push_back(flip);
   };
   for (std::size_t one = 0; one < singles_.size(); ++one) {
     consider(singles_[one]);
@@ -216,45 +227,15 @@ void Ascent::try_flip() {
   if (next && next->value > now_.value * (1 + kWorth)) take_step(std::move(*next));
 }
 
-double& Ascent::coordinate(Matrix2Xd& shifts_mm, Index k) const {
-  return shifts_mm(k % 2, options_.shifted[static_cast<std::size_t>(k / 2)]);
-}
-
-// x and y of each vertex that may be shifted, in turn.
-VectorXd Ascent::own_mm() const {
-  Matrix2Xd shifts_mm = now_.sheet->shifts_mm();
-  VectorXd own_mm(2 * std::ssize(options_.shifted));
-  for (Index k = 0; k < own_mm.size(); ++k) own_mm(k) = coordinate(shifts_mm, k);
-  return own_mm;
-}
-
-// No farther than the amplitude, on the grid.
-double Ascent::largest_mm() const {
-  const double grid_mm = options_.grid_mm;
-  if (grid_mm == 0) return options_.amplitude_mm;
-  return std::floor(options_.amplitude_mm / grid_mm * (1 + 1e-12)) * grid_mm;
-}
-
-std::optional<Ascent::Worthy> Ascent::look(const VectorXd& coordinates_mm) {
-  Matrix2Xd shifts_mm = now_.sheet->shifts_mm();
-  const VectorXd change_mm =
-      moves_together() ? VectorXd(options_.moves * coordinates_mm) : coordinates_mm;
-  for (Index k = 0; k < change_mm.size(); ++k) {
-    double& shift_mm = coordinate(shifts_mm, k);
-    shift_mm = on_grid(shift_mm + change_mm(k), options_.grid_mm);
-    // Programs pass their bounds by rounding, and grids by up to half a step.
-    if (!moves_together()) shift_mm = std::clamp(shift_mm, -largest_mm(), largest_mm());
-  }
-  // A member of a family that is made smaller as a whole is one still.
-  if (const double most_mm = shifts_mm.cwiseAbs().maxCoeff();
-      moves_together() && most_mm > options_.amplitude_mm) {
-    shifts_mm *= options_.amplitude_mm / most_mm;
-  }
-  auto sheet = std::make_unique<const Sheet>(solver_, std::move(shifts_mm));
+std::optional<Ascent::Worthy> Ascent::look(const VectorXd& change_mm) {
+  DesignPoint point = by_.after(now_.point, change_mm);
+  auto sheet = std::make_unique<const Sheet>(solver_, point.shifts_mm);
   ++found_.looks;
-  const std::optional<double> value = worth(*sheet, options_);
+  OptimiseOptions there = options_;
+  set_springs(there, point);
+  const std::optional<double> value = worth(*sheet, there);
   if (!value) return {};
-  return Worthy{std::move(sheet), *value};
+  return Worthy{std::move(sheet), std::move(point), *value};
 }
 
 double Ascent::goal_after(const Flip& flip) const {
@@ -277,9 +258,9 @@ bool Ascent::may_fit(const Flip& flip) const {
 // To nothing, to the amplitude, and to what is next on a grid.
 std::vector<Ascent::Flip> Ascent::single_flips() const {
   std::vector<Flip> flips;
-  const VectorXd from_mm = own_mm();
-  const double most_mm = largest_mm(), grid_mm = options_.grid_mm;
+  const VectorXd from_mm = by_.of(now_.point);
   for (Index k = 0; k < from_mm.size(); ++k) {
+    const double most_mm = by_.largest_mm(k), grid_mm = by_.range(k) ? 0 : options_.grid_mm;
     std::vector<double> levels_mm = {-most_mm, 0.0, most_mm};
     if (grid_mm > 0) {
       for (const double next_mm : {from_mm(k) - grid_mm, from_mm(k) + grid_mm}) {
@@ -308,7 +289,7 @@ void Ascent::find_limits() {
         limits.per_share_of_stroke += price * now_.sheet->way()->flat_mm()(one.where);
         break;
       case LocalRow::Of::force:
-        limits.per_n_of_force += price / options_.deploying.sheet.springs.stiffness_n_per_mm;
+        limits.per_n_of_force += price;
         break;
       case LocalRow::Of::direction:
         limits.turning.push_back({one.where, one.pilot_deg, price});
@@ -326,9 +307,20 @@ void Ascent::find_limits() {
     }
   }
   std::ranges::sort(limits.turning, std::ranges::greater(), &OptimiseLimits::Turning::per_mm);
-  // Of the box those sides that are the amplitude's.
-  for (Index row = best.price.size() - 2 * around_->coordinates; row < best.price.size(); ++row) {
-    if (inside.linear.bounds(row) < 1) limits.per_mm_of_amplitude += inside.price(best, row);
+  // Of the box those sides that are the amplitude's, or the ends of a range.
+  const Index sides = 2 * around_->coordinates, first = best.price.size() - sides;
+  for (Index side = 0; side < sides; ++side) {
+    if (inside.linear.bounds(first + side) >= 1) continue;
+    const double price = inside.price(best, first + side);
+    const OptimiseOptions::Range* const range = by_.range(side % around_->coordinates);
+    if (!range) {
+      limits.per_mm_of_amplitude += price;
+    } else {
+      const bool is_stiffness =
+          options_.stiffness_n_per_mm && range == &*options_.stiffness_n_per_mm;
+      (is_stiffness ? limits.per_n_per_mm_of_stiffness : limits.per_n_of_preload) +=
+          price / by_.per_mm(*range);
+    }
   }
   found_.limits = limits;
 }

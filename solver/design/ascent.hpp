@@ -24,6 +24,8 @@ class Ascent {
  public:
   /// The sheet's model must outlive this object, the sheet need not.
   Ascent(const Sheet& start, AscentStart fitted);
+  Ascent(const Ascent&) = delete;
+  Ascent& operator=(const Ascent&) = delete;
 
   bool finished() const { return finished_; }
   /// Looks at one more sheet, or at how those around the one that was reached differ from it.
@@ -33,9 +35,10 @@ class Ascent {
   Optimised take() { return std::move(found_); }
 
  private:
-  // A sheet that fits, and what it is worth.
+  // A sheet that fits, with its springs, and what it is worth.
   struct Worthy {
     std::unique_ptr<const Sheet> sheet;
+    DesignPoint point;
     double value;
   };
   // A change of one coordinate or two, and what it would be worth.
@@ -59,18 +62,16 @@ class Ascent {
   void try_flip();
   void give_up_box();
   void take_step(Worthy next);
+  void add_taken();
 
-  bool moves_together() const { return options_.moves.size() > 0; }
-  double& coordinate(Eigen::Matrix2Xd& shifts_mm, Eigen::Index k) const;
-  Eigen::VectorXd own_mm() const;
-  double largest_mm() const;
-  std::optional<Worthy> look(const Eigen::VectorXd& coordinates_mm);
+  std::optional<Worthy> look(const Eigen::VectorXd& change_mm);
   double goal_after(const Flip& flip) const;
   bool may_fit(const Flip& flip) const;
   std::vector<Flip> single_flips() const;
   void find_limits();
 
-  const OptimiseOptions options_;
+  OptimiseOptions options_;  // with the springs of the sheet that was reached
+  const Coordinates by_;
   SheetSolver solver_;
   double box_mm_;
   Worthy now_;
@@ -82,8 +83,5 @@ class Ascent {
   int looks_of_step_ = 0;
   bool finished_ = false;
 };
-
-/// What is rounded to a grid, mm; 0: there is none.
-double on_grid(double mm, double grid_mm);
 
 }  // namespace misalign::solver

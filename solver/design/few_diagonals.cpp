@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace misalign::solver {
 namespace {
@@ -54,7 +56,10 @@ std::size_t at_least(const Eigen::MatrixXd& moments, double wanted) {
   return most;
 }
 
-std::vector<int> thinned_out(const Eigen::MatrixXd& moments, double wanted) {
+// Taken away one by one, the one that is missed least first: as far as `wanted` is left, and the
+// next.
+std::pair<std::vector<int>, std::vector<int>> thinned_out(const Eigen::MatrixXd& moments,
+                                                          double wanted) {
   std::vector<int> kept(moments.cols());
   for (std::size_t k = 0; k < kept.size(); ++k) kept[k] = static_cast<int>(k);
   Eigen::VectorXd sum = moments.rowwise().sum();
@@ -65,11 +70,21 @@ std::vector<int> thinned_out(const Eigen::MatrixXd& moments, double wanted) {
       const double left = (sum - moments.col(*column)).minCoeff();
       if (left > best) best = left, least_missed = column;
     }
-    if (best < wanted) break;
+    std::vector<int> fewer = kept;
+    fewer.erase(fewer.begin() + (least_missed - kept.begin()));
+    if (best < wanted) return {kept, fewer};
     sum -= moments.col(*least_missed);
-    kept.erase(least_missed);
+    kept = std::move(fewer);
   }
-  return kept;
+  return {kept, {}};
+}
+
+std::vector<int> columns_of(const SetOfColumns& set) {
+  std::vector<int> columns;
+  for (int k = 0; k < static_cast<int>(kMostForEverySet); ++k) {
+    if (set.columns >> k & 1) columns.push_back(k);
+  }
+  return columns;
 }
 
 }  // namespace
@@ -84,18 +99,17 @@ FewDiagonals few_diagonals(const Eigen::MatrixXd& moments, double share) {
     // Sums made in Gray's order carry the rounding of many steps: far less than this part.
     constexpr double kRounding = 1e-9;
     for (const SetOfColumns& set : best_of_each_size(moments)) {
-      if (set.least < wanted * (1 - kRounding)) continue;
-      for (int k = 0; k < moments.cols(); ++k) {
-        if (set.columns >> k & 1) few.diagonals.push_back(k);
-      }
-      break;
+      few.fewer = std::move(few.diagonals);
+      few.diagonals = columns_of(set);
+      if (set.least >= wanted * (1 - kRounding)) break;
     }
     few.proven = true;
   } else {
-    few.diagonals = thinned_out(moments, wanted);
+    std::tie(few.diagonals, few.fewer) = thinned_out(moments, wanted);
     few.proven = few.diagonals.size() <= at_least(moments, wanted);
   }
   few.share = least_sum(moments, few.diagonals) / all;
+  few.share_of_fewer = few.fewer.empty() ? 0 : least_sum(moments, few.fewer) / all;
   return few;
 }
 

@@ -10,6 +10,9 @@ struct FewDiagonals {
   std::vector<int> diagonals;  ///< ascending
   double share;                ///< of the least total of all diagonals that theirs is
   bool proven;                 ///< whether no smaller set will do
+  /// The best of one diagonal fewer that was found, and its share; empty where there is none.
+  std::vector<int> fewer = {};
+  double share_of_fewer = 0;
 };
 
 /// The smallest set of columns whose sum is everywhere at least `share` of the least sum of all

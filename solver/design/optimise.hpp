@@ -12,6 +12,7 @@
 // quotients and roots: the same sheet at the same steps, to the last bit, on every processor.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,9 +28,19 @@ struct OptimiseOptions {
   std::vector<int> shifted;   ///< the vertices that may be shifted
   /// In columns, what moves together: x and y of each of these in turn. Empty: each by itself.
   Eigen::MatrixXd moves;
-  double amplitude_mm = 0.4;              ///< no farther in x, nor in y
-  bool ternary = false;                   ///< only by nothing or that much
-  double grid_mm = 0;                     ///< only by whole multiples of it; 0: by any
+  double amplitude_mm = 0.4;  ///< no farther in x, nor in y
+  bool ternary = false;       ///< only by nothing or that much
+  double grid_mm = 0;         ///< only by whole multiples of it; 0: by any
+  /// Within which the springs' rate and what all are left with at flat may be chosen as well; none:
+  /// as they are.
+  struct Range {
+    double least, most;
+  };
+  std::optional<Range> stiffness_n_per_mm, preload_n;
+  /// Up to where plates are to fold, as `contact` asks; none: D.
+  std::optional<double> used_from_deg;
+  /// The share of a sheet's miscut copies that deploy, where that is asked.
+  std::function<std::optional<double>(const Sheet&)> yield;
   int deploys_from_sample = 1;            ///< D at least
   std::optional<double> stroke_limit;     ///< |L - L0| / L0 of every diagonal, up to D
   std::optional<double> largest_force_n;  ///< of every spring where it is let go, panels rigid
@@ -49,7 +60,9 @@ struct OptimiseLimits {
   double per_share_of_stroke = 0;  ///< for each 1 of the stroke limit
   double per_n_of_force = 0;       ///< for each N of the largest force
   double per_mm_of_amplitude = 0;  ///< for each mm of amplitude
-  std::vector<double> per_floor;   ///< for each 1 that the floor is lower
+  /// For each N/mm, and N, beyond the range in which it is chosen, at either end.
+  double per_n_per_mm_of_stiffness = 0, per_n_of_preload = 0;
+  std::vector<double> per_floor;  ///< for each 1 that the floor is lower
   /// Diagonals that would turn back, where: the one with the largest price first.
   struct Turning {
     int diagonal;
@@ -62,15 +75,16 @@ struct OptimiseLimits {
 struct Optimised {
   OptimiseOptions options;
   double from_deg;
-  /// The start, then the sheet after each step; what each is worth, N mm per mm, or mm.
+  /// The start, then the sheet after each step; what each is worth, as the goal is.
   struct Taken {
     Eigen::Matrix2Xd shifts_mm;
+    double stiffness_n_per_mm, preload_n;  ///< of its springs
     double value;
   };
   std::vector<Taken> taken;
   OptimiseEnd end;
   int looks = 0;                         ///< sheets that were folded
-  std::optional<OptimiseLimits> limits;  ///< of free shifts, at the last sheet
+  std::optional<OptimiseLimits> limits;  ///< of free shifts, at the last sheet, of what is foreseen
 
   const Taken& start() const { return taken.front(); }
   const Taken& best() const { return taken.back(); }

@@ -1,5 +1,6 @@
 #include "solver/design/path_gradients.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <cassert>
 #include <cmath>
@@ -19,6 +20,9 @@ namespace {
 // Along the curve from a state near it; so still is the pilot at its limit, and no sooner given up.
 constexpr double kFirstAlong_rad = 1e-3, kOnCurve_rad = 1e-10, kStill = 1e-9;
 constexpr int kMostToLimit = 60;
+// Shapes of a state that is moved so far along its gradient: between rounding and curvature, both
+// 1e-10 of a gradient.
+constexpr double kNextShape_mm = 1e-4;
 
 }  // namespace
 
@@ -148,6 +152,69 @@ std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_fold
     row.setZero();
     with.hold_closed(row);
     found.fold_by_mm.row(c) = row.transpose();
+  }
+  return found;
+}
+
+std::optional<SlopeGradients> PathGradients::slopes(double pilot_deg) {
+  SlopeGradients found{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
+  found.slope_by_mm.setZero(found.slope_mm_per_rad.size(), workspace_->coordinates());
+  constexpr struct {
+    int steps;
+    double weight;
+  } kDifferences[] = {{-2, 1}, {-1, -8}, {1, 8}, {2, -1}};  // over 12 steps
+  for (const auto& [steps, weight] : kDifferences) {
+    const double there_deg = pilot_deg + steps * kSlopeStep_rad / kRadPerDeg;
+    // On the other side of flat lies the mirror image.
+    const bool is_on = std::abs(there_deg) <= sheet_.way()->end_deg() &&
+                       (there_deg >= 0 || sheet_.mechanism().springs.in_mid_plane());
+    const auto there = is_on ? at(std::abs(there_deg), false) : std::nullopt;
+    if (!there) return {};
+    found.slope_mm_per_rad += weight / (12 * kSlopeStep_rad) * there->length_mm;
+    found.slope_by_mm += weight / (12 * kSlopeStep_rad) * there->length_by_mm;
+  }
+  return found;
+}
+
+// How the unknowns follow each coordinate, column by column of the identity; and with that shapes
+// on either side.
+std::optional<VertexGradients> PathGradients::vertices(double pilot_deg) {
+  if (!solve_at(pilot_deg)) return {};
+  Workspace& with = *workspace_;
+  const Mechanism& mechanism = with.mechanism;
+  const Index equations = mechanism.equations, coordinates = with.coordinates();
+  with.system.evaluate(with.geometry, with.state);
+  with.gradient.at(with.geometry, with.state);
+  MatrixXd closure_by_mm = MatrixXd::Zero(equations, coordinates);
+  VectorXd row(coordinates);
+  for (Index e = 0; e < equations; ++e) {
+    const VectorXd weights = VectorXd::Unit(equations, e);
+    row.setZero();
+    with.gradient.add_closure(weights.data(), row.data());
+    closure_by_mm.row(e) = row.transpose();
+  }
+  // Closures are of a geometry in panel widths.
+  const MatrixXd follow = -Eigen::PartialPivLU<MatrixXd>(with.system.jacobian().leftCols(equations))
+                               .solve(closure_by_mm) /
+                          mechanism.panel_width_mm;
+  const FoldedShape& shape = sheet_.model().shape();
+  const auto shape_mm = [&](Index k, double by_mm) {
+    FlatVertices flat_mm = sheet_.vertices_mm();
+    flat_mm(k % 2, k / 2) += by_mm;
+    SheetGeometry<double> geometry;
+    place(mechanism, flat_mm, geometry);
+    FoldState<double> state = with.state;
+    VectorXd step = VectorXd::Zero(mechanism.unknowns);
+    step.head(equations) = by_mm * follow.col(k);
+    advance(mechanism, step.data(), state);
+    return shape.vertices_mm(geometry, state);
+  };
+  VertexGradients found{shape.vertices_mm(with.geometry, with.state), {}};
+  found.by_mm.resize(found.at_mm.size(), coordinates);
+  for (Index k = 0; k < coordinates; ++k) {
+    const Eigen::Matrix3Xd by_mm =
+        (shape_mm(k, kNextShape_mm) - shape_mm(k, -kNextShape_mm)) / (2 * kNextShape_mm);
+    found.by_mm.col(k) = by_mm.reshaped();
   }
   return found;
 }

@@ -5,6 +5,8 @@
 //   F(x, pilot, v) = 0,  dq/dv = q_v - (J^-T q_x) . F_v  of any quantity q, pilot held;
 // and where the pilot turns, J is singular: with its left null vector w,
 //   d(limit)/dv = -(w . F_v) / (w . F_pilot).
+// Slopes are differences of lengths at four angles next to one, and so are their gradients: off by
+// the fourth power of kSlopeStep_rad.
 #pragma once
 
 #include <memory>
@@ -24,10 +26,24 @@ struct AngleGradients {
   Eigen::MatrixXd fold_by_mm;    ///< creases x (2 vertices): deg per mm
 };
 
+/// Of the diagonals at one pilot angle.
+struct SlopeGradients {
+  Eigen::VectorXd slope_mm_per_rad;  ///< of the pilot's angle
+  Eigen::MatrixXd slope_by_mm;       ///< diagonals x (2 vertices): mm per rad per mm
+};
+
+/// Of the folded sheet at one pilot angle, its first panel held.
+struct VertexGradients {
+  Eigen::Matrix3Xd at_mm;  ///< every vertex, where its panel has it
+  Eigen::MatrixXd by_mm;   ///< (3 vertices) x (2 vertices): mm per mm
+};
+
 struct LimitGradient {
   double fold_limit_deg;
   Eigen::RowVectorXd by_mm;  ///< deg per mm
 };
+
+inline constexpr double kSlopeStep_rad = 5e-4;
 
 class PathGradients {
  public:
@@ -40,6 +56,10 @@ class PathGradients {
   std::optional<AngleGradients> at(double pilot_deg, bool with_folds = true);
   /// The fold angles alone, there.
   std::optional<Eigen::VectorXd> folds_deg(double pilot_deg);
+  /// None also where the way ends within twice kSlopeStep_rad.
+  std::optional<SlopeGradients> slopes(double pilot_deg);
+  /// Of all vertices: what is between panels changes with them.
+  std::optional<VertexGradients> vertices(double pilot_deg);
   /// None where the way does not end at a fold limit.
   std::optional<LimitGradient> fold_limit();
 

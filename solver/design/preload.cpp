@@ -14,9 +14,8 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// So close to flat L2 and C2 are known to (angle / 3)^2, and panels so much stiffer in their planes
-// that these give less than 1e-3 of what bending does there.
-constexpr double kNearFlat_deg = 1, kStiffer = 1e4;
+// Panels so much stiffer in their planes that these give less than 1e-3 of what bending does there.
+constexpr double kStiffer = 1e4;
 // Below this, of the largest eigenvalue, a panel does not bend; and of the stiffest panel's, a
 // force does not push.
 constexpr double kNoPush = 1e-9;

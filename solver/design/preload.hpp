@@ -25,6 +25,9 @@ struct PreloadAtFlat {
   double none_left_n() const { return 2 * best_n(); }
 };
 
+/// So close to flat L2 and C2 are known to (angle / 3)^2.
+inline constexpr double kNearFlat_deg = 1;
+
 /// Panels that only bend; from a state next to flat. `shares`: of F in each spring.
 PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
                               double thickness_mm, const Eigen::VectorXd& shares);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "solver/design/contact.hpp"
 #include "solver/design/path_gradients.hpp"
+#include "solver/design/rest_stiffness.hpp"
+#include "solver/design/spare_diagonals.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -34,20 +37,49 @@ bool fits(const Sheet& sheet, const OptimiseOptions& options) {
          is_strong_enough(sheet, options);
 }
 
+double goes_until_deg(const Sheet& sheet) {
+  const auto& reverses_deg = sheet.record().extremes.reverses_deg;
+  const auto over_deg = sheet.way()->over_folded_deg();
+  return std::min({sheet.way()->end_deg(), reverses_deg.value_or(180), over_deg.value_or(180)});
+}
+
 std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
                                const OptimiseOptions& options) {
+  const DeployOptions& deploying = options.deploying;
   switch (goal) {
     case OptimiseGoal::miscut_margin:
       return sheet.record().miscut_margin_mm;
+    case OptimiseGoal::deploys_from:
+      return goes_until_deg(sheet);
+    case OptimiseGoal::yield:
+      return options.yield(sheet);
+    case OptimiseGoal::thickness: {
+      const auto found = contact(sheet, {{}, options.used_from_deg}).study;
+      return found && found->thickness ? std::optional(found->thickness->thickness_mm)
+                                       : std::nullopt;
+    }
+    case OptimiseGoal::rest_stiffness: {
+      const auto found = rest_stiffness(sheet, deploying, options.bending.material);
+      return found ? std::optional(found->n_mm_per_rad) : std::nullopt;
+    }
+    case OptimiseGoal::spare_diagonals: {
+      const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(),
+                                 deploying.sheet);
+      const auto found = spare_diagonals(sheet, rigid, *deploying.from_deg);
+      return found ? std::optional(found->amount) : std::nullopt;
+    }
+    case OptimiseGoal::energy:
     case OptimiseGoal::critical_friction: {
-      const auto rigid = standstill(sheet, options.deploying).study;
-      return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
+      const auto rigid = standstill(sheet, deploying).study;
+      if (!rigid) return {};
+      if (goal == OptimiseGoal::energy) return rigid->springs_n_mm;
+      return rigid->friction.critical_n_mm_per_mm;
     }
     case OptimiseGoal::bent_critical_friction:
     case OptimiseGoal::static_friction:
       break;
   }
-  const auto bent = bend_panels(sheet, options.deploying, options.bending).study;
+  const auto bent = bend_panels(sheet, deploying, options.bending).study;
   if (!bent || bent->unsure() > 0) return {};
   if (goal == OptimiseGoal::static_friction) return bent->friction.static_n_mm_per_mm;
   return bent->friction.critical_n_mm_per_mm;

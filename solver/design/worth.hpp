@@ -9,6 +9,8 @@ namespace misalign::solver {
 
 /// `options.deploying` says from where it is let go.
 bool is_strong_enough(const Sheet& sheet, const OptimiseOptions& options);
+/// Up to where every diagonal goes one way, between samples too, and it goes on folding.
+double goes_until_deg(const Sheet& sheet);
 /// What a sheet that can be let go is worth by a goal; none where its study finds nothing.
 std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
                                const OptimiseOptions& options);

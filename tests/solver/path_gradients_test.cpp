@@ -79,6 +79,23 @@ Eigen::VectorXd changing(const Model& model, const FlatVertices& vertices_mm,
   return by;
 }
 
+// How a quantity of the diagonals changes with the pilot's angle, per radian: states are solved on
+// both sides.
+template <class Quantity>
+Eigen::VectorXd by_pilot(const Model& model, const FoldState<double>& near,
+                         const Quantity& quantity) {
+  constexpr double kStep_rad = 4e-4;
+  const auto at = [&](int steps) -> Eigen::VectorXd {
+    const Mechanism& mechanism = model.mechanism();
+    FoldState<double> state = near;
+    const Eigen::VectorXd turn =
+        steps * kStep_rad * Eigen::VectorXd::Unit(mechanism.unknowns, mechanism.equations);
+    advance(mechanism, turn.data(), state);
+    return quantity(state).head(mechanism.diagonal_count());
+  };
+  return difference(at, kStep_rad);
+}
+
 TEST(PathGradients, EqualDifferencesBetweenWays) {
   const std::uint64_t seed = 20261127;
   std::mt19937_64 random(seed);
@@ -171,7 +188,7 @@ TEST_P(PathGradientsOfFamilies, EqualDualNumbersAndDifferences) {
   std::mt19937_64 random(39);
   std::uniform_real_distribution<double> part(-1, 1), angle_deg(5, 100);
   const double step_mm = 2.5e-5 * family.base.sheet.panel_width_mm;
-  double worst = 0, worst_dual = 0, worst_limit = 0;
+  double worst = 0, worst_dual = 0, worst_slope = 0, worst_limit = 0;
   int sheets = 0, limits = 0, jumping = 0;
   for (int trial = 0; trial < kSheets; ++trial) {
     const Eigen::Matrix2Xd shifts_mm =
@@ -200,6 +217,15 @@ TEST_P(PathGradientsOfFamilies, EqualDualNumbersAndDifferences) {
     worst = std::max(worst, (by - foreseen).norm() / foreseen.norm());
     const Eigen::VectorXd dual = changing(model, own.vertices_mm(), direction, state);
     worst_dual = std::max(worst_dual, (dual - foreseen).norm() / foreseen.norm());
+    const SlopeGradients slopes = *gradients.slopes(pilot_deg);
+    const Eigen::VectorXd slope = by_pilot(model, state, [&](const FoldState<double>& there) {
+      return folded(model, own.vertices_mm(), there);
+    });
+    const Eigen::VectorXd steeper = by_pilot(model, state, [&](const FoldState<double>& there) {
+      return changing(model, own.vertices_mm(), direction, there);
+    });
+    worst_slope = std::max({worst_slope, (slope - slopes.slope_mm_per_rad).norm() / slope.norm(),
+                            (steeper - slopes.slope_by_mm * along).norm() / steeper.norm()});
     if (!own.way()->ends_at_limit() || limits == kLimits) continue;
     ++limits;
     const auto at_limit = gradients.fold_limit();
@@ -221,10 +247,12 @@ TEST_P(PathGradientsOfFamilies, EqualDualNumbersAndDifferences) {
   }
   RecordProperty("worst", scientific(worst));
   RecordProperty("worst_dual", scientific(worst_dual));
+  RecordProperty("worst_slope", scientific(worst_slope));
   RecordProperty("worst_limit", scientific(worst_limit));
   EXPECT_GE(sheets, kSheets / 2);
   EXPECT_LE(worst, 1e-7);
   EXPECT_LE(worst_dual, 1e-9) << "rounding, and how well states are known";
+  EXPECT_LE(worst_slope, 1e-7);
   EXPECT_LE(jumping, 1) << "of " << limits;
   EXPECT_LE(worst_limit, 5e-5) << limits << " limits, known to 1e-7 degrees";
 }
