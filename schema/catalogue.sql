@@ -164,7 +164,7 @@ CREATE TABLE population (
 
 -- By which a candidate of a search that stores sheets is known when it is met again: XXH3-128 of its
 -- displacements_mm. Of a splitting search it has the least of its numbers; of an optimising one each
--- draw has the sheet at which it ends.
+-- start has the sheet at which it ends.
 CREATE TABLE sheet (
   draw INTEGER PRIMARY KEY REFERENCES candidate (draw),
   hash BLOB NOT NULL CHECK (length(hash) = 16)

@@ -30,6 +30,11 @@ void optimise_if_asked(DrawEvaluator& evaluator) {
   throw whole_program_needed("makes no draw better");
 }
 
+void optimise_if_asked(Climber& climber) {
+  if (!climber.campaign().search.optimisation) return;
+  throw whole_program_needed("makes no sheet better");
+}
+
 std::string fingerprint(const schema::Campaign& /*campaign*/, const std::string& golden_verdicts) {
   return golden_verdicts;
 }

@@ -111,9 +111,11 @@ void read_certify(ObjectReader& reader, const char* afterwards, bool& certify) {
 void check_parallel(const Campaign& campaign, InputFaults& faults) {
   if (!campaign.misalignment.parallel) return;
   if (campaign.search.splitting) {
-    faults.add("search.method = \"splitting\"",
+    const bool is_of_starts = campaign.search.optimisation.has_value();
+    faults.add(is_of_starts ? "search.starts = \"splitting\"" : "search.method = \"splitting\"",
                "changes vertices one by one, and members of the parallel family change together",
-               "write \"plain\"; most members with like signs are accepted");
+               std::string("write \"") + (is_of_starts ? "draws" : "plain") +
+                   "\"; most members with like signs are accepted");
   }
   if (closes_at_180(campaign) && campaign.end_deg > 180 - campaign.sample_deg) {
     faults.add("path.end_deg = " + shown_number(campaign.end_deg),

@@ -1,4 +1,5 @@
-// The search method "optimise": from each draw that is accepted on to better sheets.
+// The search method "optimise": from each draw that is accepted, or sheet that a population finds,
+// on to better sheets.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,8 @@ struct Optimisation {
   std::optional<double> grid_mm;  ///< ends are shifted by whole multiples of it
   double least_slope_mm_per_deg = 1e-3;  ///< as solver::OptimiseOptions
   std::uint32_t most_steps = 200;
+  /// Where a population finds the starts: so many of its sheets, those that it meets first.
+  std::uint32_t starts_of_population = 16;
 
   bool operator==(const Optimisation&) const = default;
 };
@@ -29,7 +32,7 @@ Optimisation read_optimisation(ObjectReader& reader, double threshold_deg);
 /// What an optimisation that is asked for lacks.
 void check_optimisation(ObjectReader& reader, const Optimisation& optimisation);
 
-/// Every key of its own.
+/// Every key of its own, with draws as starts.
 Json optimisation_json(const Optimisation& optimisation);
 
 }  // namespace misalign::schema

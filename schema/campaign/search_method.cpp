@@ -4,6 +4,7 @@ namespace misalign::schema {
 namespace {
 
 constexpr const char* kMethods = "write \"plain\", \"splitting\" or \"optimise\"";
+constexpr const char* kStarts = "write \"draws\" or \"splitting\"";
 
 }  // namespace
 
@@ -15,34 +16,49 @@ SearchMethod read_search(ObjectReader reader, double threshold_deg, double sampl
   if (method != "plain" && method != "splitting" && method != "optimise") {
     faults.add(reader.shown("method"), "is no way to search", kMethods);
   }
+  std::string starts = "draws";
+  reader.text("starts", starts, kStarts);
+  if (starts != "draws" && starts != "splitting") {
+    faults.add(reader.shown("starts"), "are no starts", kStarts);
+  }
   const Splitting splitting = read_splitting(reader, threshold_deg, sample_deg);
   const Optimisation optimisation = read_optimisation(reader, threshold_deg);
   reader.refuse_unknown_keys();
   if (faults.count() > before) return {};
+  const bool optimises = method == "optimise";
+  const bool splits = method == "splitting" || (optimises && starts == "splitting");
   const std::string shown = reader.name("method") + " = \"" + method + "\"";
-  if (method != "splitting" && splitting != Splitting{}) {
-    faults.add(shown, "has no levels, particles, sweeps or first draws",
+  const std::string shown_starts = reader.name("starts") + " = \"" + starts + "\"";
+  if (!splits && splitting != Splitting{}) {
+    faults.add(optimises ? shown_starts : shown, "has no levels, particles, sweeps or first draws",
                "write \"splitting\", or take those out");
   }
-  if (method != "optimise" && optimisation != Optimisation{}) {
-    faults.add(shown, "has no goal, limits, springs or shifts of ends",
+  if (!optimises && (optimisation != Optimisation{} || starts != "draws")) {
+    faults.add(shown, "has no goal, limits, springs, starts or shifts of ends",
                "write \"optimise\", or take those out");
   }
-  if (method == "splitting") {
+  if (optimises && !splits &&
+      optimisation.starts_of_population != Optimisation{}.starts_of_population) {
+    faults.add(shown_starts, "are of no population",
+               "write \"splitting\", or take starts_of_population out");
+  }
+  SearchMethod search;
+  if (splits) {
     check_splitting(reader, splitting);
-    return {splitting, {}};
+    search.splitting = splitting;
   }
-  if (method == "optimise") {
+  if (optimises) {
     check_optimisation(reader, optimisation);
-    return {{}, optimisation};
+    search.optimisation = optimisation;
   }
-  return {};
+  return search;
 }
 
 Json search_json(const SearchMethod& method) {
   Json json = splitting_json(method.splitting.value_or(Splitting{}));
   json.update(optimisation_json(method.optimisation.value_or(Optimisation{})));
-  json["method"] = method.splitting ? "splitting" : method.optimisation ? "optimise" : "plain";
+  json["method"] = method.optimisation ? "optimise" : method.splitting ? "splitting" : "plain";
+  if (method.optimisation && method.splitting) json["starts"] = "splitting";
   return json;
 }
 

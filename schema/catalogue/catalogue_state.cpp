@@ -147,7 +147,8 @@ CatalogueState state_of(SQLite::Database& database) {
                     column_sql("campaign", "goal_relative_error", version_of(database)) +
                     ", json_extract(configuration, '$.seed'), json_extract(configuration, "
                     "'$.accept.deploys_from_deg'), json_extract(configuration, "
-                    "'$.accept.stops_at_deg'), json_extract(configuration, '$.search.method') "
+                    "'$.accept.stops_at_deg'), json_extract(configuration, '$.search.method'), "
+                    "json_extract(configuration, '$.search.starts') "
                     "FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
   const auto optional_draw = [&](const SQLite::Column& column) {
@@ -165,7 +166,8 @@ CatalogueState state_of(SQLite::Database& database) {
   state.threshold_deg = campaign.getColumn(9).getDouble();
   if (!campaign.getColumn(10).isNull()) state.stops_at_deg = campaign.getColumn(10).getDouble();
   const std::string method = text_of(campaign.getColumn(11));
-  state.goal.of_populations = method == "splitting";
+  state.goal.of_populations =
+      method == "splitting" || text_of(campaign.getColumn(12)) == "splitting";
   if (!is_goal(state.goal, state.goal_end))
     throw damaged(database, "its goal is no range of draws");
   add_units(database, state);

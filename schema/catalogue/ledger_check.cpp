@@ -208,7 +208,7 @@ class LedgerCheck {
 
   // Each sheet has one number.
   void check_sheets_once() {
-    if (!campaign_.search.splitting || version_of(database_) < kSplittingSince) return;
+    if (!campaign_.search.has_each_once() || version_of(database_) < kSplittingSince) return;
     SQLite::Statement row(
         database_, "SELECT max(draw), min(draw) FROM sheet GROUP BY hash HAVING count(*) > 1");
     while (row.executeStep()) {

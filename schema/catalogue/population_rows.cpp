@@ -248,8 +248,10 @@ std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database&
   return ours.getColumn(0).isNull() ? std::nullopt : std::optional(draw_of(ours.getColumn(0)));
 }
 
-void keep_each_sheet_once(SQLite::Database& database, const Campaign& campaign,
-                          const solver::Mechanism& mechanism, const DrawRange& added) {
+namespace {
+
+void drop_repeated(SQLite::Database& database, const Campaign& campaign,
+                   const solver::Mechanism& mechanism, const DrawRange& added) {
   SQLite::Statement again(
       database,
       "SELECT draw, unit, deploys_from_sample, hash, least FROM sheet JOIN candidate USING (draw) "
@@ -265,6 +267,13 @@ void keep_each_sheet_once(SQLite::Database& database, const Campaign& campaign,
   }
   again.reset();
   drop(database, std::move(again));
+}
+
+}  // namespace
+
+void keep_each_sheet_once(SQLite::Database& database, const Campaign& campaign,
+                          const solver::Mechanism& mechanism, const DrawRange& added) {
+  if (!campaign.search.optimisation) drop_repeated(database, campaign, mechanism, added);
   const std::optional<std::uint64_t>& most = campaign.stop.accepted;
   if (!most) return;
   SQLite::Statement beyond(

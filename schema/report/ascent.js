@@ -32,7 +32,7 @@ export function show_ascent(box, detail) {
   if (ascent.start_value === null) return box.replaceChildren(h("p", { class: "note" }, kEnds[ascent.ended]));
   const limits = ascent.limited_by ? limit_words(ascent.limited_by) : [];
   box.replaceChildren(
-    h("p", {}, `Made of its draw in ${plural(ascent.steps, "step")}, ${kEnds[ascent.ended]}: worth ${number(ascent.start_value)} as drawn, ${number(ascent.end_value)} now.`),
+    h("p", {}, `Made of ${ascent.start ? "its draw" : "what a population met"} in ${plural(ascent.steps, "step")}, ${kEnds[ascent.ended]}: worth ${number(ascent.start_value)} as ${ascent.start ? "drawn" : "met"}, ${number(ascent.end_value)} now.`),
     ...(limits.length ? [h("p", { class: "note" }, `What limits it, to first order: ${limits.join("; ")}.`)] : []),
   );
 }

@@ -24,7 +24,7 @@ function held_one(report, candidates, held, picked) {
     return { name: heading(report, held), values: values_of(report, candidates, held), detail: detail_of(held) };
   }
   const ascent = detail_of(picked)?.ascent;
-  if (!ascent) return null;
+  if (!ascent?.start) return null;
   const name = `${heading(report, picked)} as drawn`;
   return { name, values: { ...ascent.start.metrics, end_value: ascent.start_value }, detail: ascent.start };
 }

@@ -70,10 +70,10 @@ const kGoals = {
   miscut_margin_mm: "it has the largest margin against miscuts",
 };
 
-/** What becomes of accepted draws in an optimising search. */
-const ascent_words = ({ method, maximise, subject_to, from_deg, shifts, grid_mm }) =>
+/** What becomes of accepted draws, or sheets, in an optimising search. */
+const ascent_words = ({ method, starts, starts_of_population, maximise, subject_to, from_deg, shifts, grid_mm }) =>
   method === "optimise"
-    ? ` From each accepted draw it goes on in steps to sheets near it, until ${kGoals[maximise] ?? maximise}` +
+    ? ` From ${starts === "splitting" ? `the first ${plural(starts_of_population, "sheet")} that each population meets` : "each accepted draw"} it goes on in steps to sheets near it, until ${kGoals[maximise] ?? maximise}` +
       `${from_deg === null ? "" : ` from ${degrees(from_deg)}`}${subject_to.length ? `, with ${subject_to.join(" and ")}` : ""}; ` +
       `ends are shifted ${shifts === "ternary" ? "as draws are" : grid_mm === null ? "freely within the amplitude" : `in steps of ${grid_mm} mm`}. ` +
       "A candidate is the sheet at the end."

@@ -16,6 +16,12 @@
 namespace misalign::search {
 using schema::Json;
 
+bool is_stored(const Json& stored, const std::optional<double>& worth) {
+  constexpr double kAgree = 1e-6;
+  if (!worth || !stored.is_number()) return !worth && stored.is_null();
+  return std::abs(*worth - stored.get<double>()) <= kAgree * std::abs(*worth);
+}
+
 CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
     : campaign_(campaign), sheets_(campaign) {
   if (!campaign.search.optimisation) return;
@@ -82,18 +88,20 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
     report.findings.push_back(
         schema::differs("draw " + std::to_string(draw), column, stored, recomputed));
   };
-  if (!campaign_.accepts(verdict(draw))) differs("verdict of the draw", "accepted", "rejected");
-  constexpr double kAgree = 1e-6;  // metrics of another machine differ in their last digits
   solver::SheetSolver solver(*model_);
   const auto compare = [&](const char* column, const std::optional<double>& worth) {
     const Json stored = ascent.value(column, Json());
-    if (stored.is_null()) return;
-    const bool agrees = worth && stored.is_number() &&
-                        std::abs(*worth - stored.get<double>()) <= kAgree * std::abs(*worth);
-    if (!agrees) differs(std::string("ascent.") + column, stored, schema::or_null(worth));
+    if (stored.is_null() || is_stored(stored, worth)) return;
+    differs(std::string("ascent.") + column, stored, schema::or_null(worth));
   };
-  const solver::Sheet start(solver, shifts_of_draw(campaign_, draw)), end(solver, *shifts_mm);
+  const solver::Sheet end(solver, *shifts_mm);
   const bool is_as_drawn = ascent.value("steps", Json()) == 0;
+  // Of a start from which no step was found less is asked.
+  compare("end_value",
+          is_as_drawn ? solver::value_by(asked_->goal, end, *asked_) : solver::worth(end, *asked_));
+  if (campaign_.search.splitting) return;  // its start would have to be found again: see --units
+  if (!campaign_.accepts(verdict(draw))) differs("verdict of the draw", "accepted", "rejected");
+  const solver::Sheet start(solver, shifts_of_draw(campaign_, draw));
   // But for a grid's multiples, by another product.
   constexpr double kSame_mm = 1e-12;
   if (is_as_drawn && (start.shifts_mm() - end.shifts_mm()).cwiseAbs().maxCoeff() > kSame_mm) {
@@ -101,9 +109,6 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
             schema::displacements_json(start.shifts_mm()).dump());
   }
   compare("start_value", solver::value_by(asked_->goal, start, *asked_));
-  // Of a start from which no step was found less is asked.
-  compare("end_value",
-          is_as_drawn ? solver::value_by(asked_->goal, end, *asked_) : solver::worth(end, *asked_));
 }
 
 void CandidateCheck::check_metrics(const Json& row, int metrics_version,

@@ -10,6 +10,10 @@
 
 namespace misalign::search {
 
+/// Whether a value of an ascent is stored, but for its last digits, which differ between machines;
+/// or none of both.
+bool is_stored(const schema::Json& stored, const std::optional<double>& worth);
+
 struct CandidateReport : ShapeReport {
   /// Columns that differ, but were measured by another definition.
   std::vector<std::string> not_comparable;
@@ -27,7 +31,7 @@ class CandidateCheck {
                         int metrics_version = solver::kMetricsVersion) const;
 
   /// Of an optimising search also how it came from its draw: that this is accepted, that the end
-  /// keeps what is asked, and what both are worth.
+  /// keeps what is asked, and what both are worth. Of a population's sheets the end alone.
   void check_ascent(const schema::Json& row, const schema::Json& ascent,
                     CandidateReport& report) const;
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "schema/catalogue/candidate_row.hpp"
+#include "schema/catalogue/ends_state.hpp"
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "search/splitting/origin.hpp"
@@ -158,11 +159,25 @@ std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluat
 
 namespace {
 
-// The number under which a sheet is kept; none if it is not.
-std::optional<std::uint64_t> kept_number(SQLite::Database& database, const std::string& hash) {
-  SQLite::Statement row(database, "SELECT draw FROM sheet WHERE hash = ?");
+// The number under which a sheet is kept, `draw` if that is one; none if it is not.
+std::optional<std::uint64_t> kept_number(SQLite::Database& database, const std::string& hash,
+                                         std::uint64_t draw) {
+  SQLite::Statement row(database, "SELECT draw FROM sheet WHERE hash = ? ORDER BY draw != ?");
   row.bind(1, hash.data(), static_cast<int>(hash.size()));
+  row.bind(2, schema::stored(draw));
   return row.executeStep() ? std::optional(schema::draw_of(row.getColumn(0))) : std::nullopt;
+}
+
+// What the start of a stored ascent was worth.
+void compare_start(SQLite::Database& database, const schema::Candidate& again, std::uint64_t draw,
+                   std::vector<schema::Finding>& findings) {
+  const Json row = schema::read_ascent(database, draw);
+  if (!row.is_object()) return;  // which was found before
+  const Json stored = row.value("start_value", Json());
+  const std::optional<double>& value = again.ascent->start_value;
+  if (is_stored(stored, value)) return;
+  findings.push_back(schema::differs("draw " + std::to_string(draw), "ascent.start_value", stored,
+                                     schema::or_null(value)));
 }
 
 // Above the last one that is kept, where only so many are: above all.
@@ -195,8 +210,10 @@ void make_population_again(SQLite::Database& database, Climber& climber, std::ui
       const std::uint64_t draw = number_of(found.origin, *campaign.search.splitting);
       const auto kept = kept_number(
           database,
-          schema::sheet_hash(schema::displacements_json(found.candidate.shifts_mm).dump()));
-      const bool is_right = kept ? *kept <= draw : draw > end;
+          schema::sheet_hash(schema::displacements_json(found.candidate.shifts_mm).dump()), draw);
+      const auto& ascent = found.candidate.ascent;
+      const bool is_elsewhere = !ascent && kept && *kept < draw;  // every start keeps its end
+      const bool is_right = kept == draw || is_elsewhere || draw > end;
       if (!is_right) {
         findings.push_back(schema::differs("draw " + std::to_string(draw), "kept as",
                                            schema::or_null(kept), draw));
@@ -207,6 +224,7 @@ void make_population_again(SQLite::Database& database, Climber& climber, std::ui
           findings.push_back(schema::differs("draw " + std::to_string(draw), "deploys_from_sample",
                                              at->second, sample));
         }
+        if (ascent) compare_start(database, found.candidate, draw, findings);
         stored.erase(at);
       }
     }

@@ -86,6 +86,7 @@ class Verifier {
     if (units_.empty()) return;
     if (campaign_.search.splitting) {
       Climber climber(campaign_, solver::available_instruction_sets().back());
+      optimise_if_asked(climber);
       for (const schema::DrawRange& unit : units_) {
         show_work("populations made again", v_.units.checked, units_.size());
         make_population_again(database_, climber, unit.lo, v_.findings);

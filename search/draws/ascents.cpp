@@ -3,6 +3,8 @@
 #include <cassert>
 #include <utility>
 
+#include "search/terminal/stopwatch.hpp"
+
 namespace misalign::search {
 
 void Ascents::begin(schema::UnitRecord block) {
@@ -10,8 +12,16 @@ void Ascents::begin(schema::UnitRecord block) {
   next_ = 0;
 }
 
-schema::Candidate* Ascents::advance() {
-  if (finished()) return nullptr;
+void Ascents::advance(const std::function<void(schema::Candidate&)>& kept) {
+  constexpr double kAdvance_s = 0.08;
+  const Stopwatch watch;
+  while (!finished() && watch.seconds() < kAdvance_s) {
+    if (schema::Candidate* const candidate = look()) kept(*candidate);
+  }
+}
+
+// At one more sheet. A candidate that is as it is kept now; mostly none.
+schema::Candidate* Ascents::look() {
   schema::Candidate& candidate = block_->candidates[next_];
   if (!one_) {
     one_ = begin_(std::move(candidate));

@@ -27,7 +27,7 @@ using BeginAscent = std::function<std::unique_ptr<DrawAscent>(schema::Candidate 
 /// What the record of one takes in a message, as a rule, in bytes.
 inline constexpr std::size_t kUsualAscent_bytes = 4096;
 
-/// Those of a block's draws, one after the other.
+/// Those of a block's draws, or of a piece's sheets, one after the other.
 class Ascents {
  public:
   explicit Ascents(const BeginAscent& begin) : begin_(begin) {}
@@ -35,13 +35,16 @@ class Ascents {
   /// A block whose candidates are draws as they were accepted.
   void begin(schema::UnitRecord block);
   bool under_way() const { return block_.has_value(); }
-  /// Looks at one more sheet. A candidate that is as it is kept now; mostly none.
-  schema::Candidate* advance();
+  /// Looks at more sheets, for about a tenth of a second. `kept` is called with each candidate that
+  /// is as it is kept now, in turn.
+  void advance(const std::function<void(schema::Candidate&)>& kept);
   /// Whether all of the block's are.
   bool finished() const { return next_ == block_->candidates.size(); }
   schema::UnitRecord take();
 
  private:
+  schema::Candidate* look();
+
   const BeginAscent& begin_;
   std::optional<schema::UnitRecord> block_;
   std::size_t next_ = 0;

@@ -258,13 +258,8 @@ void UnitWork::begin_block() {
   });
 }
 
-// For about a tenth of a second.
 void UnitWork::advance_ascents() {
-  constexpr double kAdvance_s = 0.08;
-  const Stopwatch watch;
-  while (!ascents_->finished() && watch.seconds() < kAdvance_s) {
-    if (schema::Candidate* const kept = ascents_->advance()) evaluator_.certify(*kept);
-  }
+  ascents_->advance([&](schema::Candidate& kept) { evaluator_.certify(kept); });
   if (ascents_->finished()) record_.add(ascents_->take());
 }
 

@@ -71,6 +71,7 @@ std::optional<PieceOrder> ClimbDispatcher::take(Climb& climb, Worker& worker) {
   worker.population = order->population;
   worker.end = order->hi;
   worker.is_first = is_first;
+  worker.is_at_ends = !order->starts.empty();
   return order;
 }
 
@@ -89,7 +90,7 @@ void ClimbDispatcher::finish(int worker, PieceResult result) {
   Worker& w = workers_[static_cast<std::size_t>(worker)];
   assert(w.population == result.population);
   const double done = result.hi - result.lo;
-  if (done > 0 && result.seconds > 0)
+  if (done > 0 && result.seconds > 0 && !w.is_at_ends)
     (w.is_first ? w.first_per_s : w.particles_per_s) = done / result.seconds;
   const std::uint32_t number = *std::exchange(w.population, std::nullopt);
   if (number == LevelFinder::kNumber) {
@@ -103,7 +104,7 @@ void ClimbDispatcher::finish(int worker, PieceResult result) {
 void ClimbDispatcher::look_at_end(std::uint32_t number) {
   if (number == LevelFinder::kNumber) {
     if (!level_finder_->is_done()) return;
-    ladder_ = level_finder_->ladder();
+    ladder_.scores = level_finder_->ladder().scores;
     level_finder_.reset();
     has_news_of_levels_ = true;
     return;
@@ -134,6 +135,9 @@ std::string ClimbDispatcher::under_way() const {
   if (level_finder_) return fmt::format("the pilot at level {}", level_finder_->level());
   if (climbing_.empty()) return "";
   const Population& lowest = climbing_.begin()->second;
+  if (lowest.is_at_ends()) {
+    return fmt::format("population {} from its sheets to better ones", lowest.number());
+  }
   return fmt::format("population {} at level {} of {}", lowest.number(), lowest.level(),
                      ladder_.top());
 }

@@ -51,7 +51,7 @@ class ClimbDispatcher {
   struct Worker {
     std::optional<std::uint32_t> population;  // that it works for
     std::uint32_t end = 0;                    // of its order
-    bool is_first = false;
+    bool is_first = false, is_at_ends = false;
     double first_per_s = 0, particles_per_s = 0;  // of its last pieces
   };
   template <class Climb>

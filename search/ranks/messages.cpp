@@ -15,7 +15,6 @@ void unit_fields(Wire& wire, Unit& unit) {
   list(wire, unit.candidates, [&](auto& candidate) {
     candidate_fields(wire, candidate);
     optional_field(wire, candidate.certificate, [&](auto& row) { certificate_fields(wire, row); });
-    optional_field(wire, candidate.ascent, [&](auto& ascent) { ascent_fields(wire, ascent); });
   });
   list(wire, unit.undecided, [&](auto& draw) { wire.field(draw); });
   list(wire, unit.fault_sample, [&](auto& draw) { wire.field(draw); });
@@ -31,10 +30,10 @@ std::string candidate_layout() {
   schema::each_metric(metrics, [&](const schema::MetricEntry& entry, const auto& value) {
     layout += " " + std::string(entry.name) + ":" + std::to_string(sizeof value);
   });
-  return layout;
+  return layout + " ascent";
 }
 
-std::string message_layout() { return candidate_layout() + " certificate ascent"; }
+std::string message_layout() { return candidate_layout() + " certificate"; }
 
 Bytes pack(const SentUnit& sent) {
   Writer wire;

@@ -34,6 +34,7 @@ void order_fields(Wire& wire, Order& order) {
   wire.field(order.is_first);
   wire.field(order.is_catalogued);
   sheets_fields(wire, order.here);
+  list(wire, order.starts, [&](auto& start) { candidate_fields(wire, start); });
 }
 
 template <class Wire, class Result>
@@ -112,6 +113,14 @@ bool are_metrics(const solver::Metrics& metrics, const schema::Campaign& campaig
          metrics.deploys_from_sample >= campaign.threshold_sample();
 }
 
+// Such as the catalogue takes.
+bool is_ascent(const schema::AscentRecord& ascent) {
+  const auto is_value = [](const auto& value) { return !value || std::isfinite(*value); };
+  return std::ranges::count(schema::kAscentEnds, ascent.ended) == 1 && ascent.steps >= 0 &&
+         ascent.sheets_folded >= 0 && is_value(ascent.start_value) && is_value(ascent.end_value) &&
+         (!ascent.limited_by || schema::Json::accept(*ascent.limited_by));
+}
+
 // Each met in another place, from which its number is made.
 bool are_met(const PieceResult& result, const schema::Campaign& campaign,
              const solver::Mechanism& mechanism) {
@@ -123,7 +132,10 @@ bool are_met(const PieceResult& result, const schema::Campaign& campaign,
     return met.particle >= result.lo && met.particle < result.hi && met.step >= first &&
            met.step <= last && places.emplace(met.step, met.particle).second &&
            candidate.metrics.elongation.size() == mechanism.diagonals.size() &&
-           are_metrics(candidate.metrics, campaign) && can_be_drawn(campaign, candidate.shifts_mm);
+           are_metrics(candidate.metrics, campaign) &&
+           (candidate.ascent
+                ? is_ascent(*candidate.ascent) && can_be_kept(campaign, candidate.shifts_mm)
+                : can_be_drawn(campaign, candidate.shifts_mm));
   });
 }
 

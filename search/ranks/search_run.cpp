@@ -121,6 +121,7 @@ struct SearchWorkspace {
       : most_bytes(options.unit_bytes), campaign(std::move(its_campaign)) {
     if (campaign.search.splitting) {
       climber.emplace(campaign, options.instruction_set);
+      optimise_if_asked(*climber);
     } else {
       evaluator.emplace(campaign, options.instruction_set);
       certify_if_asked(*evaluator);

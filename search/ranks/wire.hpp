@@ -146,12 +146,13 @@ void ascent_fields(Wire& wire, Ascent& ascent) {
   optional_field(wire, ascent.limited_by, [&](auto& text) { wire.text(text); });
 }
 
-/// Without its certificate and its ascent, which none has in a splitting search.
+/// Without its certificate, which none has in a splitting search.
 template <class Wire, class Candidate>
 void candidate_fields(Wire& wire, Candidate& candidate) {
   wire.field(candidate.draw);
   metrics_fields(wire, candidate.metrics);
   shifts_fields(wire, candidate.shifts_mm);
+  optional_field(wire, candidate.ascent, [&](auto& ascent) { ascent_fields(wire, ascent); });
 }
 
 }  // namespace misalign::search

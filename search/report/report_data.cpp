@@ -82,8 +82,10 @@ Json detail_json(SQLite::Database& database, const schema::Campaign& campaign, F
   Json ascent = schema::read_ascent(database, draw);
   if (!ascent.is_object()) return json;
   ascent["limited_by"] = schema::json_of(ascent["limited_by"]);
-  const solver::Sheet start = model.sheet(shifts_of_draw(campaign, draw));
-  ascent["start"] = schema::path_json({campaign.pattern, start});
+  if (!campaign.search.splitting) {  // whose starts would have to be found again
+    const solver::Sheet start = model.sheet(shifts_of_draw(campaign, draw));
+    ascent["start"] = schema::path_json({campaign.pattern, start});
+  }
   json["ascent"] = std::move(ascent);
   return json;
 }

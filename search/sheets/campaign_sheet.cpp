@@ -12,7 +12,7 @@ Eigen::Matrix2Xd shifts_of_number(SQLite::Database& database, const schema::Camp
                                   std::uint64_t number) {
   if (!campaign.search.stores_sheets()) return shifts_of_draw(campaign, number);
   const schema::Json row = schema::read_candidate(database, number);
-  if (!row.is_object() && campaign.search.optimisation) return shifts_of_draw(campaign, number);
+  if (!row.is_object() && !campaign.search.splitting) return shifts_of_draw(campaign, number);
   if (!row.is_object()) {
     throw schema::UserError(
         schema::Cause::bad_request,

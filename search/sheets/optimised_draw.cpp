@@ -127,4 +127,12 @@ void optimise_if_asked(DrawEvaluator& evaluator) {
   });
 }
 
+void optimise_if_asked(Climber& climber) {
+  if (!climber.campaign().search.optimisation) return;
+  climber.ascend_with([asked = asked_of_ends(climber.campaign()),
+                       &scorers = climber.scorers()](schema::Candidate start) {
+    return std::make_unique<OptimisedDraw>(asked, scorers.model(), std::move(start));
+  });
+}
+
 }  // namespace misalign::search

@@ -1,7 +1,8 @@
-// An accepted draw of an optimising search, made better.
+// An accepted draw of an optimising search, or a sheet that a population found, made better.
 #pragma once
 
 #include "search/draws/draw_evaluator.hpp"
+#include "search/splitting/climber.hpp"
 #include "solver/design/optimise.hpp"
 
 namespace misalign::search {
@@ -10,8 +11,9 @@ namespace misalign::search {
 /// all in its identity.
 solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign);
 
-/// Accepted draws go to their ends, if the campaign optimises.
+/// Accepted draws go to their ends, if the campaign optimises; or sheets that populations find.
 void optimise_if_asked(DrawEvaluator& evaluator);
+void optimise_if_asked(Climber& climber);
 
 /// By what builds and machines know each other that work on this campaign: their golden_verdicts,
 /// and where it optimises also the sheets at which fixed draws end, to the last bit.

@@ -31,7 +31,8 @@ Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
 Ladder named_ladder(const schema::Campaign& campaign) {
   const schema::Splitting& splitting = *campaign.search.splitting;
   return {campaign.seed, schema::named_scores(splitting, campaign.sample_deg), splitting.particles,
-          splitting.first_draws};
+          splitting.first_draws,
+          campaign.search.optimisation ? campaign.search.optimisation->starts_of_population : 0};
 }
 
 Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& stored) {
@@ -51,11 +52,12 @@ Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& s
 }
 
 Ladder ladder_of(const schema::Campaign& campaign, Climber& climber) {
-  const Ladder named = named_ladder(campaign);
-  if (!named.scores.empty()) return named;
-  LevelFinder level_finder(named.seed, named.particles, named.first_draws, last_level(campaign));
+  Ladder ladder = named_ladder(campaign);
+  if (!ladder.scores.empty()) return ladder;
+  LevelFinder level_finder(ladder.seed, ladder.particles, ladder.first_draws, last_level(campaign));
   climb_alone(level_finder, climber);
-  return level_finder.ladder();
+  ladder.scores = level_finder.ladder().scores;
+  return ladder;
 }
 
 PopulationRecord climbed(const Ladder& ladder, std::uint32_t number, Climber& climber) {

@@ -12,8 +12,15 @@ class Climber {
  public:
   /// `campaign` must outlive this object.
   Climber(const schema::Campaign& campaign, solver::InstructionSet set);
+  Climber(const Climber&) = delete;
+  Climber& operator=(const Climber&) = delete;
 
-  PieceWork start(PieceOrder order) { return {moves_, sweeps_, scorers_, std::move(order)}; }
+  /// What populations find goes on to its end from now on, as of a DrawEvaluator.
+  void ascend_with(BeginAscent begin) { begin_ascent_ = std::move(begin); }
+
+  PieceWork start(PieceOrder order) {
+    return {moves_, sweeps_, scorers_, begin_ascent_, std::move(order)};
+  }
   const schema::Campaign& campaign() const { return scorers_.campaign(); }
   const solver::Mechanism& mechanism() const { return mechanism_; }
   const Moves& moves() const { return moves_; }
@@ -24,6 +31,7 @@ class Climber {
   const Moves moves_;
   const std::uint32_t sweeps_;
   LevelScorers scorers_;
+  BeginAscent begin_ascent_;  // of a campaign that optimises
 };
 
 /// The ladder of a campaign, without levels where it names none.

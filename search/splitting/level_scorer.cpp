@@ -61,11 +61,13 @@ LevelScorer& LevelScorers::from(int score) {
 }
 
 std::vector<schema::Candidate> LevelScorers::measured(const solver::ShiftBlock& shifts) {
-  if (!batch_) {
-    model_.reset(new solver::Model(model_of(campaign_)));
-    batch_ = solver::make_batch(set_, *model_);
-  }
-  return search::measured(*model_, *batch_, shifts);
+  if (!batch_) batch_ = solver::make_batch(set_, model());
+  return search::measured(model(), *batch_, shifts);
+}
+
+const solver::Model& LevelScorers::model() {
+  if (!model_) model_.reset(new solver::Model(model_of(campaign_)));
+  return *model_;
 }
 
 }  // namespace misalign::search

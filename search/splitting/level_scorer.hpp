@@ -49,6 +49,8 @@ class LevelScorers {
   LevelScorer& from(int score);
   /// Of sheets that meet the criterion, as of plain draws.
   std::vector<schema::Candidate> measured(const solver::ShiftBlock& shifts);
+  /// The campaign's own.
+  const solver::Model& model();
   const schema::Campaign& campaign() const { return campaign_; }
 
  private:

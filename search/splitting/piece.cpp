@@ -30,8 +30,14 @@ bool PieceResult::are_all_from(int score) const {
   return std::ranges::all_of(there.scores, [&](int one) { return one >= score; });
 }
 
+bool PieceResult::has_one_each() const {
+  if (met.size() != hi - lo) return false;
+  return std::ranges::all_of(
+      met, [&](const MetCandidate& one) { return one.particle == lo + (&one - met.data()); });
+}
+
 PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& scorers,
-                     PieceOrder order)
+                     const BeginAscent& begin_ascent, PieceOrder order)
     : moves_(moves),
       sweeps_(sweeps),
       scorers_(scorers),
@@ -39,20 +45,36 @@ PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& sco
       bytes_(moves.code().bytes()),
       next_(order_.lo) {
   assert(order_.lo <= order_.hi && order_.within <= order_.next);
-  assert(order_.is_first || order_.here.count() == order_.hi - order_.lo);
+  assert(order_.is_first || order_.here.count() + order_.starts.size() == order_.hi - order_.lo);
   result_.population = order_.population;
   result_.level = order_.level;
   result_.lo = result_.hi = order_.lo;
+  if (order_.starts.empty()) return;
+  assert(begin_ascent);
+  schema::UnitRecord starts;
+  starts.candidates = order_.starts;
+  ascents_.emplace(begin_ascent).begin(std::move(starts));
 }
 
 void PieceWork::run_next_block() {
   assert(!finished());
+  if (ascents_) return advance_ascents();
   const Stopwatch watch;
   if (block_ == 0) begin_block();
   make_proposals();
   take_good_ones();
   of_block_.seconds += watch.seconds();
   if (order_.is_first || ++step_ > sweeps_) end_block();
+}
+
+void PieceWork::advance_ascents() {
+  const Stopwatch watch;
+  ascents_->advance([&](schema::Candidate& end) {
+    result_.met.push_back({1, next_, std::move(end)});
+    ++result_.tried;
+    result_.hi = ++next_;
+  });
+  result_.seconds += watch.seconds();
 }
 
 void PieceWork::begin_block() {

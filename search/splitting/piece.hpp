@@ -4,10 +4,12 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
 #include "schema/records/unit_record.hpp"
+#include "search/draws/ascents.hpp"
 #include "search/splitting/level_scorer.hpp"
 #include "search/splitting/moves.hpp"
 
@@ -24,10 +26,11 @@ struct PieceOrder {
   int next;              ///< that of the next: who has it is wanted; kBeyondAll: nobody
   bool is_first;         ///< its first draws, whose sheets are still to be made
   bool is_catalogued;    ///< whether sheets that meet the campaign's criterion are kept
-  ScoredParticles here;  ///< none of the first draws
+  ScoredParticles here;  ///< none of the first draws, and of starts
+  std::vector<schema::Candidate> starts = {};  ///< of ascents, instead of moves
 };
 
-/// A sheet that meets the criterion, and where it was met first.
+/// A sheet that meets the criterion, and where it was met first; of starts where each of them ends.
 struct MetCandidate {
   std::uint32_t step, particle;  ///< of those that met it the least
   schema::Candidate candidate;
@@ -48,24 +51,28 @@ struct PieceResult {
   void append(PieceResult next);
   /// Whether all survivors have this score, or a higher one.
   bool are_all_from(int score) const;
+  /// Whether each of its particles has met one, as starts their ends.
+  bool has_one_each() const;
 };
 
 /// Orders being worked off, a block of particles and a step at a time.
 class PieceWork {
  public:
-  /// All must outlive this object.
-  PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& scorers, PieceOrder order);
+  /// All must outlive this object. `begin_ascent` is of starts alone.
+  PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& scorers,
+            const BeginAscent& begin_ascent, PieceOrder order);
 
   bool finished() const { return next_ == order_.hi; }
   bool is_full() const { return false; }  // orders are small enough
-  /// One step of a block of particles: about a tenth of a second.
+  /// One step of a block of particles, or some of an ascent: about a tenth of a second.
   void run_next_block();
   const PieceOrder& order() const { return order_; }
   const PieceResult& so_far() const { return result_; }
-  /// What has been done: whole blocks of particles.
+  /// What has been done: whole blocks of particles, or whole ascents.
   PieceResult take();
 
  private:
+  void advance_ascents();
   void begin_block();
   void make_proposals();
   void take_good_ones();
@@ -83,7 +90,8 @@ class PieceWork {
   Particles now_, tried_;  // of the block
   std::vector<int> now_scores_;
   solver::ShiftBlock shifts_;
-  PieceResult result_, of_block_;  // blocks that are done, and the one under way
+  PieceResult result_, of_block_;   // blocks that are done, and the one under way
+  std::optional<Ascents> ascents_;  // of starts
   struct Met {
     std::uint32_t step, particle;
     std::vector<std::uint8_t> sheet;

@@ -1,5 +1,6 @@
 // One population on its way up: which particles are done, given out and open at its level, and who
-// goes on from there. A pure state machine, without clock, file or message.
+// goes on from there; and behind its last level the sheets that it starts ascents from. A pure
+// state machine, without clock, file or message.
 #pragma once
 
 #include "search/splitting/found_candidates.hpp"
@@ -12,7 +13,8 @@ struct PopulationRecord {
   std::uint32_t population;
   std::vector<schema::LevelCount>
       levels;  ///< from 0 on, as far as it came; the last level's has none after
-  std::vector<FoundCandidate> found;  ///< by their origins, each sheet once; not all if so wanted
+  /// By their origins, each sheet once; not all if so wanted. Of starts where they end.
+  std::vector<FoundCandidate> found;
 
   double share(std::uint32_t level) const { return schema::share_reaching(level, levels); }
 };
@@ -25,7 +27,7 @@ class Population {
 
   std::uint32_t number() const { return number_; }
   std::uint32_t level() const { return level_; }
-  /// The next particles of its level that are open, at most so many, now given out.
+  /// The next particles of its level that are open, at most so many, now given out; of starts one.
   std::optional<PieceOrder> take(std::uint32_t most);
   /// What has come back of an order that ended at this particle; what it leaves of that is open
   /// again. True if it ended the level.
@@ -34,6 +36,7 @@ class Population {
   /// says of particles that they survived that cannot have.
   bool restore(PieceResult result);
   bool is_at_first() const { return level_ == 0; }
+  bool is_at_ends() const { return level_ == ladder_.of_ends(); }
   bool is_done() const { return is_done_; }
   /// Particles of its level that nobody has.
   std::uint64_t open() const { return pieces_.open(); }
@@ -41,7 +44,9 @@ class Population {
   PopulationRecord record();
 
  private:
+  bool is_of_level(const PieceResult& result) const;
   void end_level(const PieceResult& all);
+  void end_climb();
 
   const Ladder& ladder_;
   const std::uint32_t number_;

@@ -59,10 +59,10 @@ std::string ladder_text(const schema::CatalogueState& state) {
   const std::uint64_t top = ladder.levels.size() - 2;  // whose survivors have come to the last one
   std::uint64_t undecided = 0;
   for (const LadderLevel& level : ladder.levels) undecided += level.undecided;
-  text += fmt::format("\n{}, {} at the last level, from {}; {} kept, each once\n",
+  text += fmt::format("\n{}, {} at the last level, from {}; {} kept{}\n",
                       count_text(ladder.populations, "population"), ladder.rate()->reached,
                       count_text(ladder.levels[top].ancestors, "first draw"),
-                      count_text(state.accepted, "candidate"));
+                      count_text(state.accepted, "candidate"), state.ends ? "" : ", each once");
   if (undecided > 0) {
     text += fmt::format("{} undecided (numerical failures) and not taken\n",
                         count_text(undecided, "move"));

@@ -38,8 +38,9 @@ Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& c
   if (!call.again || !campaign.search.stores_sheets()) {
     return shifts_of_number(database, campaign, call.draw);
   }
-  if (campaign.search.optimisation) return end_of(campaign, call.draw);
+  if (!campaign.search.splitting) return end_of(campaign, call.draw);
   Climber climber(campaign, solver::available_instruction_sets().back());
+  optimise_if_asked(climber);
   const Ladder ladder = stored_ladder(campaign, schema::read_levels(database));
   const Origin origin = origin_of(call.draw, *campaign.search.splitting);
   for (const FoundCandidate& found : climbed(ladder, origin.population, climber).found) {

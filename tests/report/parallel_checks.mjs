@@ -90,7 +90,8 @@ async function front_check(page, { candidates: { columns } }) {
 
 /** Of a search that made draws better: what each was worth, and the draw beside what it became. */
 async function ascent_check(page, { details, candidates: { columns } }) {
-  const made = details.find(({ ascent, draw }) => ascent?.steps > 0 && columns.draw.includes(draw));
+  // What a population found is not stored, so that it cannot be held.
+  const made = details.find(({ ascent, draw }) => ascent?.steps > 0 && ascent.start && columns.draw.includes(draw));
   if (!made) return;
   await unfiltered(page, "a sheet beside the draw that it was made of", async () => {
     await page.evaluate((draw) => (location.hash = `draw=${draw}`), made.draw);

@@ -137,6 +137,9 @@ TEST(Misalignment, OfTheParallelFamilyIsRefusedWhereItHasNoMeaning) {
           "uniform");
   refused(R"({"misalignment": {"kind": "parallel"}, "search": {"method": "splitting"}})",
           "search.method", "one by one");
+  refused(R"({"misalignment": {"kind": "parallel"},
+              "search": {"method": "optimise", "from_deg": 36, "starts": "splitting"}})",
+          "search.starts", "one by one");
   refused(R"({"misalignment": {"kind": "parallel"}, "path": {"end_deg": 180}})", "path.end_deg",
           "try 179");
   refused(R"({"misalignment": {"kind": "parallel", "vertices": ["A9", "A10"]}})",

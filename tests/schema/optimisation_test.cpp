@@ -45,6 +45,27 @@ TEST(Optimisation, IsReadAndWritten) {
   EXPECT_EQ(campaign_json(read(stored_configuration(campaign))), json);
 }
 
+// Both methods at once: populations find what is made better.
+TEST(Optimisation, BeginsWithWhatPopulationsFind) {
+  const Campaign campaign = read(optimising({{"starts", "splitting"},
+                                             {"levels_deg", {150, 165}},
+                                             {"particles", 50u},
+                                             {"starts_of_population", 3u}}));
+  ASSERT_TRUE(campaign.search.splitting && campaign.search.optimisation);
+  EXPECT_EQ(campaign.search.splitting->levels_deg, (std::vector<double>{150, 165, 170}));
+  EXPECT_EQ(campaign.search.optimisation->starts_of_population, 3u);
+  const Json json = campaign_json(campaign);
+  EXPECT_EQ(json["search"]["method"], "optimise");
+  EXPECT_EQ(json["search"]["starts"], "splitting");
+  EXPECT_EQ(campaign_json(read(json)), json);
+  EXPECT_EQ(campaign_json(read(stored_configuration(campaign))), json);
+  EXPECT_EQ(identity(read(json)), identity(campaign));
+  // What it leaves out is as it was.
+  EXPECT_EQ(identity(read(optimising({{"starts", "draws"}, {"starts_of_population", 16u}}))),
+            identity(read(optimising())));
+  EXPECT_FALSE(identity_json(read(optimising()))["search"].contains("starts"));
+}
+
 // What decides where a start ends is in the identity, each key; how it is written is not.
 TEST(Optimisation, IsPartOfTheIdentity) {
   std::map<std::string, std::string> seen = {{identity(read(with("{}"))), "plain"}};
@@ -59,7 +80,10 @@ TEST(Optimisation, IsPartOfTheIdentity) {
                           {{"shifts", "ternary"}},
                           {{"grid_mm", 0.1}},
                           {{"least_slope_mm_per_deg", 0.002}},
-                          {{"most_steps", 199u}}};
+                          {{"most_steps", 199u}},
+                          {{"starts", "splitting"}},
+                          {{"starts", "splitting"}, {"starts_of_population", 17u}},
+                          {{"starts", "splitting"}, {"particles", 17u}}};
   for (const Json& patch : patches) {
     const Json value = optimising(patch.is_null() ? Json::object() : patch);
     const auto [at, is_new] = seen.try_emplace(identity(read(value)), patch.dump());
@@ -101,7 +125,16 @@ TEST(Optimisation, WhatCannotBeIsSaid) {
       {{{"most_steps", 0u}}, {"leaves every draw as it is"}},
       {{{"method", "plain"}}, {"has no goal, limits"}},
       {{{"method", "splitting"}}, {"has no goal, limits"}},
-      {{{"particles", 9u}}, {"has no levels, particles"}}};
+      {{{"particles", 9u}}, {"search.starts = \"draws\"", "has no levels, particles"}},
+      {{{"starts", "levels"}}, {"search.starts", "are no starts", "splitting"}},
+      {{{"starts_of_population", 9u}}, {"search.starts = \"draws\"", "are of no population"}},
+      {{{"starts", "splitting"}, {"starts_of_population", 0u}}, {"leaves nothing to begin with"}},
+      {{{"starts", "splitting"}, {"levels_deg", {171}}}, {"lies above accept.deploys_from_deg"}},
+      {{{"starts", "splitting"}, {"particles", 1u}}, {"search.particles", "at least 2"}},
+      {{{"starts", "splitting"}, {"particles", 1000000u}, {"sweeps", 10000u}},
+       {"more than a population has numbers for"}},
+      {{{"starts", "splitting"}, {"method", "splitting"}}, {"has no goal, limits"}},
+      {{{"starts", "splitting"}, {"method", "plain"}}, {"has no goal, limits"}}};
   for (const auto& [patch, words] : kSaid) {
     SCOPED_TRACE(patch.dump());
     expect_fault(optimising(patch), words);

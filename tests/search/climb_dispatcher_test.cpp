@@ -16,9 +16,10 @@
 namespace misalign::search {
 namespace {
 
-constexpr std::uint32_t kParticles = 300, kFirst = 5000;
+constexpr std::uint32_t kParticles = 300, kFirst = 5000, kStarts = 4;
 
-// One of four reaches the next level, by its number and its sheet; a sheet is two bytes.
+// One of four reaches the next level, by its number and its sheet; a sheet is two bytes. At the
+// last level one of five is met; and starts end at once.
 PieceResult invented(const PieceOrder& order, std::uint32_t hi) {
   PieceResult result;
   result.population = order.population;
@@ -27,12 +28,20 @@ PieceResult invented(const PieceOrder& order, std::uint32_t hi) {
   result.hi = hi;
   result.tried = hi - order.lo;
   result.seconds = 1e-3 * (hi - order.lo);
-  for (std::uint32_t k = order.lo; k < hi; ++k) {
+  for (std::uint32_t k = order.lo; !order.starts.empty() && k < hi; ++k) {
+    MetCandidate& end = result.met.emplace_back(1, k, order.starts[k - order.lo]);
+    end.candidate.ascent.emplace().steps = static_cast<int>(end.candidate.shifts_mm(1, 0));
+  }
+  for (std::uint32_t k = order.lo; order.starts.empty() && k < hi; ++k) {
     std::uint8_t sheet[2] = {static_cast<std::uint8_t>(k), static_cast<std::uint8_t>(order.level)};
     if (!order.is_first) sheet[0] ^= order.here.sheets[k - order.lo][0];
     const std::size_t word = std::hash<std::string>()(std::to_string(order.population) + " " +
                                                       std::to_string(order.level) + " " +
                                                       std::to_string(256 * k + sheet[0]));
+    if (order.next == kBeyondAll && word % 5 == 0) {
+      const Eigen::Vector2d shift_mm(sheet[0], static_cast<double>(word % 1000));
+      result.met.emplace_back(1, k, schema::Candidate{0, {}, shift_mm});
+    }
     const int score = 100 * static_cast<int>(order.level) + static_cast<int>(word % 134);
     if (score < order.next) continue;
     result.survivors.push_back(k);
@@ -50,6 +59,10 @@ std::string words_of(const std::vector<PopulationRecord>& records) {
                                   std::to_string(level.particles) + " of " +
                                   std::to_string(level.ancestors);
     }
+    for (const FoundCandidate& found : record.found) {
+      words[record.population] += " from " + std::to_string(found.origin.particle) + " to " +
+                                  std::to_string(found.candidate.ascent.value().steps);
+    }
   }
   std::string all;
   for (const auto& [population, of_levels] : words) {
@@ -59,7 +72,8 @@ std::string words_of(const std::vector<PopulationRecord>& records) {
 }
 
 ClimbDispatcher dispatcher(int workers, const std::vector<int>& levels = {100, 200, 300}) {
-  return {{kClimbSeed, levels, kParticles, kFirst}, 300, Ledger({0, 7}, {{2, 3}}), workers};
+  return {
+      {kClimbSeed, levels, kParticles, kFirst, kStarts}, 300, Ledger({0, 7}, {{2, 3}}), workers};
 }
 
 struct Climb {
@@ -96,6 +110,7 @@ TEST(ClimbDispatcher, PopulationsAreTheSameWhoeverWorks) {
   const std::string expected = words_of(alone.records);
   EXPECT_EQ(alone.records.size(), 6u);  // one of seven was done before
   EXPECT_NE(expected.find("/300"), std::string::npos);
+  EXPECT_NE(expected.find(" from "), std::string::npos);
   EXPECT_EQ(one.populations_left(), 0u);
   for (const int workers : {2, 3, 16}) {
     Climb together;
@@ -164,6 +179,24 @@ TEST(ClimbDispatcher, NothingIsOpenBeyondTheGoal) {
   EXPECT_FALSE(all.anything_open());
   EXPECT_FALSE(all.assign(0));
   for (const PieceResult& result : rest.results) EXPECT_LT(result.population, 3u);
+}
+
+// Those of one population go to all ranks, one start each.
+TEST(ClimbDispatcher, AscentsAreSharedOut) {
+  ClimbDispatcher all({kClimbSeed, {100, 200}, kParticles, kFirst, kStarts}, 200,
+                      Ledger({0, 1}, {}), 3);
+  std::optional<PieceOrder> order = all.assign(0);
+  for (; order->starts.empty(); order = all.assign(0)) all.finish(0, invented(*order, order->hi));
+  std::vector<std::uint32_t> particles = {order->lo};
+  for (const int worker : {1, 2}) {
+    const PieceOrder other = all.assign(worker).value();
+    EXPECT_EQ(other.starts.size(), 1u);
+    particles.push_back(other.lo);
+  }
+  EXPECT_EQ(particles, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(all.under_way(), "population 0 from its sheets to better ones");
+  all.finish(0, invented(*order, order->lo));  // stopped on its way
+  EXPECT_EQ(all.assign(0)->lo, 0u);
 }
 
 // A level finder comes first, for all; then its levels are news once.

@@ -6,6 +6,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
+#include "search/ranks/piece_messages.hpp"
 #include "search/sheets/row_certifier.hpp"
 #include "solver/design/worth.hpp"
 
@@ -168,6 +169,148 @@ TEST_F(OptimisedDraws, StayWithinTheFamily) {
       better += end.ascent->steps > 0;
     }
     EXPECT_GT(better, 0) << facets;
+  }
+}
+
+// ---- Starts that populations find ----
+
+class SheetsOfPopulations : public OptimisedDraws {
+ protected:
+  const schema::Campaign asked_ = campaign({{"starts", "splitting"},
+                                            {"levels_deg", {120, 150}},
+                                            {"particles", 20u},
+                                            {"sweeps", 2u},
+                                            {"first_draws", 60u},
+                                            {"starts_of_population", 5u},
+                                            {"shifts", "ternary"},
+                                            {"subject_to", {"stroke_max <= 0.05"}}});
+  const Ladder ladder_ = named_ladder(asked_);
+  Climber climber_{asked_, solver::available_instruction_sets().back()};
+
+  SheetsOfPopulations() { optimise_if_asked(climber_); }
+
+  // In orders of so many particles; the first ascents are cut after so many blocks.
+  PopulationRecord in_pieces(std::uint32_t most, int blocks) {
+    Population population(ladder_, 3);
+    cut_ = 0;
+    while (!population.is_done()) {
+      PieceOrder order = *population.take(most);
+      const std::uint32_t end = order.hi;
+      EXPECT_EQ(population.is_at_ends(), !order.starts.empty());
+      PieceWork work = climber_.start(unpack_order(pack(order)));
+      for (int k = 0; k < blocks && !work.finished(); ++k) work.run_next_block();
+      const bool is_cut = population.is_at_ends() && !work.finished() && ++cut_ <= 3;
+      while (!is_cut && !work.finished()) work.run_next_block();
+      population.add(end, unpack_piece(pack(SentPiece{work.take(), false})).result);
+    }
+    return population.record();
+  }
+  int cut_ = 0;  // of the last record
+};
+
+// The first ones that the splitting campaign meets, each where optimise() ends; and nothing else
+// changes.
+TEST_F(SheetsOfPopulations, EndWhereSingleSheetsDo) {
+  EXPECT_EQ(ladder_.starts, 5u);
+  schema::Campaign splitting = asked_;
+  splitting.search.optimisation.reset();
+  Climber plain(splitting, solver::available_instruction_sets().back());
+  const PopulationRecord found = climbed(named_ladder(splitting), 3, plain),
+                         kept = climbed(ladder_, 3, climber_);
+  ASSERT_GT(found.found.size(), 5u);
+  ASSERT_EQ(kept.found.size(), 5u);
+  ASSERT_EQ(kept.levels.size(), found.levels.size());
+  for (std::size_t k = 0; k < kept.levels.size(); ++k) {
+    EXPECT_EQ(kept.levels[k].survivors, found.levels[k].survivors);
+    EXPECT_EQ(kept.levels[k].met, found.levels[k].met);
+  }
+  const solver::Model model = model_of(asked_);
+  solver::SheetSolver solver(model);
+  int better = 0;
+  for (std::size_t k = 0; k < kept.found.size(); ++k) {
+    EXPECT_EQ(kept.found[k].origin, found.found[k].origin);
+    const schema::Candidate& end = kept.found[k].candidate;
+    const solver::Sheet start(solver, found.found[k].candidate.shifts_mm);
+    const auto alone = solver::optimise(start, asked_of_ends(asked_));
+    ASSERT_TRUE(end.ascent);
+    EXPECT_EQ(alone.study.has_value(), end.ascent->ended != "breaks_a_limit");
+    EXPECT_EQ(end.shifts_mm, alone.study ? alone.study->best().shifts_mm : start.shifts_mm());
+    better += end.ascent->steps > 0;
+    if (!alone.study) continue;
+    EXPECT_EQ(end.ascent->start_value, alone.study->start().value);
+    EXPECT_EQ(end.ascent->end_value, alone.study->best().value);
+  }
+  EXPECT_GT(better, 0);
+}
+
+// However it is cut, and whichever rank does what.
+TEST_F(SheetsOfPopulations, ArePiecesThatDoNotMatter) {
+  const PopulationRecord whole = climbed(ladder_, 3, climber_);
+  for (const auto& [most, blocks] : {std::pair{1000u, 1000000}, {7u, 0}, {3u, 1}}) {
+    const PopulationRecord record = in_pieces(most, blocks);
+    EXPECT_TRUE(blocks > 0 || cut_ > 3) << "none was begun again";
+    ASSERT_EQ(record.found.size(), whole.found.size());
+    for (std::size_t k = 0; k < whole.found.size(); ++k) {
+      EXPECT_EQ(record.found[k].origin, whole.found[k].origin);
+      EXPECT_EQ(record.found[k].candidate.shifts_mm, whole.found[k].candidate.shifts_mm);
+      EXPECT_EQ(record.found[k].candidate.ascent, whole.found[k].candidate.ascent);
+    }
+  }
+}
+
+// What a file keeps of them is taken as it was, and made again where it lies.
+TEST_F(SheetsOfPopulations, PiecesThatLieAreMadeAgain) {
+  Population population(ladder_, 3);
+  while (!population.is_at_ends()) {
+    PieceOrder order = *population.take(kBeyondAll);
+    const std::uint32_t end = order.hi;
+    PieceWork work = climber_.start(std::move(order));
+    while (!work.finished()) work.run_next_block();
+    PieceResult result = work.take(), other = result;
+    if (result.level == 0) {
+      ASSERT_FALSE(result.met.empty());
+      other.met[0].candidate.ascent.emplace().ended = "most_steps";
+      EXPECT_FALSE(Population(ladder_, 3).restore(other)) << "an end among draws";
+      EXPECT_TRUE(Population(ladder_, 3).restore(result));
+    }
+    population.add(end, std::move(result));
+  }
+  PieceWork work = climber_.start(*population.take(1));
+  while (!work.finished()) work.run_next_block();
+  const PieceResult good = work.take();
+  PieceResult nothing;
+  nothing.level = good.level;
+  Population again = population;
+  again.add(1, nothing);  // then it is open again
+  const auto is_taken = [&](const PieceResult& result) {
+    const Bytes bytes = pack(SentPiece{result, false});
+    auto kept = unpack_kept({bytes.begin(), bytes.end()}, asked_, climber_.moves().code(),
+                            climber_.mechanism());
+    return kept && Population(again).restore(std::move(*kept));
+  };
+  EXPECT_TRUE(is_taken(good));
+  using Lie = void (*)(PieceResult&);
+  const std::pair<const char*, Lie> kLies[] = {
+      {"no end", [](PieceResult& piece) { piece.met.clear(); }},
+      {"no ascent", [](PieceResult& piece) { piece.met[0].candidate.ascent.reset(); }},
+      {"another's", [](PieceResult& piece) { piece.lo = 1, piece.hi = 2; }},
+      {"none that there is",
+       [](PieceResult& piece) { piece.lo = 8, piece.hi = 9, piece.met[0].particle = 8; }},
+      {"a survivor", [](PieceResult& piece) { piece.survivors = {0}; }},
+      {"a shift", [](PieceResult& piece) { piece.met[0].candidate.shifts_mm(0, 6) = 0.1; }},
+      {"an end that is none",
+       [](PieceResult& piece) { piece.met[0].candidate.ascent->ended = "tired"; }},
+      {"steps", [](PieceResult& piece) { piece.met[0].candidate.ascent->steps = -1; }},
+      {"a value",
+       [](PieceResult& piece) {
+         piece.met[0].candidate.ascent->end_value = std::numeric_limits<double>::quiet_NaN();
+       }},
+      {"what limits it",
+       [](PieceResult& piece) { piece.met[0].candidate.ascent->limited_by = "{"; }}};
+  for (const auto& [what, lie] : kLies) {
+    PieceResult result = good;
+    lie(result);
+    EXPECT_FALSE(is_taken(result)) << what;
   }
 }
 

@@ -204,7 +204,7 @@ TEST(Splitting, PiecesKeepTheirLevelUniformSlow) {
       before.push_back(k);
     }
   }
-  PieceWork work(few.moves(), 4, few.scorers(), order);
+  PieceWork work(few.moves(), 4, few.scorers(), {}, order);
   while (!work.finished()) work.run_next_block();
   const PieceResult result = work.take();
   ASSERT_EQ(result.there.count(), before.size()) << "all are above the level still";

@@ -92,6 +92,64 @@ for way in '"maximise": "miscut_margin_mm"' '"from_deg": 36, "shifts": "ternary"
   rm other.db
 done
 
+# Starts that populations find: the same sheets as a splitting search finds, and one digest whatever the ranks, kills,
+# halves and signals.
+populations=$((2 * kills_wanted))
+climbing() {  # FILE METHOD
+  cat > "$1" << END
+{"name": "found", "pattern": {"family": "miura", "rows": 4, "columns": 4}, "accept": {"deploys_from_deg": 175},
+ "search": {"particles": 50, "sweeps": 3, "first_draws": 500, "method": $2}, "stop": {"populations": $populations}}
+END
+}
+climbing found.json '"optimise", "starts": "splitting", "starts_of_population": 4, "from_deg": 36, "subject_to": ["stroke_max <= 0.05"]'
+climbing splitting.json '"splitting"'
+climb() { "$program" search found.json --progress none "$@" > out 2> err; }
+climb --catalogue found.db || fail "search from what populations find: $(cat err)"
+cat out
+sound found.db ${populations}0000000000
+"$program" search splitting.json --progress none --catalogue plain.db > /dev/null 2> err || fail "splitting: $(cat err)"
+[ "$(sql found.db "ATTACH 'plain.db' AS plain; SELECT count(*) > 0 AND min(hash IN (SELECT hash FROM plain.sheet))
+  FROM ascent JOIN sheet USING (draw) WHERE ended = 'breaks_a_limit' AND start_value IS NULL")" = 1 ] || fail "starts of no population"
+[ "$(sql found.db "SELECT count(*) > 3 AND min(end_value > start_value) FROM ascent WHERE steps > 0")" = 1 ] || fail "nothing is better"
+[ "$(sql found.db "SELECT sum(starts) = 4 * $populations FROM ends")" = 1 ] || fail "a start without an end"
+"$program" verify found.db --all --units 100 > out || { fail "verify"; cat out; }
+"$program" certify found.db --all > out || fail "certify"
+[ "$(sql found.db 'SELECT min(certified_deg) >= 175 FROM certificate JOIN ascent USING (draw) WHERE steps > 0')" = 1 ] ||
+  fail "an end is not proven"
+for n in 2 3; do
+  "${ranks[@]}" $n "$program" search found.json --progress none --catalogue found$n.db > /dev/null 2>&1
+done
+climb --catalogue low.db --range 0:$((populations / 2 + 2))
+climb --catalogue high.db --range $((populations / 2 - 1)):$populations
+"$program" merge halves.db high.db low.db > out || { fail "merge"; cat out; }
+rm -f killed.db*
+climb_on_some_ranks() { "${ranks[@]}" $((1 + RANDOM % 3)) "$program" search found.json "$@"; }
+killed_often "$kills_wanted" climb_on_some_ranks
+climb --catalogue killed.db --max-time 1
+sound_so_far killed.db
+climb --catalogue killed.db
+for file in found2 found3 halves killed; do
+  sound $file.db ${populations}0000000000
+  [ "$(digest_of $file.db)" = "$(digest_of found.db)" ] || fail "$file: another digest"
+  [ "$(sql $file.db 'SELECT draw, start_value, end_value, steps, sheets_folded, ended, limited_by FROM ascent' | cksum)" = \
+    "$(sql found.db 'SELECT draw, start_value, end_value, steps, sheets_folded, ended, limited_by FROM ascent' | cksum)" ] ||
+    fail "$file: other ways"
+done
+best=$("$program" query found.db ends --csv 2> /dev/null | sed -n 2p | cut -d, -f1)
+for again in '' --again; do
+  # shellcheck disable=SC2086
+  "$program" replay found.db "$best" $again --json > "replayed$again.json" || fail "replay $again"
+done
+cmp -s replayed.json replayed--again.json || fail "made again it is another"
+"$program" replay found.db 1 > out 2> err
+[ $? = 2 ] && grep -q 'no candidate' err || fail "a number of no candidate: $(cat err)"
+"$program" status found.db | grep -q 'critical_friction_n_mm_per_mm .* at best' || fail "status in words"
+"$program" export found.db --best 1 --by end_value --output found-best | grep -q "$best" || fail "export"
+cp found.db changed.db
+sqlite3 changed.db "UPDATE ascent SET start_value = start_value * 0.9 WHERE draw = $best"
+"$program" verify changed.db --units 100 > out && fail "a start's value that is none"
+grep -q "draw $best: ascent.start_value" out || fail "it is not named: $(cat out)"
+
 # All that is wrong at once, and nothing is begun.
 campaign wrong.json '"maximise": "friction", "subject_to": ["stroke <= 0.1", "stroke_max >= 0.1"], "shifts": "ternarry"'
 "$program" search wrong.json --catalogue wrong.db > out 2> err
