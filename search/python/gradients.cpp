@@ -1,4 +1,5 @@
-// `_misalign.gradient`: how lengths, fold angles and fold limit change with where the vertices lie.
+// `_misalign.gradient`: how lengths, slopes, fold angles, folded vertices and the fold limit change
+// with where the vertices lie.
 #include <limits>
 
 #include "search/python/arrays.hpp"
@@ -17,6 +18,8 @@ using Eigen::MatrixXd;
 
 struct Gradients {
   std::vector<solver::AngleGradients> angles;
+  std::vector<solver::SlopeGradients> slopes;
+  std::vector<solver::VertexGradients> vertices;
   std::optional<solver::LimitGradient> limit;
 };
 
@@ -30,24 +33,37 @@ Gradients gradients_of(const PatternSource& source, const std::vector<double>& s
                                 "holes than count to one degree of freedom)");
   }
   solver::PathGradients gradients(sheet);
-  Gradients all{{}, gradients.fold_limit()};
+  Gradients all{{}, {}, {}, gradients.fold_limit()};
+  const Index coordinates = 2 * sheet.shifts_mm().cols();
+  const double none = std::numeric_limits<double>::quiet_NaN();
   for (const double pilot_deg : stations_deg) {
     const bool is_on = pilot_deg <= sheet.way()->end_deg();
     auto found = is_on ? gradients.at(pilot_deg) : std::nullopt;
     if (!found) {  // beyond its end: no numbers
       found = gradients.at(0).value();
-      const double none = std::numeric_limits<double>::quiet_NaN();
       found->length_mm.setConstant(none), found->length_by_mm.setConstant(none);
       found->fold_deg.setConstant(none), found->fold_by_mm.setConstant(none);
     }
+    const Index diagonals = found->length_mm.size(), heights = 3 * coordinates / 2;
     all.angles.push_back(std::move(*found));
+    // Where a way ends there are no slopes, nor where it begins shapes.
+    auto slopes = is_on ? gradients.slopes(pilot_deg) : std::nullopt;
+    all.slopes.push_back(
+        slopes ? std::move(*slopes)
+               : solver::SlopeGradients{Eigen::VectorXd::Constant(diagonals, none),
+                                        MatrixXd::Constant(diagonals, coordinates, none)});
+    auto vertices = is_on && pilot_deg > 0 ? gradients.vertices(pilot_deg) : std::nullopt;
+    all.vertices.push_back(
+        vertices ? std::move(*vertices)
+                 : solver::VertexGradients{Eigen::Matrix3Xd::Constant(3, coordinates / 2, none),
+                                           MatrixXd::Constant(heights, coordinates, none)});
   }
   return all;
 }
 
 // [S, rows, V, 2], of x and y of each vertex in turn.
-py::array_t<double> by_vertex(const std::vector<solver::AngleGradients>& angles,
-                              MatrixXd solver::AngleGradients::*member) {
+template <class OfAngle>
+py::array_t<double> by_vertex(const std::vector<OfAngle>& angles, MatrixXd OfAngle::*member) {
   const MatrixXd& first = angles.front().*member;
   py::array_t<double> table({std::ssize(angles), first.rows(), first.cols() / 2, Index{2}});
   auto cells = table.mutable_unchecked<4>();
@@ -60,13 +76,26 @@ py::array_t<double> by_vertex(const std::vector<solver::AngleGradients>& angles,
   return table;
 }
 
-py::array_t<double> numbers(const std::vector<solver::AngleGradients>& angles,
-                            Eigen::VectorXd solver::AngleGradients::*member) {
+template <class OfAngle>
+py::array_t<double> numbers(const std::vector<OfAngle>& angles, Eigen::VectorXd OfAngle::*member) {
   py::array_t<double> table({std::ssize(angles), (angles.front().*member).size()});
   auto cells = table.mutable_unchecked<2>();
   for (Index s = 0; s < cells.shape(0); ++s) {
     for (Index k = 0; k < cells.shape(1); ++k) {
       cells(s, k) = (angles[static_cast<std::size_t>(s)].*member)(k);
+    }
+  }
+  return table;
+}
+
+// [S, V, 3], and [S, V, 3, V, 2].
+py::array_t<double> places(const std::vector<solver::VertexGradients>& angles) {
+  py::array_t<double> table({std::ssize(angles), angles.front().at_mm.cols(), Index{3}});
+  auto cells = table.mutable_unchecked<3>();
+  for (Index s = 0; s < cells.shape(0); ++s) {
+    const Eigen::Matrix3Xd& at_mm = angles[static_cast<std::size_t>(s)].at_mm;
+    for (Index v = 0; v < at_mm.cols(); ++v) {
+      for (Index axis = 0; axis < 3; ++axis) cells(s, v, axis) = at_mm(axis, v);
     }
   }
   return table;
@@ -85,6 +114,13 @@ py::dict gradient(const PatternSource& source, const py::object& stations) {
   found["length_by_mm"] = by_vertex(all.angles, &solver::AngleGradients::length_by_mm);
   found["fold_deg"] = numbers(all.angles, &solver::AngleGradients::fold_deg);
   found["fold_by_mm"] = by_vertex(all.angles, &solver::AngleGradients::fold_by_mm);
+  found["slope_mm_per_rad"] = numbers(all.slopes, &solver::SlopeGradients::slope_mm_per_rad);
+  found["slope_by_mm"] = by_vertex(all.slopes, &solver::SlopeGradients::slope_by_mm);
+  found["folded_mm"] = places(all.vertices);
+  const Index stations_n = std::ssize(*stations_deg),
+              vertices_n = all.vertices.front().at_mm.cols();
+  found["folded_by_mm"] = by_vertex(all.vertices, &solver::VertexGradients::by_mm)
+                              .reshape({stations_n, vertices_n, Index{3}, vertices_n, Index{2}});
   found["fold_limit_deg"] = py::none();
   found["fold_limit_by_mm"] = py::none();
   if (all.limit) {

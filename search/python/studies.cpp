@@ -54,7 +54,10 @@ std::string optimise(const PatternSource& source, const std::string& design,
                      const std::string& goal, std::optional<double> amplitude_mm,
                      std::optional<double> deploys_from_deg, bool ternary,
                      std::optional<double> grid_mm, bool within_family,
-                     const std::vector<std::string>& subject_to) {
+                     const std::vector<std::string>& subject_to,
+                     const std::vector<double>& stiffness_n_per_mm,
+                     const std::vector<double>& preload_n, std::optional<double> rest_deg,
+                     double miscut_mm, std::uint64_t trials) {
   return unlocked([&] {
     const schema::GoalName* const named = schema::goal_named(goal);
     if (!named) {
@@ -63,8 +66,18 @@ std::string optimise(const PatternSource& source, const std::string& design,
           "name one such as " + schema::goal_names().front()});
     }
     Subject subject(source.sheet, design_of(design));
-    return optimise_said(subject, optimised(subject, {named->goal, amplitude_mm, deploys_from_deg,
-                                                      ternary, grid_mm, within_family, subject_to}))
+    return optimise_said(subject, optimised(subject, {.goal = named->goal,
+                                                      .amplitude_mm = amplitude_mm,
+                                                      .deploys_from_deg = deploys_from_deg,
+                                                      .ternary = ternary,
+                                                      .grid_mm = grid_mm,
+                                                      .within_family = within_family,
+                                                      .subject_to = subject_to,
+                                                      .stiffness_n_per_mm = stiffness_n_per_mm,
+                                                      .preload_n = preload_n,
+                                                      .rest_deg = rest_deg,
+                                                      .miscut_mm = miscut_mm,
+                                                      .trials = trials}))
         .dump();
   });
 }
@@ -116,7 +129,9 @@ void bind_studies(py::module_& module) {
   module.def("deploy", &deploy, py::arg("sheet"), py::arg("design"), py::arg("bends"));
   module.def("optimise", &optimise, py::arg("sheet"), py::arg("design"), py::arg("goal"),
              py::arg("amplitude_mm"), py::arg("deploys_from_deg"), py::arg("ternary"),
-             py::arg("grid_mm"), py::arg("within_family"), py::arg("subject_to"));
+             py::arg("grid_mm"), py::arg("within_family"), py::arg("subject_to"),
+             py::arg("stiffness_n_per_mm"), py::arg("preload_n"), py::arg("rest_deg"),
+             py::arg("miscut_mm"), py::arg("trials"));
   module.def("card", &card, py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));
   module.def("certify", &certify, py::arg("sheet"), py::arg("design"), py::arg("contact"));

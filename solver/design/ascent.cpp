@@ -62,6 +62,22 @@ std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOption
   return {};
 }
 
+// Of a start that is worth nothing by its goal.
+OptionFault worthless(OptimiseGoal goal) {
+  const std::string own = "the sheet that it starts from ";
+  std::string why = "nothing drives " + own + "to flat",
+              instead = "begin with another sheet, or with another goal";
+  if (goal == OptimiseGoal::miscut_margin) why = "no margin against miscuts is known of " + own;
+  if (goal == OptimiseGoal::thickness) why = "panels of " + own + "meet on the way";
+  if (goal == OptimiseGoal::yield) why = "no miscut copy of " + own + "deploys from there";
+  if (goal == OptimiseGoal::rest_stiffness) {
+    why = own + "is not stiff where its springs rest, or they rest beyond its end";
+    instead = "name a preload for flat, or an angle at which they rest for a stop";
+  }
+  while (why.ends_with(' ')) why.pop_back();
+  return {"goal", {}, why, instead};
+}
+
 }  // namespace
 
 Studied<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options) {
@@ -92,15 +108,7 @@ Studied<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& opt
                        "ask for less, or begin with another sheet"};
   }
   const std::optional<double> value = value_by(from.goal, start, from);
-  if (!value || *value <= 0) {
-    const bool is_margin = options.goal == OptimiseGoal::miscut_margin;
-    return OptionFault{"goal",
-                       {},
-                       is_margin
-                           ? "no margin against miscuts is known of the sheet that it starts from"
-                           : "nothing drives the sheet that it starts from to flat",
-                       "begin with another sheet, or with another goal"};
-  }
+  if (!value || *value <= 0) return worthless(from.goal);
   return AscentStart{std::move(from), *value};
 }
 

@@ -45,6 +45,8 @@ class Studies(unittest.TestCase):
             by = (folded[1].length_mm - folded[0].length_mm) / (2 * step_mm)
             np.testing.assert_allclose(found["length_by_mm"][:, :, vertex, axis], by, atol=1e-6)
             self.assertGreater(abs(by).max(), 1e-2)
+            steeper = np.degrees(folded[1].rate_mm_per_deg - folded[0].rate_mm_per_deg) / (2 * step_mm)
+            np.testing.assert_allclose(found["slope_by_mm"][:, :, vertex, axis], steeper, atol=1e-4)
         self.assertTrue(np.isnan(sheet.gradient([170])["length_mm"]).all())
         with self.assertRaises(misalign.Error):
             sheet.gradient([20, 10])
@@ -57,6 +59,10 @@ class Studies(unittest.TestCase):
         limits = ["stroke_max <= 0.1", "largest_force_n <= 400"]
         self.assertEqual(sheet.optimise(deploys_from_deg=150, ternary=True, subject_to=limits)[1], program_json(
             "optimise", TABLE1, "--deploys-from", 150, "--ternary", "--subject-to", limits[0], "--subject-to", limits[1]))
+        self.assertEqual(sheet.optimise("energy_n_mm", deploys_from_deg=150, stiffness_n_per_mm=10, stiffness_within=[5, 20],
+                                        subject_to=limits[1:])[1], program_json(
+            "optimise", TABLE1, "--goal", "energy_n_mm", "--deploys-from", 150, "--stiffness", 10, "--stiffness-within", "5,20",
+            "--subject-to", limits[1]))
         with self.assertRaisesRegex(misalign.Error, "subject_to=stroke_max >= 1: stroke_max is to be small"):
             sheet.optimise(subject_to=["stroke_max >= 1"])
         with self.assertRaisesRegex(misalign.Error, "most is no goal"):

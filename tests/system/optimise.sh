@@ -60,6 +60,32 @@ json_test cards.json "json_extract(j, '\$.card_before.lines') = (SELECT json_ext
 json_test floored.json "json_extract(j, '\$.after_n_mm_per_mm') > 2 * json_extract(j, '\$.before_n_mm_per_mm') AND json_extract(j, '\$.stroke') <= 0.12
   AND json_extract(j, '\$.subject_to[1]') = 'miscut_margin_mm >= 0.02'" || fail "--subject-to: $(head -c 400 floored.json)"
 
+# Other goals, before and after, as the verbs whose they are say of the files.
+better() {  # GOAL KEY OPTION...
+  local goal=$1 key=$2
+  shift 2
+  "$program" optimise "$table1" --deploys-from 150 --goal "$goal" "$@" --json --output more.json > said.json || fail "--goal $goal"
+  before=$(field said.json "before_$key") after=$(field said.json "after_$key")
+  sqlite3 :memory: "SELECT $after > $before AND json_extract(readfile('said.json'), '\$.certified_deg') >= 150" | grep -q 1 || fail "--goal $goal: $before, $after"
+}
+is_near() { sqlite3 :memory: "SELECT abs($1 - ($2)) <= ${3:-1e-9} * abs($1)" | grep -q 1 || fail "$4: $1, $2"; }
+better energy_n_mm n_mm
+"$program" actuators more.json --from 36 --json > other.json && is_near "$after" "$(field other.json energy_n_mm)" 1e-9 energy
+better thickness_mm mm --from 36 --steps 2
+"$program" contact more.json --from 36 --json > other.json && is_near "$after" "$(field other.json thickness.largest_mm)" 1e-9 thickness
+better yield share --steps 1 --miscut 0.05 --trials 100
+"$program" tolerance "$table1" --amplitude 0.05 --trials 100 --from 150 --json > other.json && is_near "$before" "$(field other.json from_threshold.share)" 1e-9 yield
+better spare_diagonals diagonals --from 36
+"$program" actuators more.json --from 36 --json > other.json
+is_near "16 - json_array_length(readfile('other.json'), '\$.few.diagonals')" "CAST($after AS INTEGER)" 1e-9 "spare diagonals"
+better rest_stiffness_n_mm_per_rad n_mm_per_rad --preload 0.05 --preload-within 0,0.2
+is_near "$(field more.json design.springs.preload_n)" "$(field said.json preload_n.chosen)" 1e-12 preload
+better deploys_from_deg deg --steps 50
+"$program" fold more.json --json > folded.json && [ "$(field folded.json verdict.deploys_from_deg | cut -d. -f1)" -ge 160 ] &&
+  [ "$(field said.json certified_deg | cut -d. -f1)" -ge 160 ] || fail "deploys from $(field folded.json verdict.deploys_from_deg) only"
+better critical_friction_n_mm_per_mm n_mm_per_mm --subject-to "largest_force_n <= 20" --stiffness-within 10,200
+"$program" deploy more.json --json > let_go.json && is_near "$after" "$(field let_go.json critical_friction_n_mm_per_mm)" 1e-9 "springs that are chosen"
+
 refused() {  # CODE WORDS OPTION...
   local code=$1 words=$2 got=0
   shift 2
@@ -68,6 +94,9 @@ refused() {  # CODE WORDS OPTION...
   [ ! -e none.json ] || fail "$*: something was written"
 }
 refused 2 "--amplitude 0.3: the sheet that it starts from has a shift of" "$table1" --amplitude 0.3 --output none.json
+refused 2 "--stiffness-within 60,100: the springs that it starts from have 50" "$table1" --stiffness-within 60,100 --output none.json
+refused 2 "--preload-within 3,1: the least is not below the most" "$table1" --preload-within 3,1 --output none.json
+refused 2 "--goal: the sheet that it starts from is not stiff where its springs rest" "$table1" --goal rest_stiffness_n_mm_per_rad --output none.json
 refused 2 "and ternary shifts are 0 or the amplitude" "$table1" --amplitude 0.5 --ternary
 refused 2 "--deploys-from 179: the sheet that it starts from deploys from 156 deg" "$table1" --deploys-from 179
 refused 2 "--stroke-limit 0.001: a diagonal of the sheet that it starts from elongates by more" "$table1" --stroke-limit 0.001

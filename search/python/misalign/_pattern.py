@@ -191,11 +191,15 @@ class Pattern:
         `stations`  pilot angles in degrees, ascending, 0 for flat; NaN beyond the path's end
 
         Arrays: `length_mm` [S, G] and `length_by_mm` [S, G, V, 2] of the diagonals, `fold_deg` [S, C] and `fold_by_mm`
-        [S, C, V, 2] of the creases (degrees per mm), `fold_limit_by_mm` [V, 2], None where it folds to 180 degrees.
+        [S, C, V, 2] of the creases (degrees per mm), `slope_mm_per_rad` [S, G] and `slope_by_mm` [S, G, V, 2] of the
+        diagonals by the pilot's angle, `folded_mm` [S, V, 3] and `folded_by_mm` [S, V, 3, V, 2] of the folded sheet, its
+        first panel held (NaN flat), `fold_limit_by_mm` [V, 2], None where it folds to 180 degrees.
 
         >>> found = misalign.read("search/patterns/table1.json").gradient([36, 90])
         >>> found["length_by_mm"].shape, found["fold_by_mm"].shape, found["fold_limit_by_mm"].shape
         ((2, 16, 49, 2), (2, 28, 49, 2), (49, 2))
+        >>> found["slope_by_mm"].shape, found["folded_by_mm"].shape
+        ((2, 16, 49, 2), (2, 49, 3, 49, 2))
         """
         found: dict[str, Any] = _misalign.gradient(self._sheet, stations)
         return found
@@ -204,16 +208,24 @@ class Pattern:
                  deploys_from_deg: float | None = None, ternary: bool = False, from_deg: float | None = None,
                  stiffness_n_per_mm: float | None = None, stroke_limit: float | None = None,
                  preload_n: float | None = None, thickness_mm: float | None = None, grid_mm: float | None = None,
-                 within_family: bool = False, subject_to: Sequence[str] = ()) -> tuple[Pattern, dict[str, Any]]:
+                 within_family: bool = False, subject_to: Sequence[str] = (),
+                 stiffness_within: Sequence[float] = (), preload_within: Sequence[float] = (),
+                 rest_deg: float | None = None, miscut_mm: float = 0.05, trials: int = 200,
+                 ) -> tuple[Pattern, dict[str, Any]]:
         """A better sheet near this one, and what `misalign optimise --json` says of it.
 
-        `goal`              also `bent_critical_friction_n_mm_per_mm`, `static_friction_n_mm_per_mm`, `miscut_margin_mm`
+        `goal`              also `bent_critical_friction_n_mm_per_mm`, `static_friction_n_mm_per_mm`, `energy_n_mm`,
+                            `miscut_margin_mm`, `yield`, `deploys_from_deg`, `thickness_mm`,
+                            `rest_stiffness_n_mm_per_rad`, `spare_diagonals`
         `amplitude_mm`      no vertex farther in x or y; none: the largest of its own shifts
         `deploys_from_deg`  it still deploys from there; none: its own D
         `ternary`           shifts of nothing or the amplitude alone
         `grid_mm`           whole multiples of it alone, those of this sheet rounded
         `within_family`     only among members of the base's parallel family
         `subject_to`        what every step keeps: `"stroke_max <= 0.06"`, `"miscut_margin_mm >= 0.1"`
+        `stiffness_within`, `preload_within`  least and most of what springs may have: then it is chosen, too
+        `rest_deg`          pilot angle where springs are relaxed; none: flat
+        `miscut_mm`, `trials`  of the copies whose `yield` is asked
 
         >>> better, said = misalign.read("search/patterns/table1.json").optimise(deploys_from_deg=150, ternary=True)
         >>> said["after_n_mm_per_mm"] > 5 * said["before_n_mm_per_mm"], better.fold().deploys_from_deg >= 150
@@ -221,7 +233,8 @@ class Pattern:
         """
         said: dict[str, Any] = json.loads(_misalign.optimise(
             self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit, None, thickness_mm, preload_n=preload_n),
-            goal, amplitude_mm, deploys_from_deg, ternary, grid_mm, within_family, list(subject_to)))
+            goal, amplitude_mm, deploys_from_deg, ternary, grid_mm, within_family, list(subject_to),
+            list(stiffness_within), list(preload_within), rest_deg, miscut_mm, trials))
         return Pattern(_misalign.read_document(json.dumps(said["pattern"]), "optimised")), said
 
     def card(self, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:
