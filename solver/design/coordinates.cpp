@@ -8,20 +8,9 @@ namespace misalign::solver {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-namespace {
-
-// Whether each row has one entry of plus or minus one: what moves is moved by one coordinate.
-bool is_partition(const Eigen::MatrixXd& moves) {
-  return ((moves.array() == 0 || moves.array().abs() == 1).all()) &&
-         (moves.array().abs().rowwise().sum() <= 1).all();
-}
-
-}  // namespace
-
 Coordinates::Coordinates(const OptimiseOptions& options)
     : options_(options),
-      shifts_(options.moves.size() > 0 ? options.moves.cols() : 2 * std::ssize(options.shifted)),
-      are_free_(options.moves.size() > 0 && !is_partition(options.moves)) {}
+      shifts_(are_free() ? options.moves.cols() : 2 * std::ssize(options.shifted)) {}
 
 const OptimiseOptions::Range* Coordinates::range(Index k) const {
   if (k < shifts_) return nullptr;
@@ -31,17 +20,8 @@ const OptimiseOptions::Range* Coordinates::range(Index k) const {
 
 VectorXd Coordinates::of(const DesignPoint& point) const {
   VectorXd own_mm = VectorXd::Zero(count());
-  const auto shift_mm = [&](Index k) {
-    return point.shifts_mm(k % 2, options_.shifted[static_cast<std::size_t>(k / 2)]);
-  };
-  for (Index k = 0; k < shifts_ && !are_free_; ++k) {
-    if (options_.moves.size() == 0) {
-      own_mm(k) = shift_mm(k);
-      continue;
-    }
-    Index row = 0;
-    const double side = options_.moves.col(k).cwiseAbs().maxCoeff(&row) * options_.moves(row, k);
-    own_mm(k) = side * shift_mm(row);
+  for (Index k = 0; k < shifts_ && !are_free(); ++k) {
+    own_mm(k) = point.shifts_mm(k % 2, options_.shifted[static_cast<std::size_t>(k / 2)]);
   }
   Index next = shifts_;
   const auto add = [&](const std::optional<OptimiseOptions::Range>& range, double own) {
@@ -54,17 +34,16 @@ VectorXd Coordinates::of(const DesignPoint& point) const {
 
 DesignPoint Coordinates::after(const DesignPoint& point, const VectorXd& change_mm) const {
   DesignPoint next = point;
-  const VectorXd moved_mm = options_.moves.size() > 0
-                                ? VectorXd(options_.moves * change_mm.head(shifts_))
-                                : VectorXd(change_mm.head(shifts_));
+  const VectorXd moved_mm = are_free() ? VectorXd(options_.moves * change_mm.head(shifts_))
+                                       : VectorXd(change_mm.head(shifts_));
   const double most_mm = largest_mm(0);
   for (Index k = 0; k < moved_mm.size(); ++k) {
     double& shift_mm = next.shifts_mm(k % 2, options_.shifted[static_cast<std::size_t>(k / 2)]);
     shift_mm = on_grid(shift_mm + moved_mm(k), options_.grid_mm);
-    if (!are_free_) shift_mm = std::clamp(shift_mm, -most_mm, most_mm);
+    if (!are_free()) shift_mm = std::clamp(shift_mm, -most_mm, most_mm);
   }
   const double farthest_mm = next.shifts_mm.cwiseAbs().maxCoeff();
-  if (are_free_ && farthest_mm > most_mm) next.shifts_mm *= most_mm / farthest_mm;
+  if (are_free() && farthest_mm > most_mm) next.shifts_mm *= most_mm / farthest_mm;
   Index at = shifts_;
   const auto change = [&](const std::optional<OptimiseOptions::Range>& range, double& own) {
     if (!range) return;
@@ -90,7 +69,7 @@ VectorXd Coordinates::row(const Eigen::RowVectorXd& by_vertices, double by_stiff
     of_shifted(k++) = by_vertices(2 * vertex + 1);
   }
   VectorXd row = VectorXd::Zero(count());
-  if (options_.moves.size() > 0) {
+  if (are_free()) {
     row.head(shifts_) = options_.moves.transpose() * of_shifted;
   } else {
     row.head(shifts_) = of_shifted;

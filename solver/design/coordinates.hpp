@@ -22,7 +22,7 @@ class Coordinates {
 
   Eigen::Index count() const { return shifts_ + springs(); }
   /// Whether shifts have bounds together only, as within a family.
-  bool are_free() const { return are_free_; }
+  bool are_free() const { return options_.moves.size() > 0; }
   /// The range in which it is chosen, of the springs'; null: it is one of shifts.
   const OptimiseOptions::Range* range(Eigen::Index k) const;
   /// What a mm of such a coordinate is.
@@ -50,7 +50,6 @@ class Coordinates {
   }
   const OptimiseOptions& options_;
   const Eigen::Index shifts_;
-  bool are_free_ = false;
 };
 
 /// As the point has them.

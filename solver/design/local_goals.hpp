@@ -7,8 +7,10 @@
 
 namespace misalign::solver {
 
-/// The goal is the least of all: energy between two angles over what the creases turn between
-/// them, N mm and mm; or how far a diagonal goes on over how fast that changes, mm and mm per mm.
+/// The goal is the least of all, in its unit: energy between two angles over what the creases turn
+/// between them, N mm and mm; how far a diagonal goes on over how fast that changes, mm and mm per
+/// mm; a thickness, an energy or a stiffness over 1. Of those that are not foreseen
+/// (optimise_goal.hpp) what leads to more of it.
 struct LocalGoal {
   double amount, over;
   Eigen::VectorXd row;  ///< of the amount, per mm of the coordinates

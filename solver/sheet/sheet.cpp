@@ -94,6 +94,7 @@ const PathRecord& Sheet::record() const {
   SheetSolver::Workspace& with = solver_.workspace();
   ++solver_.followed_.as_functions;
   record_ = measure_paths(SheetBlock(vertices_mm_), with.functions, with.recorder).front();
+  with.states.clear();  // of a path that had to be followed closely: nobody asks for them
   assert(record_->flat.size() == mechanism().diagonals.size());
   return *record_;
 }

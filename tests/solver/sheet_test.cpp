@@ -1,6 +1,10 @@
 // What a sheet remembers: what the functions that follow its path anew find, each found once.
 #include "solver/sheet/sheet.hpp"
 
+#include <malloc.h>
+
+#include <random>
+
 #include "blocks.hpp"
 #include "families.hpp"
 #include "own_sheet.hpp"
@@ -105,6 +109,28 @@ TEST(Sheet, KnowsNothingOfOthersOfItsSolver) {
 }
 
 // Shifts of a third of a panel: no state near flat is found, which is no exception.
+// Sheets shifted so far that most have to be followed closely: an optimisation looks at a hundred
+// thousand of them.
+TEST(Sheet, LeavesNothingInItsSolver) {
+  const DrawableSheet sheet(4, 4);
+  const Model model(sheet.base);
+  SheetSolver solver(model);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> shift_mm(-6, 6);
+  const auto in_use_after = [&](int sheets) {
+    for (int k = 0; k < sheets; ++k) {
+      Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, sheet.base.sheet.vertex_count());
+      for (const int vertex : sheet.shifted_vertices) {
+        shifts_mm.col(vertex) << shift_mm(random), shift_mm(random);
+      }
+      EXPECT_GE(Sheet(solver, shifts_mm).record().verdict.deploys_from_sample, 0);
+    }
+    return static_cast<double>(mallinfo2().uordblks);
+  };
+  const double before = in_use_after(50);
+  EXPECT_LT(in_use_after(200) - before, 1e5) << "bytes; the states of one path take 1e4";
+}
+
 TEST(Sheet, ThatIsLostHasNoWay) {
   const TestSheet sheet(4, 4);
   Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, sheet.base.sheet.vertex_count());
