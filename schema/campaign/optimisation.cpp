@@ -119,12 +119,10 @@ Optimisation read_optimisation(ObjectReader& reader, double threshold_deg) {
 }
 
 void check_optimisation(ObjectReader& reader, const Optimisation& optimisation) {
-  const auto is_friction = [](solver::OptimiseGoal goal) {
-    return goal == solver::OptimiseGoal::critical_friction;
-  };
+  const auto is_of_use = [](solver::OptimiseGoal goal) { return name_of(goal).is_of_use; };
   const OptimiseBounds& limits = optimisation.bounds;
-  const bool lets_go = is_friction(optimisation.goal) || limits.largest_force_n ||
-                       std::ranges::any_of(limits.floors, is_friction, &solver::OptimiseFloor::of);
+  const bool lets_go = is_of_use(optimisation.goal) || limits.largest_force_n ||
+                       std::ranges::any_of(limits.floors, is_of_use, &solver::OptimiseFloor::of);
   if (lets_go && !optimisation.from_deg) {
     reader.faults().add(reader.name("from_deg"), "is not said, from where sheets are let go",
                         "write a pilot angle, such as 36");

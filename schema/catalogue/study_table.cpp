@@ -61,7 +61,7 @@ constexpr StudyEntry kStudies[] = {
     {"actuators", "springs on the diagonals of one sheet", nullptr, kOfActuators},
     {"stress", "elastic panels, let go: do they deploy, and what do they suffer (CalculiX)"},
     {"tolerance", "how many miscut copies of a sheet still deploy, or how loose its joints may be"},
-    {"optimise", "a better sheet near one: the largest friction that it overcomes"},
+    {"optimise", "a better sheet near one: by what friction it overcomes, or another goal"},
     {"card", "what a design asks of one sheet, and what was found, on one page"},
     {"certify", "prove that a sheet folds in one way, and its diagonals go one way, up to D"}};
 

@@ -91,7 +91,8 @@ bool needs_threshold(const solver::OptimiseOptions& options) {
 using Range = solver::OptimiseOptions::Range;
 
 // What springs may have, with what they have to begin with in it.
-std::optional<Range> range_of(const char* option, const std::vector<double>& bounds, double own) {
+std::optional<Range> range_of(const char* option, std::string_view design_key,
+                              const std::vector<double>& bounds, double own) {
   if (bounds.empty()) return {};
   const double least = bounds.front(), most = bounds.back();
   const std::string shown = fmt::format("{:g},{:g}", least, most);
@@ -99,6 +100,11 @@ std::optional<Range> range_of(const char* option, const std::vector<double>& bou
     throw schema::UserError(solver::OptionFault{option, shown, why, instead});
   };
   if (!(least < most)) refuse("the least is not below the most", "write the smaller one first");
+  const auto [lowest, highest] = schema::design_bounds(design_key);
+  if (!(least >= lowest && most <= highest)) {
+    refuse(fmt::format("springs may have {:g} to {:g}", lowest, highest),
+           "name limits within that");
+  }
   if (own < least || own > most) {
     refuse(fmt::format("the springs that it starts from have {:g}", own),
            "name limits on either side of that, or other springs to start from");
@@ -125,9 +131,10 @@ void add_yield(const ChosenSheet& chosen, const OptimiseInput& input, const sche
 void choose_springs(const OptimiseInput& input, solver::OptimiseOptions& options) {
   solver::Springs& springs = options.deploying.sheet.springs;
   springs.rest_deg = input.rest_deg.value_or(springs.rest_deg);
-  options.stiffness_n_per_mm =
-      range_of("stiffness_within", input.stiffness_n_per_mm, springs.stiffness_n_per_mm);
-  options.preload_n = range_of("preload_within", input.preload_n, springs.preload.each_n);
+  options.stiffness_n_per_mm = range_of("stiffness_within", "springs.stiffness_n_per_mm",
+                                        input.stiffness_n_per_mm, springs.stiffness_n_per_mm);
+  options.preload_n =
+      range_of("preload_within", "springs.preload_n", input.preload_n, springs.preload.each_n);
   if (options.preload_n && !springs.preload.others.empty()) {
     throw schema::UserError(solver::OptionFault{
         "preload_within", {}, "the design has preloads of single springs", "take these out"});

@@ -55,19 +55,16 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
 
 // Some goals are of an angle of use.
 std::string goal_text(const solver::Optimised& found) {
-  using enum solver::OptimiseGoal;
   const schema::GoalName& goal = schema::name_of(found.options.goal);
-  const bool is_of_use = goal.goal == critical_friction || goal.goal == bent_critical_friction ||
-                         goal.goal == static_friction || goal.goal == energy ||
-                         goal.goal == spare_diagonals;
-  return is_of_use ? fmt::format("{} from {:g} deg", goal.words, found.from_deg) : goal.words;
+  return goal.is_of_use ? fmt::format("{} from {:g} deg", goal.words, found.from_deg) : goal.words;
 }
 
 std::string springs_text(const solver::Optimised& found) {
   std::string text;
-  const auto& [shifts_mm, n_per_mm, preload_n, value] = found.best();
-  if (found.options.stiffness_n_per_mm) text += fmt::format(" of {:.4g} N/mm", n_per_mm);
-  if (found.options.preload_n) text += fmt::format(" left with {:.4g} N at flat", preload_n);
+  const solver::DesignPoint& best = found.best();
+  if (found.options.stiffness_n_per_mm)
+    text += fmt::format(" of {:.4g} N/mm", best.stiffness_n_per_mm);
+  if (found.options.preload_n) text += fmt::format(" left with {:.4g} N at flat", best.preload_n);
   return text.empty() ? text : "springs" + text + "\n";
 }
 

@@ -94,7 +94,6 @@ void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
     verb.add_option(name, range, says)
         ->delimiter(',')
         ->expected(2)
-        ->check(within(0, 1e9))
         ->type_name("LEAST,MOST")
         ->excludes("--ternary");
   };

@@ -64,18 +64,23 @@ std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOption
 
 // Of a start that is worth nothing by its goal.
 OptionFault worthless(OptimiseGoal goal) {
-  const std::string own = "the sheet that it starts from ";
-  std::string why = "nothing drives " + own + "to flat",
-              instead = "begin with another sheet, or with another goal";
-  if (goal == OptimiseGoal::miscut_margin) why = "no margin against miscuts is known of " + own;
-  if (goal == OptimiseGoal::thickness) why = "panels of " + own + "meet on the way";
-  if (goal == OptimiseGoal::yield) why = "no miscut copy of " + own + "deploys from there";
-  if (goal == OptimiseGoal::rest_stiffness) {
-    why = own + "is not stiff where its springs rest, or they rest beyond its end";
-    instead = "name a preload for flat, or an angle at which they rest for a stop";
+  const std::string own = "the sheet that it starts from";
+  const char* const other = "begin with another sheet, or with another goal";
+  switch (goal) {
+    case OptimiseGoal::miscut_margin:
+      return {"goal", {}, "no margin against miscuts is known of " + own, other};
+    case OptimiseGoal::thickness:
+      return {"goal", {}, "panels of " + own + " meet on the way", other};
+    case OptimiseGoal::yield:
+      return {"goal", {}, "no miscut copy of " + own + " deploys from there", other};
+    case OptimiseGoal::rest_stiffness:
+      return {"goal",
+              {},
+              own + " is not stiff where its springs rest, or they rest beyond its end",
+              "name a preload for flat, or an angle at which they rest for a stop"};
+    default:
+      return {"goal", {}, "nothing drives " + own + " to flat", other};
   }
-  while (why.ends_with(' ')) why.pop_back();
-  return {"goal", {}, why, instead};
 }
 
 }  // namespace
@@ -118,17 +123,10 @@ Ascent::Ascent(const Sheet& start, AscentStart fitted)
       solver_(start.model()),
       box_mm_(kFirstBox * options_.amplitude_mm),
       now_{std::make_unique<const Sheet>(solver_, start.shifts_mm()),
-           {start.shifts_mm(), options_.deploying.sheet.springs.stiffness_n_per_mm,
-            options_.deploying.sheet.springs.preload.each_n},
-           fitted.value} {
+           point_of(start.shifts_mm(), options_), fitted.value} {
   found_.options = options_;
   found_.from_deg = *options_.deploying.from_deg;
-  add_taken();
-}
-
-void Ascent::add_taken() {
-  const auto& [shifts_mm, n_per_mm, preload_n] = now_.point;
-  found_.taken.push_back({shifts_mm, n_per_mm, preload_n, now_.value});
+  found_.taken.push_back({now_.point, now_.value});
 }
 
 void Ascent::advance() {
@@ -159,7 +157,7 @@ void Ascent::end(OptimiseEnd why) {
 void Ascent::take_step(Worthy next) {
   now_ = std::move(next);
   set_springs(options_, now_.point);
-  add_taken();
+  found_.taken.push_back({now_.point, now_.value});
   around_.reset();
 }
 
@@ -171,13 +169,10 @@ void Ascent::try_box() {
   const LocalProgram inside = local_program(*around_, box_mm_);
   const LinearOptimum best = maximize(inside.linear);
   const double foreseen = best.value * inside.unit;
-  const double worth_it = is_foreseen(options_.goal) ? kWorth * now_.value : 0;
-  if (best.end != LinearEnd::optimal || foreseen <= worth_it) return give_up_box();
+  if (best.end != LinearEnd::optimal || foreseen <= least_foreseen()) return give_up_box();
   auto next = look(inside.change_mm(best));
   const double gained = next ? next->value - now_.value : 0;
-  const bool came_true =
-      is_foreseen(options_.goal) ? gained > kForeseen * foreseen : gained > kWorth * now_.value;
-  if (came_true) {
+  if (gained > (is_foreseen(options_.goal) ? kForeseen * foreseen : kWorth * now_.value)) {
     box_mm_ = std::min(2 * box_mm_, options_.amplitude_mm);
     return take_step(std::move(*next));
   }
@@ -200,10 +195,9 @@ void Ascent::begin_flips() {
   singles_ = single_flips();
   promising_.clear();
   const double own_goal = around_->goal(VectorXd::Zero(around_->coordinates));
-  const double worth_it = is_foreseen(options_.goal) ? kWorth * now_.value : 0;
   const auto consider = [&](Flip flip) {
     flip.foreseen = goal_after(flip) - own_goal;
-    if (flip.foreseen > worth_it) promising_.push_back(flip);
+    if (flip.foreseen > least_foreseen()) promising_.push_back(flip);
   };
   for (std::size_t one = 0; one < singles_.size(); ++one) {
     consider(singles_[one]);
@@ -244,6 +238,11 @@ std::optional<Ascent::Worthy> Ascent::look(const VectorXd& change_mm) {
   const std::optional<double> value = worth(*sheet, there);
   if (!value) return {};
   return Worthy{std::move(sheet), std::move(point), *value};
+}
+
+// That is tried: of what only leads to the goal anything.
+double Ascent::least_foreseen() const {
+  return is_foreseen(options_.goal) ? kWorth * now_.value : 0;
 }
 
 double Ascent::goal_after(const Flip& flip) const {

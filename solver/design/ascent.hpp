@@ -62,9 +62,9 @@ class Ascent {
   void try_flip();
   void give_up_box();
   void take_step(Worthy next);
-  void add_taken();
 
   std::optional<Worthy> look(const Eigen::VectorXd& change_mm);
+  double least_foreseen() const;
   double goal_after(const Flip& flip) const;
   bool may_fit(const Flip& flip) const;
   std::vector<Flip> single_flips() const;

@@ -19,18 +19,8 @@ constexpr double kBelow = 0.9;
 constexpr int kRows = 40;
 
 std::vector<Matrix3Xd> shapes_at(const Sheet& sheet, const VectorXd& pilot_deg) {
-  const FoldingWay& way = *sheet.way();
-  SheetGeometry<double> geometry;
-  place(sheet.mechanism(), sheet.vertices_mm(), geometry);
-  FoldState<double> state = way.stations().front().state;
-  Newton newton(sheet.mechanism());
   std::vector<Matrix3Xd> shapes_mm;
-  for (const double angle_deg : pilot_deg) {
-    // Between stations the way is off by what would stress panels: near a limit by micrometres.
-    way.find_state(way.x_of(angle_deg), state);
-    if (!sheet.model().has_spare_equations()) newton.correct(geometry, state);
-    shapes_mm.push_back(sheet.model().shape().vertices_mm(geometry, state));
-  }
+  for (const double angle_deg : pilot_deg) shapes_mm.push_back(rigid_shape_mm(sheet, angle_deg));
   return shapes_mm;
 }
 
@@ -127,6 +117,17 @@ std::optional<double> least_thickness(const Sheet& sheet, const BentPanels& stud
 }
 
 }  // namespace
+
+Matrix3Xd rigid_shape_mm(const Sheet& sheet, double pilot_deg) {
+  const FoldingWay& way = *sheet.way();
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism(), sheet.vertices_mm(), geometry);
+  FoldState<double> state = way.stations().front().state;
+  // Between stations the way is off by what would stress panels: near a limit by micrometres.
+  way.find_state(way.x_of(pilot_deg), state);
+  if (!sheet.model().has_spare_equations()) Newton(sheet.mechanism()).correct(geometry, state);
+  return sheet.model().shape().vertices_mm(geometry, state);
+}
 
 BentWay::BentWay(const Sheet& sheet, const PanelMaterial& material, double thickness_mm,
                  double to_deg, double from_deg, int angles)

@@ -39,6 +39,9 @@ struct BentAngle {
   bool is_sure;  ///< Newton's method has converged to a minimum; true where it was not asked
 };
 
+/// Rigid, at this pilot angle on its way: 3 x vertices, mm.
+Eigen::Matrix3Xd rigid_shape_mm(const Sheet& sheet, double pilot_deg);
+
 /// A sheet at the angles, for any springs: its panels of one thickness and material.
 class BentWay {
  public:

@@ -5,12 +5,6 @@
 
 namespace misalign::solver {
 
-/// One sheet with its springs.
-struct DesignPoint {
-  Eigen::Matrix2Xd shifts_mm;
-  double stiffness_n_per_mm, preload_n;
-};
-
 /// Coordinates: x and y of each vertex that may be shifted, in turn, or what the moves of the
 /// options are taken by; then the springs' rate and their preload, where these may be chosen. All
 /// but those of a family lie between plus and minus the amplitude: the springs' from the least to
@@ -52,7 +46,8 @@ class Coordinates {
   const Eigen::Index shifts_;
 };
 
-/// As the point has them.
+/// The springs of the options, and these as the point has them.
+DesignPoint point_of(const Eigen::Matrix2Xd& shifts_mm, const OptimiseOptions& options);
 void set_springs(OptimiseOptions& options, const DesignPoint& point);
 
 /// What is rounded to a grid, mm; 0: there is none.

@@ -28,11 +28,8 @@ VectorXd relaxed_lengths(const FoldingWay& way, const Springs& springs) {
     relaxed_mm(diagonal) = lengths_mm(diagonal);
   }
   if (springs.preload.is_any()) {
-    // Which way a diagonal goes shows next to flat, and is the same on the way to D.
-    way.find_lengths(way.x_of_station(0), lengths_mm, rates);
     const VectorXd forces_n = springs.preload.forces_n(way.mechanism().diagonals);
-    relaxed_mm -= forces_n.cwiseProduct((lengths_mm - way.flat_mm()).cwiseSign()) /
-                  springs.stiffness_n_per_mm;
+    relaxed_mm -= forces_n.cwiseProduct(sides_of_diagonals(way)) / springs.stiffness_n_per_mm;
   }
   return relaxed_mm;
 }
@@ -73,6 +70,12 @@ double mass_of_all(const FoldingWay& way, const PerforatedSheet& base, const Pla
 }
 
 }  // namespace
+
+VectorXd sides_of_diagonals(const FoldingWay& way) {
+  VectorXd lengths_mm, rates;
+  way.find_lengths(way.x_of_station(0), lengths_mm, rates);
+  return (lengths_mm - way.flat_mm()).cwiseSign();
+}
 
 DeployingSheet::DeployingSheet(const FoldingWay& way, const FoldedShape& shape,
                                const PerforatedSheet& base, const DeployingOptions& options)

@@ -58,6 +58,9 @@ struct EnergyAt {
   double damping;           ///< N mm s
 };
 
+/// Which way each diagonal goes next to flat, and on the way to D: 1 longer, -1 shorter.
+Eigen::VectorXd sides_of_diagonals(const FoldingWay& way);
+
 class DeployingSheet {
  public:
   /// `way` and `shape` must outlive this object. Rest angles must lie on the way.

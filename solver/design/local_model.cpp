@@ -25,11 +25,7 @@ constexpr double kFoldedFar_deg = 150;
 class Builder {
  public:
   Builder(const Sheet& sheet, const OptimiseOptions& options)
-      : sheet_(sheet),
-        options_(options),
-        springs_(options.deploying.sheet.springs),
-        around_(sheet, options),
-        flat_(around_.flat) {}
+      : sheet_(sheet), options_(options), around_(sheet, options), flat_(around_.flat) {}
 
   std::optional<LocalModel> build() {
     add_room();
@@ -46,8 +42,7 @@ class Builder {
   }
 
   void add_room() {
-    const DesignPoint own{sheet_.shifts_mm(), springs_.stiffness_n_per_mm, springs_.preload.each_n};
-    const Eigen::ArrayXd own_mm = around_.by.of(own).array();
+    const Eigen::ArrayXd own_mm = around_.by.of(point_of(sheet_.shifts_mm(), options_)).array();
     model_.coordinates = own_mm.size();
     model_.rise_mm = options_.amplitude_mm - own_mm;
     model_.fall_mm = options_.amplitude_mm + own_mm;
@@ -158,7 +153,6 @@ class Builder {
 
   const Sheet& sheet_;
   const OptimiseOptions& options_;
-  const Springs& springs_;
   SheetChanges around_;
   const AngleGradients& flat_;
   LocalModel model_;

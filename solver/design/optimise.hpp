@@ -21,6 +21,12 @@
 
 namespace misalign::solver {
 
+/// One sheet with its springs.
+struct DesignPoint {
+  Eigen::Matrix2Xd shifts_mm;
+  double stiffness_n_per_mm, preload_n;
+};
+
 struct OptimiseOptions {
   OptimiseGoal goal = OptimiseGoal::critical_friction;
   DeployOptions deploying;    ///< springs, hinges, panels, and from where it is let go
@@ -76,9 +82,7 @@ struct Optimised {
   OptimiseOptions options;
   double from_deg;
   /// The start, then the sheet after each step; what each is worth, as the goal is.
-  struct Taken {
-    Eigen::Matrix2Xd shifts_mm;
-    double stiffness_n_per_mm, preload_n;  ///< of its springs
+  struct Taken : DesignPoint {
     double value;
   };
   std::vector<Taken> taken;

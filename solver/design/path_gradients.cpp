@@ -1,6 +1,5 @@
 #include "solver/design/path_gradients.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <cassert>
 #include <cmath>
@@ -194,9 +193,11 @@ std::optional<VertexGradients> PathGradients::vertices(double pilot_deg) {
     closure_by_mm.row(e) = row.transpose();
   }
   // Closures are of a geometry in panel widths.
-  const MatrixXd follow = -Eigen::PartialPivLU<MatrixXd>(with.system.jacobian().leftCols(equations))
-                               .solve(closure_by_mm) /
-                          mechanism.panel_width_mm;
+  with.lu.factorize(with.system.jacobian().leftCols(equations));
+  MatrixXd follow(equations, coordinates);
+  for (Index k = 0; k < coordinates; ++k) {
+    follow.col(k) = -with.lu.solve(closure_by_mm.col(k)) / mechanism.panel_width_mm;
+  }
   const FoldedShape& shape = sheet_.model().shape();
   const auto shape_mm = [&](Index k, double by_mm) {
     FlatVertices flat_mm = sheet_.vertices_mm();

@@ -47,13 +47,7 @@ PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
                               double thickness_mm, const VectorXd& shares) {
   const ElasticSheet panels(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals,
                             material, thickness_mm, kStiffer);
-  const FoldingWay& way = *sheet.way();
-  SheetGeometry<double> geometry;
-  place(sheet.mechanism(), sheet.vertices_mm(), geometry);
-  FoldState<double> state = way.stations().front().state;
-  way.find_state(way.x_of(kNearFlat_deg), state);
-  const Compliance near =
-      find_compliance(panels, sheet.model().shape().vertices_mm(geometry, state)).value();
+  const Compliance near = find_compliance(panels, rigid_shape_mm(sheet, kNearFlat_deg)).value();
   const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2);
   const VectorXd longer = near.lengths_mm - panels.flat_lengths_mm(),
                  forces = shares.cwiseProduct(longer.cwiseSign());

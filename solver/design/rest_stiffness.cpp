@@ -27,14 +27,9 @@ std::optional<RestStiffness> rest_stiffness(const Sheet& sheet, const DeployOpti
   VectorXd lengths_mm, slopes_mm;
   way->find_lengths(x, lengths_mm, slopes_mm);
   slopes_mm /= way->pilot_rate(x);
-  SheetGeometry<double> geometry;
-  place(sheet.mechanism(), sheet.vertices_mm(), geometry);
-  FoldState<double> state = way->stations().front().state;
-  way->find_state(x, state);
   const ElasticSheet panels(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals,
                             material, thickness_mm);
-  const auto compliance =
-      find_compliance(panels, sheet.model().shape().vertices_mm(geometry, state));
+  const auto compliance = find_compliance(panels, rigid_shape_mm(sheet, springs.rest_deg));
   if (!compliance) return {};
   const VectorXd forces_n =
       bend(*compliance, {springs.stiffness_n_per_mm, compliance->lengths_mm - slopes_mm}).forces_n;

@@ -8,13 +8,11 @@ SpringChanges::SpringChanges(SheetChanges& around)
     : around_(around),
       rigid_(*around.sheet.way(), around.sheet.model().shape(), around.sheet.base(),
              around.options.deploying.sheet),
+      side_(sides_of_diagonals(*around.sheet.way())),
+      preload_n_(
+          side_.cwiseProduct(springs().preload.forces_n(around.sheet.mechanism().diagonals))),
       rest_mm_(around.flat.length_mm),
       rest_by_mm_(around.flat.length_by_mm) {
-  const FoldingWay& way = *around.sheet.way();
-  VectorXd next_mm, rates;
-  way.find_lengths(way.x_of_station(0), next_mm, rates);
-  side_ = (next_mm - way.flat_mm()).cwiseSign();
-  preload_n_ = side_.cwiseProduct(springs().preload.forces_n(way.mechanism().diagonals));
   const auto rests_at = [&](const AngleGradients& there, Eigen::Index d) {
     rest_mm_(d) = there.length_mm(d);
     rest_by_mm_.row(d) = there.length_by_mm.row(d);

@@ -114,6 +114,7 @@ TEST(Optimisation, WhatCannotBeIsSaid) {
       {{{"subject_to", {std::string(kFriction) + " >= 0.01"}}}, {"is the goal already"}},
       {{{"subject_to", {7}}}, {"is no text"}},
       {{{"from_deg", nullptr}}, {"search.from_deg", "36"}},
+      {{{"maximise", "energy_n_mm"}, {"from_deg", nullptr}}, {"search.from_deg"}},
       {{{"from_deg", 171}}, {"lies above accept.deploys_from_deg = 170"}},
       {{{"maximise", "miscut_margin_mm"},
         {"from_deg", nullptr},

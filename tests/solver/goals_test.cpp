@@ -1,8 +1,6 @@
 // What sheets are optimised for, against their own studies; and what is foreseen next to a sheet,
 // against its neighbours.
-#include <random>
-
-#include "sheets.hpp"
+#include "optimising.hpp"
 #include "solver/certificate/certifier.hpp"
 #include "solver/design/actuation.hpp"
 #include "solver/design/ascent.hpp"
@@ -20,42 +18,12 @@ using Eigen::Index;
 using Eigen::Matrix2Xd;
 using Eigen::VectorXd;
 
-class Goals : public testing::Test {
+class Goals : public Optimising {
  protected:
-  Goals() {
-    options_.shifted = base_.shifted_vertices;
-    options_.deploys_from_sample = 150;
-    options_.deploying.from_deg = 36;
-    options_.used_from_deg = 150;
-  }
+  Goals() { options_.used_from_deg = 150; }
 
-  // The next ones of a random sequence that deploy from 150 degrees, and that springs which are
-  // relaxed flat drive there.
-  Matrix2Xd next_start() {
-    std::uniform_real_distribution<double> shift_mm(-0.4, 0.4);
-    OptimiseOptions usual = options_;
-    usual.deploying.sheet.springs = {};
-    for (;;) {
-      Matrix2Xd shifts_mm = Matrix2Xd::Zero(2, base_.base.sheet.vertex_count());
-      for (const int vertex : base_.shifted_vertices) {
-        shifts_mm.col(vertex) << shift_mm(random_), shift_mm(random_);
-      }
-      const Sheet sheet(solver_, shifts_mm);
-      if (sheet.deploys_from_deg() >= 150 && fits(sheet, usual) &&
-          value_by(OptimiseGoal::critical_friction, sheet, usual) > 0) {
-        return shifts_mm;
-      }
-    }
-  }
-
+  Matrix2Xd next_start() { return Optimising::next_start(false); }
   Springs& springs() { return options_.deploying.sheet.springs; }
-
-  const std::uint64_t seed_ = 20261127;
-  std::mt19937_64 random_{seed_};
-  DrawableSheet base_{4, 4};
-  Model model_{base_.base};
-  SheetSolver solver_{model_};
-  OptimiseOptions options_;
 };
 
 struct GoalCase {
@@ -92,8 +60,7 @@ TEST_P(ForeseenGoals, ChangeAsTheySay) {
     EXPECT_NEAR(local.goal(none) / *value, 1, what.between_angles)
         << what.name << ", trial " << trial;
     const Coordinates by(options_);
-    const DesignPoint point{own.shifts_mm(), springs().stiffness_n_per_mm,
-                            springs().preload.each_n};
+    const DesignPoint point = point_of(own.shifts_mm(), options_);
     const double goal = local.goal(none);
     const auto left = [&](const VectorXd& change_mm) {
       const DesignPoint there = by.after(point, change_mm);
@@ -256,18 +223,16 @@ TEST_F(Goals, SheetsComeToDeployFromFarther) {
     const Optimised found = *optimise(start, options_).study;
     for (std::size_t k = 1; k < found.taken.size(); ++k) {
       EXPECT_GT(found.taken[k].value, found.taken[k - 1].value);
-      // A diagonal turns back there, if the sheet folds on; some stand still for less than a step.
+      // A diagonal turns back there, if the sheet folds on: within the last two degrees before 180,
+      // where paths bend sharply, places are known to a tenth of one.
       const Sheet sheet(solver_, found.taken[k].shifts_mm);
-      constexpr double kNext_deg = 0.02;
-      const double at_deg = found.taken[k].value;
+      const double at_deg = found.taken[k].value, near_deg = at_deg < 178 ? 0.01 : 0.1;
       const auto over_deg = sheet.way()->over_folded_deg();
-      if (at_deg >= std::min(179.0, sheet.way()->end_deg() - 0.1) || over_deg == at_deg) continue;
-      VectorXd before_mm, here_mm, behind_mm, rates;
-      sheet.way()->find_lengths(sheet.way()->x_of(at_deg - kNext_deg), before_mm, rates);
-      sheet.way()->find_lengths(sheet.way()->x_of(at_deg), here_mm, rates);
-      sheet.way()->find_lengths(sheet.way()->x_of(at_deg + kNext_deg), behind_mm, rates);
-      EXPECT_LT((here_mm - before_mm).cwiseProduct(behind_mm - here_mm).minCoeff(), 1e-11)
-          << at_deg;
+      if (at_deg + 0.1 >= sheet.way()->end_deg() || over_deg == at_deg) continue;
+      VectorXd lengths_mm, before_mm, behind_mm;
+      sheet.way()->find_lengths(sheet.way()->x_of(at_deg - near_deg), lengths_mm, before_mm);
+      sheet.way()->find_lengths(sheet.way()->x_of(at_deg + near_deg), lengths_mm, behind_mm);
+      EXPECT_LT(before_mm.cwiseProduct(behind_mm).minCoeff(), 0) << at_deg;
       ++turning;
     }
     const Sheet end(solver_, found.best().shifts_mm);

@@ -96,6 +96,7 @@ refused() {  # CODE WORDS OPTION...
 refused 2 "--amplitude 0.3: the sheet that it starts from has a shift of" "$table1" --amplitude 0.3 --output none.json
 refused 2 "--stiffness-within 60,100: the springs that it starts from have 50" "$table1" --stiffness-within 60,100 --output none.json
 refused 2 "--preload-within 3,1: the least is not below the most" "$table1" --preload-within 3,1 --output none.json
+refused 2 "--stiffness-within 0,100: springs may have 1e-06 to" "$table1" --stiffness-within 0,100 --output none.json
 refused 2 "--goal: the sheet that it starts from is not stiff where its springs rest" "$table1" --goal rest_stiffness_n_mm_per_rad --output none.json
 refused 2 "and ternary shifts are 0 or the amplitude" "$table1" --amplitude 0.5 --ternary
 refused 2 "--deploys-from 179: the sheet that it starts from deploys from 156 deg" "$table1" --deploys-from 179

@@ -17,7 +17,6 @@ search() { "$program" search better.json --progress none "$@" > out 2> err; }
 search --catalogue calm.db || fail "search: $(cat err)"
 cat out
 sound calm.db $draws
-expected=$(digest_of calm.db)
 [ "$(sql calm.db 'SELECT (SELECT count(*) FROM ascent) = count(*) AND count(*) > 5 FROM candidate')" = 1 ] || fail "ascents"
 [ "$(sql calm.db "SELECT count(*) > 3 AND min(end_value > start_value) FROM ascent WHERE steps > 0")" = 1 ] || fail "nothing is better"
 "$program" verify calm.db --all --units 100 > out || { fail "verify"; cat out; }
@@ -41,13 +40,17 @@ killed_often "$kills_wanted" on_some_ranks
 search --catalogue killed.db --max-time 1
 sound_so_far killed.db
 search --catalogue killed.db
-for file in ranks2 ranks3 baseline library joined killed; do
-  sound $file.db $draws
-  [ "$(digest_of $file.db)" = "$expected" ] || fail "$file: another digest"
-  [ "$(sql $file.db 'SELECT draw, start_value, end_value, steps, sheets_folded, ended, limited_by FROM ascent' | cksum)" = \
-    "$(sql calm.db 'SELECT draw, start_value, end_value, steps, sheets_folded, ended, limited_by FROM ascent' | cksum)" ] ||
-    fail "$file: other ways"
-done
+same_as() {  # ONE DRAWS FILE...: sheets and ways
+  local one=$1 draws=$2 file
+  shift 2
+  for file; do
+    sound "$file.db" "$draws"
+    [ "$(digest_of "$file.db")" = "$(digest_of "$one.db")" ] || fail "$file: another digest"
+    [ "$(ways_of "$file.db")" = "$(ways_of "$one.db")" ] || fail "$file: other ways"
+  done
+}
+ways_of() { sql "$1" 'SELECT draw, start_value, end_value, steps, sheets_folded, ended, limited_by FROM ascent' | cksum; }
+same_as calm "$draws" ranks2 ranks3 baseline library joined killed
 
 # The best end as a file, by other verbs.
 best=$("$program" query calm.db ends --csv 2> /dev/null | sed -n 2p | cut -d, -f1)
@@ -84,7 +87,7 @@ sqlite3 changed.db "UPDATE ascent SET end_value = end_value * 1.001 WHERE draw =
 grep -q "draw $best: ascent.end_value" out || fail "it is not named: $(cat out)"
 
 # Other goals and shifts.
-for way in '"maximise": "miscut_margin_mm"' '"from_deg": 36, "shifts": "ternary"' '"from_deg": 36, "grid_mm": 0.1, "preload_n": 0.1'; do
+for way in '"maximise": "energy_n_mm", "from_deg": 36' '"maximise": "miscut_margin_mm"' '"from_deg": 36, "shifts": "ternary"' '"from_deg": 36, "grid_mm": 0.1, "preload_n": 0.1'; do
   campaign other.json "$way"
   "$program" search other.json --draws 12 --progress none --catalogue other.db > /dev/null 2> err || fail "$way: $(cat err)"
   "$program" verify other.db --all --units 100 > out || { fail "$way"; cat out; }
@@ -128,13 +131,7 @@ killed_often "$kills_wanted" climb_on_some_ranks
 climb --catalogue killed.db --max-time 1
 sound_so_far killed.db
 climb --catalogue killed.db
-for file in found2 found3 halves killed; do
-  sound $file.db ${populations}0000000000
-  [ "$(digest_of $file.db)" = "$(digest_of found.db)" ] || fail "$file: another digest"
-  [ "$(sql $file.db 'SELECT draw, start_value, end_value, steps, sheets_folded, ended, limited_by FROM ascent' | cksum)" = \
-    "$(sql found.db 'SELECT draw, start_value, end_value, steps, sheets_folded, ended, limited_by FROM ascent' | cksum)" ] ||
-    fail "$file: other ways"
-done
+same_as found ${populations}0000000000 found2 found3 halves killed
 best=$("$program" query found.db ends --csv 2> /dev/null | sed -n 2p | cut -d, -f1)
 for again in '' --again; do
   # shellcheck disable=SC2086
