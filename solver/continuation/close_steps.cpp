@@ -41,7 +41,7 @@ PathStep CloseSteps::after(const NewtonReport& report) {
 
 Correction::Options CloseSteps::correction() const {
   constexpr double kAny = std::numeric_limits<double>::infinity();
-  if (is_free()) return {options_.arc_closure_tolerance, 0, options_.max_corrections, kAny};
+  if (is_free()) return {options_.closure_tolerance, 0, options_.max_corrections, kAny};
   if (phase_ == Phase::ahead) return {options_.closure_tolerance, 0, 0, kAny};
   const double start_rad = target().pilot_deg * kRadPerDeg;
   const bool may_be_double = target().pilot_deg > kDoubleFrom_deg;
@@ -164,11 +164,7 @@ PathStep CloseSteps::found_on_arc(const NewtonReport& report) {
   if (tangent_pilot <= 0) {
     const double before = last().rate;
     const double rise = ds_ * std::max(before, -tangent_pilot);
-    const double way_left = 2 * half_sine_between(plan_->stations.back().pilot, last().pilot);
-    if (rise <
-        std::max(options_.arc.limit_tolerance_rad, (1 - options_.limit_certain_share) * way_left)) {
-      return at_limit_point(rise);
-    }
+    if (rise < options_.arc.limit_tolerance_rad) return at_limit_point(rise);
     bend_ = (before - tangent_pilot) / ds_;
     ds_ = std::clamp(before / bend_, 0.1 * ds_, 0.9 * ds_);
     return go_along();

@@ -33,8 +33,6 @@ struct ArcOptions {
 
 struct CloseStepOptions {
   double closure_tolerance = NewtonOptions{}.closure_tolerance;
-  /// The same of the points between stations, on the arc.
-  double arc_closure_tolerance = NewtonOptions{}.closure_tolerance;
   /// Extrapolated stations converge in one or two corrections; more have lost the branch.
   int max_corrections = 10;
   /// Of a station before it is believed, but for the first: its tangent is that of the state before
@@ -52,9 +50,6 @@ struct CloseStepOptions {
   /// Between the tangents of neighbouring stations: where they differ more, a limit point may lie
   /// between them. As on the arc, 15 degrees.
   double least_tangent_cosine = ArcOptions{}.least_tangent_cosine;
-  /// A limit point that leaves at least this share of the way to the plan's end is not located any
-  /// better.
-  double limit_certain_share = 1;
   ArcOptions arc;
 };
 

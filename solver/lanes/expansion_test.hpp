@@ -6,12 +6,25 @@
 
 #include <memory>
 
-#include "solver/lanes/angle_solver.hpp"
+#include "solver/lanes/level_solver.hpp"
 #include "solver/lanes/observers.hpp"
+#include "solver/lanes/product_sums.hpp"
 #include "solver/model/flat_gradient.hpp"
 #include "solver/model/shift_expansion.hpp"
 
 namespace misalign::solver {
+
+// Whose shares are measured; and so many that a vertex's part of the tables is worth loading.
+constexpr int kSampleSheets = 1024, kSheetsAtOnce = 1024;
+// Of tables, in a rank's memory.
+constexpr std::size_t kMostTableBytes = 16 << 20;
+// Tables that turn away less than this share of the sheets are not worth their time.
+constexpr double kLeastTurnedAway = 0.1;
+// Of the sample, what must be known of the shares that are left out.
+constexpr double kLeastKnown = 0.9;
+// Late levels, of 180 degrees, in proportion where the base folding ends earlier: the first that
+// turns away enough, or the one that turns away most. The early one is in proportion to it.
+constexpr double kLate_deg[] = {130, 140, 115}, kEnoughTurnedAway = 0.75, kEarlyShare = 0.12;
 
 /// T is a register of doubles, Single one of floats.
 template <class T, class Single>
@@ -25,107 +38,134 @@ class ExpansionTest {
   /// The tables; only where they are there.
   const ShiftExpansion& expansion() const { return *expansion_; }
 
+  /// Pilot angles of the base folding at the two levels, and what share of a sample the tables turn
+  /// away.
+  double early_deg() const { return kEarlyShare * late_deg_; }
+  double late_deg() const { return late_deg_; }
+  double turned_away() const { return turned_away_; }
+
   /// Tells `rules` (a RejectionTest) what is certain of each sheet of the block.
   template <class Rules>
   void run(const ShiftBlock& block, Rules& rules);
 
  private:
   using Short = ShiftExpansion::Short;
-  // As many as a register of T holds, but for AVX-512, which adds shorts in halves.
-  static constexpr int kBytes = std::min<int>(sizeof(T), 32);
+  // As many as a register of T holds, but no more than a row.
+  static constexpr int kRow = ShiftExpansion::kRow, kSums = ShiftExpansion::kSums;
+  static constexpr int kBytes = std::min<int>(sizeof(T), kRow * sizeof(Short));
   using Shorts [[gnu::vector_size(kBytes), gnu::aligned(2), gnu::may_alias]] = Short;
-  static constexpr int kRow = ShiftExpansion::kRow;
   static constexpr int kPieces = kRow * static_cast<int>(sizeof(Short)) / kBytes;
 
-  void make_ready(const Model& model, int early_sample);
-  void find_gradients(const Model& model, const ShiftAngles& angles, ShiftGradients& gradients);
-  void find_sample(const Model& model, const ShiftAngles& angles, ShiftSample& sample);
-  void add_up(const ShiftBlock& block, int first, int count);
-  void add_up(int group, int vertex, int count);
+  double make_ready(const Model& model, SecondOrder form, double late_deg);
+  double calibrate(const ShiftSample& sample);
+  void find_gradients(const Model& model, const ShiftPlaces& places, ShiftGradients& gradients);
+  void find_sample(const Model& model, const ShiftPlaces& places, ShiftSample& sample);
+  void look_at(const ShiftBlock& block, int first, int count);
+  void add_up(int group);
+  void add_singles(int group);
+  void add_pairs(int group, int vertex);
 
   static int sign_of(double shift) { return (shift > 0) - (shift < 0); }
 
   std::unique_ptr<ShiftExpansion> expansion_;
-  double amplitude_mm_;
+  const double amplitude_mm_;
+  double late_deg_ = 0, turned_away_ = 0;
   int late_sample_ = 0;
-  std::vector<std::uint16_t> rows_;  // sheet by sheet, of some: of each vertex, by its place
-  std::vector<char> is_ternary_;     // of the same sheets: others are not for the tables
-  std::vector<Short> sums_;          // of the same sheets
+  ProductSums products_;
+  // Of some sheets: those still asked, by number, and their sums; of each vertex its row, by its
+  // place; of each coordinate its sign.
+  std::vector<int> asked_;
+  std::vector<Short> sums_;
+  std::vector<std::uint16_t> rows_;
+  std::vector<signed char> signs_;
   std::vector<signed char> directions_;
 };
 
-// Whose shares are measured; and so many that a vertex's part of the tables is worth loading.
-constexpr int kSampleSheets = 1024, kSheetsAtOnce = 1024;
-// Beyond, tables come from the third-level cache and cost what they save.
-constexpr std::size_t kMostTableBytes = 8 << 20;
-// Tables that turn away less than this share of the sheets are not worth their time.
-constexpr double kLeastTurnedAway = 0.1;
-// Of the sample, what must be known of the shares that are left out.
-constexpr double kLeastKnown = 0.9;
-
 template <class T, class Single>
 ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(model.ternary_mm()) {
-  const std::size_t vertices = model.shifted().size();
+  const SecondOrder form =
+      sizeof(T) == 64 && multiplies_bytes() ? SecondOrder::by_products : SecondOrder::by_pairs;
   // With springs beside the vertices unshifted sheets elongate too: expansions have no such term.
-  if (model.ternary_mm() <= 0 || vertices == 0 || model.tests().empty() ||
+  if (model.ternary_mm() <= 0 || model.shifted().empty() || model.tests().empty() ||
       !model.mechanism().springs.at_vertices() ||
       model.sample_deg() > kRejection.longest_sample_for_slopes_deg ||
-      ShiftExpansion::bytes(static_cast<int>(vertices), model.mechanism().diagonal_count()) >
-          kMostTableBytes) {
+      ShiftExpansion::bytes(form, static_cast<int>(model.shifted().size()),
+                            model.mechanism().diagonal_count()) > kMostTableBytes) {
     return;
   }
-  const int far = model.tests()[0].sample, early = early_sample(far);
-  late_sample_ = late_sample(far);
-  if (early < 1 || late_sample_ <= early) return;
-  make_ready(model, early);
+  const double farthest_deg = model.tests()[0].pilot_deg;
+  double made_deg = 0;
+  for (const double wanted_deg : kLate_deg) {
+    const double deg = std::min(wanted_deg / 180 * model.base().folding.end_deg(), farthest_deg);
+    if (deg == made_deg || turned_away_ >= kEnoughTurnedAway) continue;
+    const double turned_away = make_ready(model, form, made_deg = deg);
+    if (turned_away < std::max(turned_away_, kLeastTurnedAway)) continue;
+    turned_away_ = turned_away;
+    late_deg_ = deg;
+  }
+  if (late_deg_ == 0) {
+    expansion_.reset();
+  } else if (late_deg_ != made_deg) {
+    make_ready(model, form, late_deg_);
+  }
+  late_sample_ = static_cast<int>(late_deg_ / model.sample_deg());
+}
+
+// Returns the share of a sample's sheets that it turns away.
+template <class T, class Single>
+double ExpansionTest<T, Single>::make_ready(const Model& model, SecondOrder form, double late_deg) {
+  const ShiftPlaces places(model, kEarlyShare * late_deg, late_deg);
+  ShiftGradients gradients(model);
+  find_gradients(model, places, gradients);
+  expansion_ = std::make_unique<ShiftExpansion>(gradients, form);
+  ShiftSample sample(model, kSampleSheets);
+  find_sample(model, places, sample);
+  const auto known = static_cast<double>(std::ranges::count(sample.is_known, 1));
+  return known < kLeastKnown * kSampleSheets ? 0 : calibrate(sample);
 }
 
 template <class T, class Single>
-void ExpansionTest<T, Single>::make_ready(const Model& model, int early_sample) {
-  const ShiftAngles angles(model, early_sample, late_sample_);
-  ShiftGradients gradients(model);
-  find_gradients(model, angles, gradients);
-  expansion_ = std::make_unique<ShiftExpansion>(gradients);
-  ShiftSample sample(model, kSampleSheets);
-  find_sample(model, angles, sample);
-  add_up(sample.block, 0, kSampleSheets);
-  expansion_->calibrate(sums_, sample);
-  directions_.resize(model.mechanism().diagonals.size());
-  int turned_away = 0, known = 0;
-  for (int s = 0; s < kSampleSheets; ++s) {
-    turned_away += expansion_->see(sums_.data() + s * expansion_->sums(), directions_.data());
-    known += sample.is_known[s];
+double ExpansionTest<T, Single>::calibrate(const ShiftSample& sample) {
+  std::vector<char> both(static_cast<std::size_t>(sample.block.sheets));
+  signed char directions[ShiftExpansion::kDiagonals];
+  look_at(sample.block, 0, sample.block.sheets);
+  for (int group = 0; group < expansion_->groups(); ++group) {
+    add_up(group);
+    expansion_->calibrate(group, sums_, sample);
+    for (std::size_t s = 0; s < both.size(); ++s) {
+      both[s] |= expansion_->see(group, sums_.data() + s * kSums, directions);
+    }
   }
-  if (turned_away < kLeastTurnedAway * kSampleSheets || known < kLeastKnown * kSampleSheets) {
-    expansion_.reset();
-  }
+  return static_cast<double>(std::ranges::count(both, 1)) / sample.block.sheets;
 }
 
 // Of lengths early and on both sides of the late angle: elongations are lengths less flat ones.
 template <class T, class Single>
-void ExpansionTest<T, Single>::find_gradients(const Model& model, const ShiftAngles& angles,
+void ExpansionTest<T, Single>::find_gradients(const Model& model, const ShiftPlaces& places,
                                               ShiftGradients& gradients) {
   const Mechanism& mechanism = model.mechanism();
   const double amplitude = model.ternary_mm() / mechanism.panel_width_mm;
-  const double per_step = amplitude / (2 * ShiftAngles::kHalfStep_deg * kRadPerDeg);
+  const double per_step = amplitude / (2 * ShiftPlaces::kHalfStep_deg * kRadPerDeg);
   const struct {
-    int angle;
+    int place;
     ShiftedQuantity quantity;
     double share;
-  } looks[] = {{ShiftAngles::kEarly, ShiftedQuantity::elongation, amplitude},
-               {ShiftAngles::kBefore, ShiftedQuantity::slope, -per_step},
-               {ShiftAngles::kAfter, ShiftedQuantity::slope, per_step}};
-  AngleSolver<T> solver(model, angles.all);
+  } looks[] = {{ShiftPlaces::kEarly, ShiftedQuantity::elongation, amplitude},
+               {ShiftPlaces::kBefore, ShiftedQuantity::slope, -per_step},
+               {ShiftPlaces::kAfter, ShiftedQuantity::slope, per_step}};
+  LevelSolver<T> solver(model, places.all);
   FlatGradient<T> gradient(mechanism);
-  std::vector<T> row(static_cast<std::size_t>(2 * mechanism.vertices), T(0));
+  std::vector<T> row(static_cast<std::size_t>(2 * mechanism.vertices), T(0)),
+      level(static_cast<std::size_t>(mechanism.unknowns), T(0));
   for (int first = 0; first < gradients.sheets().sheets; first += kLanes<T>) {
     const int count = std::min(kLanes<T>, gradients.sheets().sheets - first);
     solver.load(gradients.sheets(), first, count);
-    for (const auto& [angle, quantity, share] : looks) {
-      solver.solve(angle);
+    for (const auto& [place, quantity, share] : looks) {
+      solver.solve(place);
       gradient.at(solver.geometry(), solver.state());
+      for (std::size_t j = 0; j < level.size(); ++j) level[j] = T(places.all[place].level[j]);
       for (int d = 0; d < mechanism.diagonal_count(); ++d) {
-        gradient.with_pilot_held(d, solver.factors(), row);
+        gradient.with_level_held(d, solver.factors(), level, solver.tangent(), row);
         if (quantity == ShiftedQuantity::elongation) {
           add_flat_length(mechanism, solver.geometry(), mechanism.diagonals[d], T(-1), row.data());
         }
@@ -141,26 +181,26 @@ void ExpansionTest<T, Single>::find_gradients(const Model& model, const ShiftAng
 }
 
 template <class T, class Single>
-void ExpansionTest<T, Single>::find_sample(const Model& model, const ShiftAngles& angles,
+void ExpansionTest<T, Single>::find_sample(const Model& model, const ShiftPlaces& places,
                                            ShiftSample& sample) {
-  AngleSolver<Single> solver(model, angles.all);
+  LevelSolver<Single> solver(model, places.all);
   const std::size_t diagonals = model.mechanism().diagonals.size();
   std::vector<Single> flat(diagonals, Single(0));
   for (int first = 0; first < sample.block.sheets; first += kLanes<Single>) {
     const int count = std::min(kLanes<Single>, sample.block.sheets - first);
     solver.load(sample.block, first, count);
     flat_lengths(model.mechanism(), solver.geometry(), flat.data());
-    for (const int angle : {ShiftAngles::kEarly, ShiftAngles::kLate}) {
-      solver.solve(angle);
+    for (const int place : {ShiftPlaces::kEarly, ShiftPlaces::kLate}) {
+      solver.solve(place);
       for (int i = 0; i < count; ++i) {
         char& is_known = sample.is_known[first + i];
         is_known =
-            (angle == ShiftAngles::kEarly || is_known) && solver.length_error(angle, i).has_value();
+            (place == ShiftPlaces::kEarly || is_known) && solver.length_error(place, i).has_value();
         double* const to =
-            (angle == ShiftAngles::kEarly ? sample.elongations : sample.slopes).data() +
+            (place == ShiftPlaces::kEarly ? sample.elongations : sample.slopes).data() +
             (first + i) * diagonals;
         for (std::size_t d = 0; d < diagonals; ++d) {
-          to[d] = angle == ShiftAngles::kEarly
+          to[d] = place == ShiftPlaces::kEarly
                       ? static_cast<double>(lane(solver.lengths()[d], i)) - lane(flat[d], i)
                       : static_cast<double>(lane(solver.slopes()[d], i));
         }
@@ -175,55 +215,96 @@ void ExpansionTest<T, Single>::run(const ShiftBlock& block, Rules& rules) {
   if (!expansion_) return;
   for (int first = 0; first < block.sheets; first += kSheetsAtOnce) {
     const int count = std::min(kSheetsAtOnce, block.sheets - first);
-    add_up(block, first, count);
-    for (int s = 0; s < count; ++s) {
-      if (!is_ternary_[s]) continue;
-      const bool both = expansion_->see(sums_.data() + s * expansion_->sums(), directions_.data());
-      rules.expect(first + s, directions_.data(), both, late_sample_);
+    look_at(block, first, count);
+    const std::vector<int> all = asked_;
+    const std::size_t diagonals = directions_.size() / static_cast<std::size_t>(count);
+    for (int group = 0; group < expansion_->groups(); ++group) {
+      add_up(group);
+      const Short* sums = sums_.data();
+      std::erase_if(asked_, [&](int sheet) {
+        signed char* const directions =
+            directions_.data() + static_cast<std::size_t>(sheet) * diagonals;
+        const bool both =
+            expansion_->see(group, sums, directions + group * ShiftExpansion::kDiagonals);
+        sums += kSums;
+        if (both) rules.expect(first + sheet, directions, true, late_sample_);
+        return both;
+      });
+    }
+    for (const int sheet : asked_) {
+      rules.expect(first + sheet, directions_.data() + static_cast<std::size_t>(sheet) * diagonals,
+                   false, late_sample_);
     }
   }
 }
 
-// Sums of sheets first ... first + count - 1.
+// Sheets first ... first + count - 1: those with ternary shifts are asked.
 template <class T, class Single>
-void ExpansionTest<T, Single>::add_up(const ShiftBlock& block, int first, int count) {
+void ExpansionTest<T, Single>::look_at(const ShiftBlock& block, int first, int count) {
   const int vertices = expansion_->vertices();
+  const std::size_t stride = static_cast<std::size_t>(2 * vertices + ProductSums::kPadding);
+  asked_.clear();
   rows_.resize(static_cast<std::size_t>(count * vertices));
+  signs_.resize(static_cast<std::size_t>(count) * stride);
+  directions_.assign(static_cast<std::size_t>(count * expansion_->diagonals()), 0);
   std::uint16_t* row = rows_.data();
-  is_ternary_.resize(static_cast<std::size_t>(count));
   for (int s = 0; s < count; ++s) {
     const double* shift = block.of(first + s);
+    signed char* sign = signs_.data() + static_cast<std::size_t>(s) * stride;
     bool is_ternary = true;
-    for (int v = 0; v < vertices; ++v, shift += 2) {
+    for (int v = 0; v < vertices; ++v, shift += 2, sign += 2) {
       const int x = sign_of(shift[0]), y = sign_of(shift[1]);
       is_ternary &= (x * amplitude_mm_ == shift[0]) & (y * amplitude_mm_ == shift[1]);
+      sign[0] = static_cast<signed char>(x);
+      sign[1] = static_cast<signed char>(y);
       *row++ = static_cast<std::uint16_t>(ShiftExpansion::place_of(x, y) * kRow);
     }
-    is_ternary_[s] = is_ternary;
-  }
-  sums_.assign(static_cast<std::size_t>(count) * expansion_->sums(), 0);
-  for (int group = 0; group < expansion_->groups(); ++group) {
-    for (int vertex = 0; vertex < vertices; ++vertex) add_up(group, vertex, count);
+    if (is_ternary) asked_.push_back(s);
   }
 }
 
-// What one vertex adds, of all these sheets: its part of the tables stays in the cache.
+// Sums of a group, of the sheets asked.
 template <class T, class Single>
-void ExpansionTest<T, Single>::add_up(int group, int vertex, int count) {
+void ExpansionTest<T, Single>::add_up(int group) {
+  sums_.resize(asked_.size() * kSums);
+  add_singles(group);
+  if (expansion_->form() == SecondOrder::by_products) {
+    products_.find(expansion_->products(), group, signs_.data(), asked_, sums_.data() + kRow,
+                   kSums);
+  } else {
+    for (int vertex = 0; vertex < expansion_->vertices(); ++vertex) add_pairs(group, vertex);
+  }
+}
+
+template <class T, class Single>
+void ExpansionTest<T, Single>::add_singles(int group) {
   const int vertices = expansion_->vertices();
-  const std::uint16_t* rows = rows_.data() + vertex;
-  Short* sums = sums_.data() + group * 2 * kRow;
-  for (int s = 0; s < count; ++s, rows += vertices, sums += expansion_->sums()) {
-    const Shorts* const alone =
-        reinterpret_cast<const Shorts*>(expansion_->single(group, vertex, *rows / kRow));
-    Shorts* const first = reinterpret_cast<Shorts*>(sums);
-    Shorts* const second = first + kPieces;
-    Shorts sum[kPieces];
-    for (int k = 0; k < kPieces; ++k) {
-      first[k] += alone[k];
-      sum[k] = second[k] + alone[kPieces + k];
+  Shorts* sums = reinterpret_cast<Shorts*>(sums_.data());
+  for (const int sheet : asked_) {
+    const std::uint16_t* row = rows_.data() + sheet * vertices;
+    const Short* of_vertex = expansion_->single(group, 0, 0);
+    Shorts sum[2 * kPieces] = {};
+    for (int vertex = 0; vertex < vertices; ++vertex) {
+      const Shorts* const alone = reinterpret_cast<const Shorts*>(of_vertex + 2 * *row++);
+#pragma GCC unroll 8
+      for (int k = 0; k < 2 * kPieces; ++k) sum[k] += alone[k];
+      of_vertex += ShiftExpansion::kPlaces * kSums;
     }
+    for (const Shorts& part : sum) *sums++ = part;
+  }
+}
+
+// What a vertex adds together with those after it, of all these sheets: its part of the tables
+// stays in the cache.
+template <class T, class Single>
+void ExpansionTest<T, Single>::add_pairs(int group, int vertex) {
+  const int vertices = expansion_->vertices();
+  Shorts* second = reinterpret_cast<Shorts*>(sums_.data()) + kPieces;
+  for (const int sheet : asked_) {
+    const std::uint16_t* const rows = rows_.data() + sheet * vertices + vertex;
     const Short* of_next = expansion_->pair(group, vertex, *rows / kRow);
+    Shorts sum[kPieces];
+    for (int k = 0; k < kPieces; ++k) sum[k] = second[k];
 #pragma GCC unroll 8
     for (int next = 1; next < vertices - vertex; ++next) {
       const Shorts* const row = reinterpret_cast<const Shorts*>(of_next + rows[next]);
@@ -232,6 +313,7 @@ void ExpansionTest<T, Single>::add_up(int group, int vertex, int count) {
       of_next += ShiftExpansion::kPlaces * kRow;
     }
     for (int k = 0; k < kPieces; ++k) second[k] = sum[k];
+    second += 2 * kPieces;
   }
 }
 

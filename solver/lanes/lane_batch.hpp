@@ -19,18 +19,15 @@ class LaneBatch final : public Batch {
         rejection_(model),
         functions_(model, kLanes<T>),
         judging_(model, kLanes<T>),
-        approach_(model, kLanes<T>),
+        states_(model.mechanism()),
         long_follower_(model.mechanism(), model.elimination()),
         follower_(model.mechanism(), model.elimination()),
-        approach_follower_(model.mechanism(), model.elimination(), approach_options()),
-        single_test_(model, model.tests()),
-        double_test_(model, model.tests()),
-        beyond_test_(model, model.beyond()) {}
+        single_test_(model),
+        double_test_(model) {}
 
   const std::vector<Rejection>& reject(const ShiftBlock& block) override {
-    const SheetBlock sheets(model_, block);
     rejection_.begin(block.sheets);
-    approach_.begin(sheets, rejection_);
+    states_.begin();
     if (!expansion_test_) expansion_test_.emplace(model_);
     expansion_test_->run(block, rejection_);
     open_.clear();
@@ -38,9 +35,6 @@ class LaneBatch final : public Batch {
       if (!rejection_.decided(sheet)) open_.push_back({sheet, -1});
     }
     if (!model_.tests().empty()) run_tests(block);
-    if (!model_.approach().stations.empty()) {
-      approach_follower_.run(approach_.queue_of(open_), approach_);
-    }
     return rejection_.results();
   }
 
@@ -71,10 +65,8 @@ class LaneBatch final : public Batch {
   }
 
   Effort rejection_effort() const override {
-    Effort effort = approach_.effort();
-    effort.add(single_test_.effort());
+    Effort effort = single_test_.effort();
     effort.add(double_test_.effort());
-    effort.add(beyond_test_.effort());
     return effort;
   }
   Effort path_effort() const override {
@@ -88,7 +80,9 @@ class LaneBatch final : public Batch {
   }
 
  private:
-  static constexpr int kFar = 0, kNear = 1;  // of the model's tests
+  static constexpr int kFar = 0, kMiddle = 1, kNear = 4;  // of the model's tests
+
+  static constexpr int kMostSteps = 100;  // ahead: from the middle place it takes some ten
 
   // Large, and not needed by those who ask for verdicts alone.
   struct Recorders {
@@ -104,50 +98,41 @@ class LaneBatch final : public Batch {
   }
 
   // In single precision first, twice as many sheets at once. What a test leaves is packed into full
-  // registers for the next.
+  // registers for the next. Those with a state at the far level: once more in double precision, and
+  // on from there; the others from the middle one.
   void run_tests(const ShiftBlock& block) {
-    const bool has_near = model_.tests().size() > 1;
     // The expansion knows already in which direction diagonals set out.
-    const bool near_tells = has_near && !expansion_test_->is_there();
-    run(single_test_, kFar, block, open_);
-    if (near_tells) run(single_test_, kNear, block, open_);
-    if (model_.departs_from() == kFar) {
-      go_on_from_far(block, has_near, near_tells);
-    } else {
-      run(double_test_, kFar, block, open_);
-      run(double_test_, kNear, block, open_);
-    }
-  }
-
-  // Those with a state at the far angle: once more in double precision, and on from there. The
-  // others from the near one.
-  void go_on_from_far(const ShiftBlock& block, bool has_near, bool near_tells) {
+    const bool near_tells = !expansion_test_->is_there();
+    run(single_test_, kFar, true, block, open_);
+    if (near_tells) run(single_test_, kNear, false, block, open_);
     lost_.clear();
-    lose_all_but(model_.tests()[kFar]);
-    double_test_.run_again(kFar, block, open_, rejection_, approach_);
+    std::erase_if(open_, [&](const Undecided& sheet) {
+      if (sheet.kept_state < 0) lost_.push_back(sheet);
+      return sheet.kept_state < 0;
+    });
+    double_test_.run_again(kFar, block, open_, rejection_, states_);
     drop_decided(open_);
-    if (near_tells) run(double_test_, kNear, block, open_);
-    if (has_near) run(double_test_, kNear, block, lost_);
-    // A sheet that loses its way is for the path follower, from the last state it has.
-    for (std::size_t i = 0; i < model_.beyond().size(); ++i) {
-      lose_all_but(i == 0 ? model_.tests()[kFar] : model_.beyond()[i - 1]);
-      beyond_test_.run_ahead(static_cast<int>(i), block, open_, rejection_, approach_);
+    run(double_test_, kMiddle, true, block, lost_);
+    open_.insert(open_.end(), lost_.begin(), lost_.end());
+    for (int place = kNear; near_tells && place > kFar; --place) {
+      run(double_test_, place, false, block, open_);
+    }
+    // What goes on no farther is for the full path.
+    const auto has_ended = [&](Undecided& sheet) {
+      return sheet.kept_state < 0 || !states_.of(sheet).goes_on;
+    };
+    for (int step = 0; step < kMostSteps; ++step) {
+      std::erase_if(open_, has_ended);
+      if (open_.empty()) break;
+      double_test_.run_ahead(block, open_, rejection_, states_);
       drop_decided(open_);
     }
-    open_.insert(open_.end(), lost_.begin(), lost_.end());
   }
 
-  // Keeps the sheets open that have a state at this angle.
-  void lose_all_but(const TestAngle& angle) {
-    std::erase_if(open_, [&](const Undecided& open) {
-      const bool is_lost = !approach_.is_kept_at(angle, open);
-      if (is_lost) lost_.push_back(open);
-      return is_lost;
-    });
-  }
   template <class Test>
-  void run(Test& test, int angle, const ShiftBlock& block, std::vector<Undecided>& open) {
-    test.run(angle, angle == model_.departs_from(), block, open, rejection_, approach_);
+  void run(Test& test, int place, bool keeps, const ShiftBlock& block,
+           std::vector<Undecided>& open) {
+    test.run(place, keeps, block, open, rejection_, states_);
     drop_decided(open);
   }
   void drop_decided(std::vector<Undecided>& open) {
@@ -158,13 +143,13 @@ class LaneBatch final : public Batch {
   RejectionTest rejection_;
   FunctionObserver functions_;
   JudgingObserver judging_;
-  ApproachObserver approach_;
+  KeptStates states_;
   PathFollower<T, LongSteps> long_follower_;
-  PathFollower<T> follower_, approach_follower_;
+  PathFollower<T> follower_;
   std::optional<Recorders> recorders_;                      // made when first needed
   std::optional<ExpansionTest<T, Single>> expansion_test_;  // made when first needed
   LaneTest<Single> single_test_;
-  LaneTest<T> double_test_, beyond_test_;
+  LaneTest<T> double_test_;
   std::vector<Undecided> open_, lost_;
 };
 

@@ -1,76 +1,84 @@
-// Rejection tests: as many sheets as there are lanes, all at one angle (an AngleSolver).
+// Rejection tests: as many sheets as there are lanes, all at one level (a LevelSolver), and those
+// that are left from state to state along their paths.
 #pragma once
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-#include "solver/lanes/angle_solver.hpp"
-#include "solver/lanes/observers.hpp"
+#include "solver/continuation/path.hpp"
+#include "solver/lanes/kept_states.hpp"
+#include "solver/lanes/level_solver.hpp"
 
 namespace misalign::solver {
 
-/// Looks at open sheets at an angle and tells `rules` what it sees (a RejectionTest). Of the sheets
-/// that are not decided then, `approach` keeps a state that can be trusted (an ApproachObserver).
+/// Looks at open sheets and tells `rules` what it sees (a RejectionTest). Of those that are not
+/// decided then, `states` keeps the last one that can be trusted.
 template <class T>
 class LaneTest {
  public:
-  /// `model` and `angles` must outlive this object.
-  LaneTest(const Model& model, const std::vector<TestAngle>& angles);
+  /// `model` must outlive this object.
+  explicit LaneTest(const Model& model);
 
-  /// From the base folding. States replace those that are kept only if `is_departure`.
-  template <class Rules, class Approach>
-  void run(int angle, bool is_departure, const ShiftBlock& block, std::vector<Undecided>& open,
-           Rules& rules, Approach& approach);
-  /// Once more from states kept at this angle, which every sheet has: what another precision left
-  /// in doubt.
-  template <class Rules, class Approach>
-  void run_again(int angle, const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
-                 Approach& approach);
-  /// From states kept at the angle before, which every sheet has, and along their rates.
-  template <class Rules, class Approach>
-  void run_ahead(int angle, const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
-                 Approach& approach);
+  /// At a place of the model's, from the base folding. States are kept if it `keeps` any.
+  template <class Rules>
+  void run(int place, bool keeps, const ShiftBlock& block, std::vector<Undecided>& open,
+           Rules& rules, KeptStates& states);
+  /// Once more from states that were kept at this place: what another precision left in doubt.
+  template <class Rules>
+  void run_again(int place, const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
+                 KeptStates& states);
+  /// From the states that are kept one step along their tangents: the farther, the shorter. A sheet
+  /// that loses its way does not go on.
+  template <class Rules>
+  void run_ahead(const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
+                 KeptStates& states);
 
   const Effort& effort() const { return effort_; }
 
  private:
   template <class Work>
   void each_vector(const ShiftBlock& block, std::vector<Undecided>& open, const Work& work);
-  template <class Approach>
-  void take_kept(Undecided* open, int count, Approach& approach);
-  template <class Rules, class Approach>
-  void report_all(int angle, bool replaces, Undecided* open, int count, Rules& rules,
-                  Approach& approach);
+  void take_kept(Undecided* open, int count, KeptStates& states);
   template <class Rules>
-  bool report(int angle, int sheet, int i, std::optional<double> error, Rules& rules);
-  template <class Kept>
-  void keep(int angle, int i, Kept& kept) const;
+  void report_all(int place, bool keeps, Undecided* open, int count, Rules& rules,
+                  KeptStates& states);
+  template <class Rules>
+  bool report(int place, double reach_deg, double pilot_deg, int sheet, int i, double error,
+              Rules& rules);
+  void keep(double pilot_deg, bool goes_on, double room_deg, int i, KeptState& kept) const;
+  double pilot_deg(int i) const {
+    const auto& pilot = solver_.state().creases[mechanism_.pilot];
+    return angle_deg(HalfAngle<double>{lane(pilot.c, i), lane(pilot.s, i)});
+  }
 
   const Mechanism& mechanism_;
-  const std::vector<TestAngle>& angles_;
-  AngleSolver<T> solver_;
-  std::vector<double> rounding_;  // per angle
+  const std::vector<TestPlace>& places_;
+  LevelSolver<T> solver_;
+  std::vector<double> rounding_;  // per place
+  double way_per_level_;          // of the base folding at the far place
   FoldState<T> start_;
-  std::vector<T> flat_, rates_;
+  std::vector<T> flat_, tangent_;
+  T step_ = T(0);
   std::vector<double> lane_flat_, lane_lengths_, lane_slopes_;
   Effort effort_;
 };
 
 template <class T>
-LaneTest<T>::LaneTest(const Model& model, const std::vector<TestAngle>& angles)
+LaneTest<T>::LaneTest(const Model& model)
     : mechanism_(model.mechanism()),
-      angles_(angles),
-      solver_(model, angles),
+      places_(model.tests()),
+      solver_(model, places_),
+      way_per_level_(places_.empty() ? 0 : norm_of(places_.front().tangent)),
       start_(flat_state<T>(mechanism_)),
       flat_(mechanism_.diagonals.size(), T(0)),
-      rates_(mechanism_.unknowns, T(0)),
+      tangent_(mechanism_.unknowns, T(0)),
       lane_flat_(flat_.size()),
       lane_lengths_(flat_.size()),
       lane_slopes_(flat_.size()) {
-  for (const TestAngle& angle : angles) {
+  for (const TestPlace& place : places_) {
     rounding_.push_back(
-        rounding_error(std::numeric_limits<Scalar<T>>::epsilon(), model.extent(), angle));
+        rounding_error(std::numeric_limits<Scalar<T>>::epsilon(), model.extent(), place));
   }
 }
 
@@ -89,99 +97,119 @@ void LaneTest<T>::each_vector(const ShiftBlock& block, std::vector<Undecided>& o
 }
 
 template <class T>
-template <class Rules, class Approach>
-void LaneTest<T>::run(int angle, bool is_departure, const ShiftBlock& block,
-                      std::vector<Undecided>& open, Rules& rules, Approach& approach) {
+template <class Rules>
+void LaneTest<T>::run(int place, bool keeps, const ShiftBlock& block, std::vector<Undecided>& open,
+                      Rules& rules, KeptStates& states) {
   each_vector(block, open, [&](Undecided* sheets, int count) {
-    solver_.solve(angle);
-    report_all(angle, is_departure, sheets, count, rules, approach);
+    solver_.solve(place);
+    report_all(place, keeps, sheets, count, rules, states);
   });
 }
 
 template <class T>
-template <class Rules, class Approach>
-void LaneTest<T>::run_again(int angle, const ShiftBlock& block, std::vector<Undecided>& open,
-                            Rules& rules, Approach& approach) {
+template <class Rules>
+void LaneTest<T>::run_again(int place, const ShiftBlock& block, std::vector<Undecided>& open,
+                            Rules& rules, KeptStates& states) {
   each_vector(block, open, [&](Undecided* sheets, int count) {
-    take_kept(sheets, count, approach);
-    solver_.solve_from(start_, angle);
-    report_all(angle, true, sheets, count, rules, approach);
+    take_kept(sheets, count, states);
+    solver_.solve_from(start_, place);
+    report_all(place, true, sheets, count, rules, states);
   });
 }
 
-// Flat lengths too, in this precision.
+// Flat lengths too, in this precision. A pilot has not been farther than twice as far from the base
+// folding's as it is.
 template <class T>
-template <class Rules, class Approach>
-void LaneTest<T>::report_all(int angle, bool replaces, Undecided* open, int count, Rules& rules,
-                             Approach& approach) {
+template <class Rules>
+void LaneTest<T>::report_all(int place, bool keeps, Undecided* open, int count, Rules& rules,
+                             KeptStates& states) {
   flat_lengths(mechanism_, solver_.geometry(), flat_.data());
   for (int i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < flat_.size(); ++k) lane_flat_[k] = lane(flat_[k], i);
     rules.set_flat(open[i].sheet, lane_flat_.data());
-    if (report(angle, open[i].sheet, i, solver_.length_error(angle, i), rules) &&
-        (replaces || open[i].kept_state < 0)) {
-      keep(angle, i, approach.keep(open[i]));
-    }
+    effort_.solves += 1;
+    effort_.iterations += 2;
+    const auto error = solver_.length_error(place, i);
+    if (!error) continue;
+    const double here_deg = pilot_deg(i), base_deg = places_[place].pilot_deg;
+    if (!(here_deg <= rules.slopes_until_deg())) continue;
+    const bool goes_on = report(place, base_deg + 2 * std::abs(here_deg - base_deg), here_deg,
+                                open[i].sheet, i, *error, rules);
+    if (keeps) keep(here_deg, goes_on, rules.room_deg(here_deg), i, states.of(open[i]));
   }
 }
 
 template <class T>
-template <class Rules, class Approach>
-void LaneTest<T>::run_ahead(int angle, const ShiftBlock& block, std::vector<Undecided>& open,
-                            Rules& rules, Approach& approach) {
+template <class Rules>
+void LaneTest<T>::run_ahead(const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
+                            KeptStates& states) {
   each_vector(block, open, [&](Undecided* sheets, int count) {
-    take_kept(sheets, count, approach);
-    const double by_rad =
-        2 * half_sine_between(angles_[angle].pilot, approach.keep(sheets[0]).angle->pilot);
-    solver_.solve_ahead(start_, rates_, by_rad, angle);
+    take_kept(sheets, count, states);
+    solver_.solve_ahead(start_, tangent_, step_, 0);
     for (int i = 0; i < count; ++i) {
-      const auto error = solver_.length_error_ahead(angle, i);
-      if (!report(angle, sheets[i].sheet, i, error, rules)) continue;
-      auto& kept = approach.keep(sheets[i]);
-      keep(angle, i, kept);
-      rules.observe(sheets[i].sheet, angles_[angle].sample, kept.state);
+      KeptState& kept = states.of(sheets[i]);
+      effort_.solves += 1;
+      effort_.iterations += 3;
+      const auto error = solver_.length_error_ahead(i);
+      if (!error) {
+        kept.step_deg /= 2;
+        kept.goes_on = kept.step_deg >= kShortestStep_deg;
+        continue;
+      }
+      const double here_deg = pilot_deg(i);
+      const double farthest_deg =
+          farthest_between(kept.pilot_deg, kept.tangent.back(), here_deg,
+                           lane(solver_.tangent().back(), i), lane(step_, i) / kRadPerDeg);
+      const double last_step_deg = kept.step_deg;
+      const bool goes_on = report(0, farthest_deg, here_deg, sheets[i].sheet, i, *error, rules);
+      keep(here_deg, goes_on, rules.room_deg(here_deg), i, kept);
+      kept.step_deg = std::min(kept.step_deg, 2 * last_step_deg);
+      if (goes_on) rules.observe(sheets[i].sheet, here_deg, kept.state);
     }
   });
 }
 
 // Empty lanes repeat the first sheet.
 template <class T>
-template <class Approach>
-void LaneTest<T>::take_kept(Undecided* open, int count, Approach& approach) {
+void LaneTest<T>::take_kept(Undecided* open, int count, KeptStates& states) {
   for (int i = 0; i < kLanes<T>; ++i) {
-    const auto& kept = approach.keep(open[i < count ? i : 0]);
+    const KeptState& kept = states.of(open[i < count ? i : 0]);
     put_lane(kept.state, start_, i);
-    for (std::size_t j = 0; j < rates_.size(); ++j) {
-      lane(rates_[j], i) = static_cast<Scalar<T>>(kept.rates[j]);
+    for (std::size_t j = 0; j < tangent_.size(); ++j) {
+      lane(tangent_[j], i) = static_cast<Scalar<T>>(kept.tangent[j]);
     }
+    lane(step_, i) = static_cast<Scalar<T>>(kept.step_deg * kRadPerDeg * way_per_level_);
   }
 }
 
-// Whether the state can be trusted and the sheet is still open.
+// Whether states beyond may tell more.
 template <class T>
 template <class Rules>
-bool LaneTest<T>::report(int angle, int sheet, int i, std::optional<double> error, Rules& rules) {
-  const TestAngle& at = angles_[angle];
-  effort_.solves += 1;
-  effort_.iterations += at.with_slopes ? 2 : 1;
-  if (!error) return false;
+bool LaneTest<T>::report(int place, double reach_deg, double pilot_deg, int sheet, int i,
+                         double error, Rules& rules) {
   for (std::size_t k = 0; k < lane_lengths_.size(); ++k) {
     lane_lengths_[k] = lane(solver_.lengths()[k], i);
     lane_slopes_[k] = lane(solver_.slopes()[k], i);
   }
-  rules.observe(sheet, {at.sample, lane_lengths_.data(), *error + rounding_[angle],
-                        at.with_slopes ? lane_slopes_.data() : nullptr,
-                        slope_error(lane(solver_.slope_correction(), i)) + rounding_[angle]});
-  return !rules.decided(sheet);
+  const double pilot_rate = lane(solver_.tangent().back(), i);
+  return rules.observe(
+      sheet,
+      {pilot_deg, pilot_rate, reach_deg, lane_lengths_.data(), error + rounding_[place],
+       lane_slopes_.data(), slope_error(lane(solver_.slope_correction(), i)) + rounding_[place]});
 }
 
 template <class T>
-template <class Kept>
-void LaneTest<T>::keep(int angle, int i, Kept& kept) const {
-  kept.angle = &angles_[angle];
+void LaneTest<T>::keep(double pilot_deg, bool goes_on, double room_deg, int i,
+                       KeptState& kept) const {
   copy_lane(solver_.state(), i, kept.state);
-  if (!angles_[angle].with_slopes) return;
-  for (std::size_t j = 0; j < rates_.size(); ++j) kept.rates[j] = lane(solver_.rates()[j], i);
+  for (std::size_t j = 0; j < tangent_.size(); ++j) kept.tangent[j] = lane(solver_.tangent()[j], i);
+  const double length = norm_of(kept.tangent);
+  for (double& rate : kept.tangent) rate /= length;
+  kept.pilot_deg = pilot_deg;
+  const double to_there_deg = room_deg / (way_per_level_ * kept.tangent.back());
+  kept.step_deg = step_ahead_deg(pilot_deg, places_.front().pilot_deg);
+  if (to_there_deg > kShortestStep_deg) kept.step_deg = std::min(kept.step_deg, to_there_deg);
+  kept.goes_on = goes_on;
 }
 
 }  // namespace misalign::solver

@@ -1,5 +1,5 @@
-// Observers of path followers: the judge of full paths, and the rejection test on the approach to
-// the threshold. Kept outside the templates: nothing here depends on the registers.
+// Observers of path followers: the judges of full paths. Kept outside the templates: nothing here
+// depends on the registers.
 #pragma once
 
 #include <vector>
@@ -67,52 +67,6 @@ class JudgingObserver final : public QueueObserver {
   std::vector<double> residual_;
   DenseState dense_state_;
   DenseFallback fallback_;
-};
-
-/// A sheet that is not decided yet, and its state kept for the approach; -1: none can be trusted.
-struct Undecided {
-  int sheet, kept_state;
-};
-
-/// The step control of the approach: a fold limit is known well enough within a tenth of a degree.
-CloseStepOptions approach_options();
-
-/// The way from the last test to the threshold, of the sheets that no test has rejected.
-class ApproachObserver {
- public:
-  ApproachObserver(const Model& model, int lanes);
-  ~ApproachObserver();
-
-  void begin(const SheetBlock& block, RejectionTest& rejection);
-  /// A state of a sheet, and the rates of its unknowns with the pilot where they are known.
-  struct Kept {
-    const TestAngle* angle;
-    FoldState<double> state;
-    std::vector<double> rates;
-  };
-  /// The one of this sheet, or room for it.
-  Kept& keep(Undecided& sheet);
-  bool is_kept_at(const TestAngle& angle, const Undecided& sheet) const {
-    return sheet.kept_state >= 0 && kept_[sheet.kept_state].angle == &angle;
-  }
-  /// Those that have a state kept, to be followed from it on.
-  SheetQueue& queue_of(const std::vector<Undecided>& open);
-  PathPoint& point() { return point_; }
-  bool wants_slopes() const { return true; }
-  bool see(const Station& station, int lane);
-  void ended(const PathResult& path, int lane);
-
-  const Effort& effort() const { return effort_; }
-
- private:
-  const Model& model_;
-  SheetQueue queue_;
-  RejectionTest* rejection_ = nullptr;
-  std::vector<Kept> kept_;  // grows to what a block needs
-  int kept_count_ = 0;
-  std::vector<QueuedStart> starts_;
-  PathPoint point_;
-  Effort effort_;
 };
 
 }  // namespace misalign::solver

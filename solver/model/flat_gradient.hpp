@@ -64,11 +64,16 @@ class FlatGradient {
   /// the Jacobian at this state.
   void with_pilot_held(int diagonal, const SparseLu<T>& factors, std::vector<T>& gradient) {
     of_unknowns(diagonal, rates_.data());
-    factors.transposed(rates_.data(), work_.data(), weights_.data());
-    for (T& weight : weights_) weight = -weight;
-    for (T& entry : gradient) entry = T(0);
-    add_length(diagonal, gradient.data());
-    add_closure(weights_.data(), gradient.data());
+    add_held(diagonal, factors, gradient);
+  }
+  /// The same with `level` held, a row of weights of the unknowns that `tangent` changes by 1.
+  void with_level_held(int diagonal, const SparseLu<T>& factors, const std::vector<T>& level,
+                       const std::vector<T>& tangent, std::vector<T>& gradient) {
+    of_unknowns(diagonal, rates_.data());
+    T slope(0);
+    for (std::size_t j = 0; j < rates_.size(); ++j) slope = slope + rates_[j] * tangent[j];
+    for (std::size_t j = 0; j < rates_.size(); ++j) rates_[j] = rates_[j] - slope * level[j];
+    add_held(diagonal, factors, gradient);
   }
 
   /// Adds the diagonal's own d length / d vertex (x and y of each vertex in turn), its joints held.
@@ -160,6 +165,15 @@ class FlatGradient {
   Vec3<T> along_edge(int edge) const {
     return flat_point(*geometry_, mechanism_.edges[edge].b) -
            flat_point(*geometry_, mechanism_.edges[edge].a);
+  }
+
+  // By rates_ of what is left of the unknowns.
+  void add_held(int diagonal, const SparseLu<T>& factors, std::vector<T>& gradient) {
+    factors.transposed(rates_.data(), work_.data(), weights_.data());
+    for (T& weight : weights_) weight = -weight;
+    for (T& entry : gradient) entry = T(0);
+    add_length(diagonal, gradient.data());
+    add_closure(weights_.data(), gradient.data());
   }
 
   // By which a diagonal pulls at the end where it begins, or at the other.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "solver/linear/pivot_order.hpp"
 #include "solver/model/miscut_margin.hpp"
@@ -11,22 +12,20 @@
 namespace misalign::solver {
 namespace {
 
-// Of 180 degrees, in proportion where the base folding ends earlier: beyond it the state next to
-// the base folding may lie on another branch than the path's own (35 of 1,722 at 170 degrees, none
-// of 2,500 at 150).
-constexpr double kSafeFromBase_deg = 150;
+// Of 180 degrees, in proportion where the base folding ends earlier: one step from there leads
+// 99 of 100 sheets of 6 x 6 to their own path, and of those that go on to deploy no one elsewhere;
+// at 165 degrees one of 35 was lost (results/level.md).
+constexpr double kSafeFromBase_deg = 157.5;
 
-// Where the first test at the far angle lets a sheet pass, this share of it shows in which
+// And this far below the threshold: at one level pilots differ.
+constexpr double kPilotsDiffer_deg = 2;
+
+// Where the first test at the far level lets a sheet pass, this share of it shows in which
 // direction its diagonals set out: with both, nine of ten sheets are decided.
-constexpr double kNearShare = 0.2;
+constexpr double kPlaces[] = {1, 0.8, 0.6, 0.4, 0.2};
 
-// From the far test to the threshold in steps of about this, if it is farther than the other;
-// before it, where less happens, in steps of three times that.
-constexpr double kApproachStep_deg = 5, kApproachFrom_deg = 2;
-
-// Of 100 sheets that are left at 150 degrees, 40 reverse by 155 and 30 more by 160; most of the
-// others have a fold limit, which is found along the path.
-constexpr int kMostBeyond = 2;
+// Closer to flat nothing is gained.
+constexpr double kLeastFar_deg = 1;
 
 // Unknowns but the pilot, in groups of which no loop has two: a diagonal answers to the joints of
 // its own loop alone, so that one evaluation serves a group.
@@ -67,33 +66,47 @@ std::vector<std::vector<int>> unknowns_of_loops(const Mechanism& mechanism) {
   return unknowns;
 }
 
+// The level's row: the sum of all |fold angles|.
+std::vector<double> level_of(const Mechanism& mechanism) {
+  std::vector<double> level(mechanism.unknowns, 0);
+  for (const Crease& crease : mechanism.creases) level[crease.column] = crease.assignment;
+  return level;
+}
+
 // Rows d length / d closure of all diagonals, one after another: their gradients, through the
-// Jacobian's factors.
+// Jacobian's factors, with the level held.
 std::vector<double> lengths_per_closure(const Mechanism& mechanism,
                                         const SheetGeometry<double>& geometry,
-                                        const FoldState<double>& state,
-                                        const SparseLu<double>& factors) {
+                                        const TestPlace& at) {
   const int n = mechanism.equations;
-  const std::size_t diagonals = mechanism.diagonals.size();
-  std::vector<double> rates(mechanism.unknowns), lengths(diagonals), slopes(diagonals), misfit(n);
-  std::vector<double> gradients(diagonals * static_cast<std::size_t>(n));
+  const std::size_t diagonals = mechanism.diagonals.size(),
+                    rows_size = diagonals * static_cast<std::size_t>(n);
+  std::vector<double> rates(at.tangent), lengths(diagonals), slopes(diagonals), misfit(n);
+  std::vector<double> gradients(rows_size);
+  folded_lengths_and_slopes(mechanism, geometry, at.base, rates.data(), lengths.data(),
+                            slopes.data(), misfit.data());
+  for (std::size_t k = 0; k < rows_size; ++k) {
+    const std::size_t d = k / static_cast<std::size_t>(n),
+                      unknown = k % static_cast<std::size_t>(n);
+    gradients[k] = -slopes[d] * at.level[unknown];
+  }
   const auto unknowns_of_loop = unknowns_of_loops(mechanism);
   for (const std::vector<int>& group : apart_from_each_other(mechanism, unknowns_of_loop)) {
     rates.assign(mechanism.unknowns, 0);
     for (const int unknown : group) rates[unknown] = 1;
-    folded_lengths_and_slopes(mechanism, geometry, state, rates.data(), lengths.data(),
+    folded_lengths_and_slopes(mechanism, geometry, at.base, rates.data(), lengths.data(),
                               slopes.data(), misfit.data());
     for (std::size_t d = 0; d < diagonals; ++d) {
       for (const int unknown : unknowns_of_loop[mechanism.diagonals[d].loop]) {
         if (rates[unknown] == 0) continue;
-        gradients[d * static_cast<std::size_t>(n) + static_cast<std::size_t>(unknown)] = slopes[d];
+        gradients[d * static_cast<std::size_t>(n) + static_cast<std::size_t>(unknown)] += slopes[d];
       }
     }
   }
-  std::vector<double> work(n), rows(gradients.size());
-  assert(n > 0 && rows.size() == diagonals * static_cast<std::size_t>(n));
+  std::vector<double> work(n), rows(rows_size);
+  assert(n > 0);
   for (std::size_t first = 0; first < rows.size(); first += static_cast<std::size_t>(n)) {
-    factors.transposed(gradients.data() + first, work.data(), rows.data() + first);
+    at.factors.transposed(gradients.data() + first, work.data(), rows.data() + first);
   }
   return rows;
 }
@@ -152,55 +165,40 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
 }
 
 void Model::choose_tests() {
-  const auto sample_at = [&](double angle_deg) {
-    return static_cast<int>(std::floor(angle_deg / sample_deg_ * (1 + 1e-9)));
-  };
-  const int far = std::min(sample_at(kSafeFromBase_deg / 180 * base_.folding.end_deg()),
-                           last_sample_of_slopes(threshold_sample_, sample_deg_));
-  const int near = static_cast<int>(std::lround(kNearShare * far));
-  for (const int sample : {far, near}) {
-    if (sample < 1 || sample >= far + (sample == far)) continue;
-    tests_.push_back(angle(sample * sample_deg_, sample, sample == far));
-  }
-  if (tests_.size() < 2) return;
-  const auto add_stations = [&](int from, int to, double step_deg) {
-    const int step = std::max(1, sample_at(step_deg));
-    for (int k = from; k < to; k += step) {
-      approach_.stations.push_back({k * sample_deg_, half_angle_of_deg(k * sample_deg_), k, true});
-    }
-  };
-  add_stations(near, far, kApproachStep_deg * 3);
-  if ((threshold_sample_ - far) * sample_deg_ <= kApproachFrom_deg) {
-    departs_from_ = 1;
-    add_stations(far, far + 1, kApproachStep_deg);
-    return;
-  }
-  add_stations(far, threshold_sample_, kApproachStep_deg);
-  for (const Station& station : approach_.stations) {
-    if (station.sample <= far || static_cast<int>(beyond_.size()) == kMostBeyond) continue;
-    beyond_.push_back(angle(station.pilot_deg, station.sample, true));
-  }
-  add_stations(threshold_sample_, threshold_sample_ + 1, kApproachStep_deg);
+  const double far_deg = std::min(
+      kSafeFromBase_deg / 180 * base_.folding.end_deg(),
+      last_sample_of_slopes(threshold_sample_, sample_deg_) * sample_deg_ - kPilotsDiffer_deg);
+  if (threshold_sample_ == 0 || !(far_deg >= kLeastFar_deg)) return;
+  for (const double share : kPlaces) tests_.push_back(test_at(share * far_deg));
 }
 
-TestAngle Model::angle(double pilot_deg, int sample, bool with_slopes) const {
-  assert(pilot_deg >= 0 && pilot_deg <= 180);
+TestPlace Model::test_at(double pilot_deg) const {
+  assert(pilot_deg > 0 && pilot_deg <= 180);
   const HalfAngle<double> pilot = half_angle_of_deg(pilot_deg);
-  TestAngle angle{sample,
-                  pilot,
-                  base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot),
-                  SparseLu<double>(elimination_),
-                  {},
-                  0,
-                  with_slopes};
+  TestPlace at{pilot_deg,
+               base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot),
+               SparseLu<double>(elimination_),
+               {},
+               std::vector<double>(mechanism_.unknowns),
+               {},
+               0};
+  at.level = level_of(mechanism_);
   SheetGeometry<double> geometry;
   place(mechanism_, base_.sheet.vertices_mm, geometry);
-  std::vector<double> residual(mechanism_.equations);
-  evaluate(mechanism_, geometry, angle.base, residual.data(), angle.factors.entries());
-  angle.factors.factorize();
-  angle.determinant_sign = angle.factors.determinant_sign() < 0 ? -1 : 1;
-  angle.lengths_per_closure = lengths_per_closure(mechanism_, geometry, angle.base, angle.factors);
-  return angle;
+  std::vector<double> residual(mechanism_.equations), work(mechanism_.unknowns);
+  evaluate(mechanism_, geometry, at.base, residual.data(), at.factors.entries());
+  at.factors.factorize();
+  at.factors.null_vector(-at.factors.pilot_coefficient(), at.factors.partner_coefficient(),
+                         work.data(), at.tangent.data());
+  const double change =
+      std::inner_product(at.level.begin(), at.level.end(), at.tangent.begin(), 0.0);
+  const double per_pilot = change / at.tangent.back();
+  at.orientation = (at.factors.orientation() < 0) == (change < 0) ? 1 : -1;
+  for (double& weight : at.level) weight /= per_pilot;
+  const double of_pilot = at.tangent.back();
+  for (double& rate : at.tangent) rate /= of_pilot;
+  at.lengths_per_closure = lengths_per_closure(mechanism_, geometry, at);
+  return at;
 }
 
 void Model::displace(const double* shifts_mm, FlatVertices& vertices_mm) const {

@@ -11,16 +11,18 @@
 
 namespace misalign::solver {
 
-/// An angle of the rejection tests: the base folding there, and its Jacobian's factors. One step of
-/// theirs takes a misaligned sheet from the base folding to within a few per cent of its own.
-struct TestAngle {
-  int sample;
-  HalfAngle<double> pilot;
+/// A place on the path where the rejection tests look: the base folding there, and its Jacobian's
+/// factors. One step of theirs takes a misaligned sheet from the base folding to within a few per
+/// cent of its own. A sheet is at the same place when it is as far folded by a row of weights, its
+/// level: that goes on where the pilot of a sheet turns back.
+struct TestPlace {
+  double pilot_deg;  ///< of the base folding
   FoldState<double> base;
   SparseLu<double> factors;
+  std::vector<double> level;    ///< weights of all unknowns; of the base folding rad of pilot
+  std::vector<double> tangent;  ///< of the base folding, per unknown; it changes the level by 1
   std::vector<double> lengths_per_closure;  ///< diagonals x equations: how errors of closure show
-  int determinant_sign;
-  bool with_slopes;  ///< whether the diagonals' rates of change are looked at as well
+  int orientation;  ///< sign of det [J; level], wherever the level grows along the path
 };
 
 /// Shifts of a block of sheets, mm: x and y of each of the model's shifted vertices in turn.
@@ -68,21 +70,14 @@ class Model {
   const std::vector<int>& margin_samples() const { return margin_samples_; }
 
   /// The far one, then the near one; none where the threshold is close to flat.
-  const std::vector<TestAngle>& tests() const { return tests_; }
-  /// The first stations of the approach beyond the far test, where enough sheets are left to be
-  /// looked at side by side.
-  const std::vector<TestAngle>& beyond() const { return beyond_; }
-  /// Samples from the near test to the far one, and on to the threshold if that is farther.
-  const PathPlan& approach() const { return approach_; }
-  /// The test from whose states sheets depart on it: the far one, if the threshold is farther.
-  int departs_from() const { return departs_from_; }
+  const std::vector<TestPlace>& tests() const { return tests_; }
   /// Largest coordinate on the flat sheet from A1, panel widths.
   double extent() const { return extent_; }
   /// Bound of the change of any diagonal (panel widths) when every joint turns by 1 rad.
   double length_per_rad() const { return length_per_rad_; }
 
-  /// All that a test at this angle needs.
-  TestAngle angle(double pilot_deg, int sample, bool with_slopes) const;
+  /// All that a test needs where the base folding has this pilot angle.
+  TestPlace test_at(double pilot_deg) const;
 
   /// The flat sheet with these shifts (mm; x and y of each shifted vertex in turn).
   void displace(const double* shifts_mm, FlatVertices& vertices_mm) const;
@@ -101,9 +96,7 @@ class Model {
   const Criterion criterion_;
   const double ternary_mm_;
   const std::vector<int> margin_samples_;
-  std::vector<TestAngle> tests_, beyond_;
-  PathPlan approach_;
-  int departs_from_ = 0;
+  std::vector<TestPlace> tests_;
   double extent_, length_per_rad_;
 };
 

@@ -14,14 +14,7 @@ std::optional<double> newton_error(double first_correction_rad, double second_co
   return length_per_rad * kRejection.safety * ratio * ratio * second_correction_rad;
 }
 
-std::optional<double> chord_error(double first_correction_rad, double second_correction_rad,
-                                  double length_per_rad) {
-  const double ratio = second_correction_rad / first_correction_rad;
-  if (!(ratio < kRejection.largest_ratio)) return std::nullopt;
-  return length_per_rad * kRejection.safety * ratio * second_correction_rad;
-}
-
-double rounding_error(double epsilon, double extent, const TestAngle& test) {
+double rounding_error(double epsilon, double extent, const TestPlace& test) {
   const std::size_t equations = static_cast<std::size_t>(test.factors.plan().equations);
   assert(test.lengths_per_closure.size() % equations == 0);
   double most = 0;
@@ -39,8 +32,29 @@ double slope_error(double correction) {
   return kRejection.slope_safety * correction + kRejection.path_slope_widths_per_rad;
 }
 
+double step_ahead_deg(double pilot_deg, double far_deg) {
+  constexpr double kShortest_deg = 2.5, kLongest_deg = 7.5;
+  return std::clamp(kShortest_deg + (far_deg - pilot_deg) / 4, kShortest_deg, kLongest_deg);
+}
+
+double farthest_between(double from_deg, double from_rate, double to_deg, double to_rate,
+                        double step) {
+  const double here = std::max(from_deg, to_deg);
+  if (!(to_rate < 0 && from_rate > 0)) return here;
+  const double meet = (to_deg - from_deg - to_rate * step) / (from_rate - to_rate);
+  return here + 1.5 * std::max(0.0, from_deg + from_rate * meet - here);
+}
+
+double norm_of(const std::vector<double>& vector) {
+  return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
+}
+
 RejectionTest::RejectionTest(const Model& model)
-    : model_(model), diagonals_(model.mechanism().diagonals.size()) {}
+    : model_(model),
+      diagonals_(model.mechanism().diagonals.size()),
+      threshold_deg_(model.threshold_sample() * model.sample_deg()),
+      slopes_until_deg_(last_sample_of_slopes(model.threshold_sample(), model.sample_deg()) *
+                        model.sample_deg()) {}
 
 RejectionTest::~RejectionTest() = default;
 
@@ -49,7 +63,7 @@ void RejectionTest::begin(int sheets) {
   rejections_.assign(count, {});
   flat_.resize(count * diagonals_);
   earlier_.resize(count * diagonals_);
-  earlier_sample_.assign(count, 0);
+  earlier_deg_.assign(count, 0);
   earlier_error_.assign(count, 0);
   direction_.assign(count * diagonals_, 0);
 }
@@ -65,37 +79,49 @@ void RejectionTest::expect(int sheet, const signed char* directions, bool both, 
               direction_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
 }
 
-void RejectionTest::observe(int sheet, const Observation& observation) {
+bool RejectionTest::observe(int sheet, const Observation& seen) {
   assert(sheet >= 0 && static_cast<std::size_t>(sheet) < rejections_.size());
-  if (sees_both(sheet, observation)) {
-    rejections_[sheet] = {Fault::not_monotone, observation.sample};
-    return;
+  if (decided(sheet)) return false;
+  if (seen.pilot_rate < 0 && seen.farthest_deg < threshold_deg_ - kRejection.certain_limit_deg) {
+    rejections_[sheet] = {Fault::fold_limit, sample_of(seen.pilot_deg)};
+    return false;
   }
-  earlier_sample_[sheet] = observation.sample;
-  earlier_error_[sheet] = observation.length_error;
-  std::copy_n(observation.lengths, diagonals_,
+  if (!(seen.pilot_rate > 0 && seen.pilot_deg <= threshold_deg_)) return false;
+  if (!(seen.pilot_deg <= slopes_until_deg_)) return true;
+  if (sees_both(sheet, seen)) {
+    rejections_[sheet] = {Fault::not_monotone, sample_of(seen.pilot_deg)};
+    return false;
+  }
+  earlier_deg_[sheet] = seen.pilot_deg;
+  earlier_error_[sheet] = seen.length_error;
+  std::copy_n(seen.lengths, diagonals_,
               earlier_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
+  return true;
 }
 
 bool RejectionTest::sees_both(int sheet, const Observation& now) {
   const std::size_t first = static_cast<std::size_t>(sheet) * diagonals_;
-  const bool has_earlier = earlier_sample_[sheet] > 0 && earlier_sample_[sheet] != now.sample;
-  const double since = now.sample > earlier_sample_[sheet] ? 1 : -1;
+  const bool has_earlier =
+      earlier_deg_[sheet] > 0 &&
+      std::abs(earlier_deg_[sheet] - now.pilot_deg) > (1 - 1e-9) * model_.sample_deg();
+  const double since = now.pilot_deg > earlier_deg_[sheet] ? 1 : -1;
   // Of so many steps one at least is longer than the band.
   const double flat_margin = now.length_error + kStepBand_widths * model_.threshold_sample();
   const double earlier_margin = flat_margin + earlier_error_[sheet];
-  const bool slopes_count =
-      now.slopes && model_.sample_deg() <= kRejection.longest_sample_for_slopes_deg &&
-      now.sample <= last_sample_of_slopes(model_.threshold_sample(), model_.sample_deg());
-  const double slope_margin = now.slope_error + kRejection.least_slope_widths_per_deg / kRadPerDeg;
+  const bool slopes_count = model_.sample_deg() <= kRejection.longest_sample_for_slopes_deg;
+  const double slope_margin =
+      now.slope_error + kRejection.least_slope_widths_per_deg / kRadPerDeg * now.pilot_rate;
+  const double of_a_sample = model_.sample_deg() * kRadPerDeg / now.pilot_rate;
   for (std::size_t i = 0; i < diagonals_; ++i) {
     bool grows = direction_[first + i] > 0, shrinks = direction_[first + i] < 0;
     const auto moved = [&](double by, double margin) {
       grows = grows || by > margin;
       shrinks = shrinks || by < -margin;
     };
-    moved(now.lengths[i] - flat_[first + i], flat_margin);
-    if (has_earlier) moved(since * (now.lengths[i] - earlier_[first + i]), earlier_margin);
+    const double next = std::abs(now.slopes[i]) * of_a_sample;
+    moved(now.lengths[i] - flat_[first + i], flat_margin + next);
+    if (has_earlier)
+      moved(since * (now.lengths[i] - earlier_[first + i]), earlier_margin + 2 * next);
     if (slopes_count) moved(now.slopes[i], slope_margin);
     if (grows && shrinks) return true;
     direction_[first + i] = static_cast<signed char>(grows ? 1 : shrinks ? -1 : 0);
@@ -103,24 +129,17 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
   return false;
 }
 
-void RejectionTest::observe(int sheet, int sample, const FoldState<double>& state) {
+void RejectionTest::observe(int sheet, double pilot_deg, const FoldState<double>& state) {
   constexpr double least_cosine = kLeastCosine - kRejection.fold_angle_rad;
   const std::vector<Crease>& creases = model_.mechanism().creases;
   assert(state.creases.size() == creases.size());
   for (std::size_t k = 0; k < creases.size(); ++k) {
-    if (state.creases[k].c < least_cosine) rejections_[sheet] = {Fault::over_folded, sample};
-    if (state.creases[k].s * creases[k].assignment < -kRejection.fold_angle_rad) {
-      rejections_[sheet] = {Fault::assignment_flipped, sample};
+    if (state.creases[k].c < least_cosine) {
+      rejections_[sheet] = {Fault::over_folded, sample_of(pilot_deg)};
     }
-  }
-}
-
-void RejectionTest::path_ended(int sheet, const PathResult& path) {
-  const double threshold_deg = model_.threshold_sample() * model_.sample_deg();
-  if (path.end == PathEnd::fold_limit &&
-      path.fold_limit_deg < threshold_deg - kRejection.certain_limit_deg) {
-    rejections_[sheet] = {Fault::fold_limit,
-                          static_cast<int>(path.fold_limit_deg / model_.sample_deg()) + 1};
+    if (state.creases[k].s * creases[k].assignment < -kRejection.fold_angle_rad) {
+      rejections_[sheet] = {Fault::assignment_flipped, sample_of(pilot_deg)};
+    }
   }
 }
 

@@ -27,10 +27,8 @@ struct RejectionTolerances {
   /// And only so far below the threshold: a fold limit 0.3 degrees beyond it let a diagonal turn
   /// round and back again about the last sample at 1.9e-5 (draw 39533 of miura-narrow-6x6).
   double slopes_before_threshold_deg = 2;
-  /// How well a fold limit on the approach to the threshold is known, and how far below the
-  /// threshold it must lie to be certain.
-  double approach_limit_deg = 0.1;
-  double certain_limit_deg = 4 * approach_limit_deg;
+  /// How far below the threshold a fold limit must lie to be certain.
+  double certain_limit_deg = 0.4;
   /// Fold angles of a converged state are better than this by far.
   double fold_angle_rad = 1e-8;
   /// Of the second correction to the first: beyond it, nothing is believed (2 of 1,000 sheets at
@@ -61,12 +59,14 @@ struct Rejection {
   int sample = 0;             ///< where the test looked
 };
 
-/// One state of a sheet at a sample, its diagonals in panel widths and per radian of pilot.
+/// One state of a sheet, its diagonals in panel widths and per radian of the way along its path.
 struct Observation {
-  int sample;
+  double pilot_deg;
+  double pilot_rate;    ///< how the pilot changes along that way; not positive: it turned back
+  double farthest_deg;  ///< no farther had the pilot been on the way here
   const double* lengths;
   double length_error;
-  const double* slopes;  ///< null: not known
+  const double* slopes;
   double slope_error;
 };
 
@@ -75,12 +75,20 @@ struct Observation {
 /// each squares the error, e' = K e^2, and the corrections give K (Kantorovich).
 std::optional<double> newton_error(double first_correction_rad, double second_correction_rad,
                                    double length_per_rad);
-/// Both by the same factors: each shrinks the error by the same ratio.
-std::optional<double> chord_error(double first_correction_rad, double second_correction_rad,
-                                  double length_per_rad);
 /// What rounding may leave in a diagonal (panel widths) at a test's angle, for numbers that differ
 /// by `epsilon` next to 1: a loop closes to a few roundings of the sheet's extent.
-double rounding_error(double epsilon, double extent, const TestAngle& test);
+double rounding_error(double epsilon, double extent, const TestPlace& test);
+/// How far to go along a path from a state with this pilot angle (degrees of the base folding's
+/// pilot); sheets depart from the base folding at `far_deg`.
+double step_ahead_deg(double pilot_deg, double far_deg);
+/// Steps that lose the way are halved, down to this one.
+inline constexpr double kShortestStep_deg = 0.5;
+/// How far a pilot gets between two states `step` apart on a path (deg), where it changes at these
+/// rates: where the path's tangents meet, and half as much again.
+double farthest_between(double from_deg, double from_rate, double to_deg, double to_rate,
+                        double step);
+/// Of a vector.
+double norm_of(const std::vector<double>& vector);
 /// Error of slopes that were corrected by at most this much: so many times that, and a floor.
 double slope_error(double correction);
 
@@ -97,14 +105,19 @@ class RejectionTest {
   /// What is certain of a sheet's diagonals at samples up to this one, before anything else: 1, it
   /// grows somewhere, -1, it shrinks. Rejects the sheet if one does both.
   void expect(int sheet, const signed char* directions, bool both, int sample);
-  /// Rejects the sheet if a diagonal was seen both growing and shrinking. Observations of one sheet
-  /// at equal samples are taken as one.
-  void observe(int sheet, const Observation& observation);
+  /// Rejects the sheet if a diagonal was seen both growing and shrinking, or if its pilot has
+  /// turned back short of the threshold. True if it is not decided and states beyond may tell more.
+  bool observe(int sheet, const Observation& observation);
   /// Rejects it if a crease is over-folded or lost its sign in this state of its path.
-  void observe(int sheet, int sample, const FoldState<double>& state);
-  /// Rejects it if its path ended, by a fold limit short of the threshold.
-  void path_ended(int sheet, const PathResult& path);
+  void observe(int sheet, double pilot_deg, const FoldState<double>& state);
 
+  /// Beyond, of slopes nothing is believed.
+  double slopes_until_deg() const { return slopes_until_deg_; }
+  /// How far it is from this pilot angle to the next one that is worth a look.
+  double room_deg(double pilot_deg) const {
+    const double room = slopes_until_deg_ - pilot_deg;
+    return room > 1 ? room - 0.1 : threshold_deg_ - pilot_deg;
+  }
   const std::vector<Rejection>& results() const { return rejections_; }
   bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
 
@@ -112,10 +125,15 @@ class RejectionTest {
   bool sees_both(int sheet, const Observation& observation);
 
   const Model& model_;
+  int sample_of(double pilot_deg) const {
+    return static_cast<int>(pilot_deg / model_.sample_deg()) + 1;
+  }
+
   const std::size_t diagonals_;
+  const double threshold_deg_, slopes_until_deg_;
   std::vector<Rejection> rejections_;
   std::vector<double> flat_, earlier_;  // per sheet and diagonal
-  std::vector<int> earlier_sample_;     // per sheet; 0: nothing seen yet
+  std::vector<double> earlier_deg_;     // per sheet: pilot; 0: nothing seen yet
   std::vector<double> earlier_error_;   // per sheet
   std::vector<signed char> direction_;  // per sheet and diagonal; 0: not seen to move
 };

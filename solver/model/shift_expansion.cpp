@@ -8,10 +8,9 @@
 namespace misalign::solver {
 namespace {
 
-constexpr double kEarlyShare = 0.1, kLateShare = 0.8;
-
 // The largest sum there can be is this many units; a pair's rounding is half a unit.
 constexpr double kLargestSum = 32000;
+constexpr double kLargestByte = 127;
 // Of the largest share that was left out on the sheets that were measured. Among 30,000 sheets of
 // 6 x 6 the largest is 1.6 times that of all but one in a thousand.
 constexpr float kSafety = 4;
@@ -28,8 +27,15 @@ struct TernaryShift {
   double x, y;
 };
 
+ShiftExpansion::Short rounded(double value, double unit) {
+  assert(std::abs(value) <= 32767 * unit);  // the bound of all sums fits
+  return static_cast<ShiftExpansion::Short>(std::lround(value / unit));
+}
+
+}  // namespace
+
 // One quantity as a polynomial in the levels of all coordinates.
-class Polynomial {
+class ShiftExpansion::Polynomial {
  public:
   Polynomial(const ShiftGradients& gradients, ShiftedQuantity quantity, int diagonal)
       : g_(gradients), q_(quantity), d_(diagonal) {}
@@ -54,6 +60,8 @@ class Polynomial {
     return of_two(2 * g, at_g.x, 2 * h, at_h.x) + of_two(2 * g, at_g.x, 2 * h + 1, at_h.y) +
            of_two(2 * g + 1, at_g.y, 2 * h, at_h.x) + of_two(2 * g + 1, at_g.y, 2 * h + 1, at_h.y);
   }
+  /// Of the product of two coordinates, or of the square of one.
+  double of_product(int i, int j) const { return i == j ? even(i) : mixed(i, j); }
   /// No sum is larger.
   double bound() const {
     double sum = 0;
@@ -78,25 +86,14 @@ class Polynomial {
   const int d_;
 };
 
-ShiftExpansion::Short rounded(double value, double unit) {
-  assert(std::abs(value) <= 32767 * unit);  // the bound of all sums fits
-  return static_cast<ShiftExpansion::Short>(std::lround(value / unit));
+ShiftPlaces::ShiftPlaces(const Model& model, double early_deg, double late_deg) {
+  for (const double deg :
+       {early_deg, late_deg - kHalfStep_deg, late_deg + kHalfStep_deg, late_deg}) {
+    all.push_back(model.test_at(deg));
+  }
 }
 
-}  // namespace
-
-int early_sample(int far_sample) { return static_cast<int>(kEarlyShare * far_sample); }
-int late_sample(int far_sample) { return static_cast<int>(kLateShare * far_sample); }
-
-ShiftAngles::ShiftAngles(const Model& model, int early_sample, int late_sample) {
-  const double late_deg = late_sample * model.sample_deg();
-  all.push_back(model.angle(early_sample * model.sample_deg(), early_sample, true));
-  all.push_back(model.angle(late_deg - kHalfStep_deg, 0, true));
-  all.push_back(model.angle(late_deg + kHalfStep_deg, 0, true));
-  all.push_back(model.angle(late_deg, late_sample, true));
-}
-
-ShiftAngles::~ShiftAngles() = default;
+ShiftPlaces::~ShiftPlaces() = default;
 
 ShiftGradients::ShiftGradients(const Model& model)
     : coordinates_(static_cast<int>(2 * model.shifted().size())),
@@ -142,92 +139,145 @@ ShiftSample::ShiftSample(const Model& model, int sheets) {
 
 ShiftSample::~ShiftSample() = default;
 
-ShiftExpansion::ShiftExpansion(const ShiftGradients& gradients)
-    : vertices_(gradients.coordinates() / 2),
+int ProductTable::all_quads() const {
+  int all = 0;
+  for (int i = 0; i < coordinates; ++i) all += quads(i);
+  return all;
+}
+
+ShiftExpansion::ShiftExpansion(const ShiftGradients& gradients, SecondOrder form)
+    : form_(form),
+      vertices_(gradients.coordinates() / 2),
       diagonals_(gradients.diagonals()),
       groups_((diagonals_ + kDiagonals - 1) / kDiagonals),
-      singles_(static_cast<std::size_t>(groups_ * vertices_) * kPlaces * 2 * kRow),
-      pairs_(static_cast<std::size_t>(groups_) * pairs_before(vertices_) * kPlaces * kPlaces *
-             kRow) {
-  fill(ShiftedQuantity::elongation, gradients);
-  fill(ShiftedQuantity::slope, gradients);
+      singles_(static_cast<std::size_t>(groups_ * vertices_) * kPlaces * kSums),
+      products_(gradients.coordinates()) {
+  const std::size_t size = bytes(form, vertices_, diagonals_);
+  if (form == SecondOrder::by_pairs) {
+    pairs_.resize(size / sizeof(Short));
+  } else {
+    products_.entries.resize(size);
+    products_.totals.resize(static_cast<std::size_t>(groups_) * kRow);
+  }
+  for (const ShiftedQuantity quantity : {ShiftedQuantity::elongation, ShiftedQuantity::slope}) {
+    Kind& kind = kinds_[static_cast<int>(quantity)];
+    kind.unit.assign(static_cast<std::size_t>(groups_ * kDiagonals), 0);
+    kind.share = kind.second_unit = kind.unit;
+    kind.least.assign(static_cast<std::size_t>(groups_), 0);
+    for (int d = 0; d < diagonals_; ++d) fill(quantity, d, {gradients, quantity, d});
+  }
 }
 
 ShiftExpansion::~ShiftExpansion() = default;
 
-std::size_t ShiftExpansion::bytes(int vertices, int diagonals) {
+std::size_t ShiftExpansion::bytes(SecondOrder form, int vertices, int diagonals) {
   const std::size_t groups = static_cast<std::size_t>((diagonals + kDiagonals - 1) / kDiagonals);
   const std::size_t pairs = static_cast<std::size_t>(vertices) * (vertices - 1) / 2;
-  return groups * pairs * kPlaces * kPlaces * kRow * sizeof(Short);
+  if (form == SecondOrder::by_pairs) {
+    return groups * pairs * kPlaces * kPlaces * kRow * sizeof(Short);
+  }
+  const std::size_t quads = static_cast<std::size_t>(ProductTable(2 * vertices).all_quads());
+  return groups * quads * ProductTable::kQuad * kRow;
 }
 
-void ShiftExpansion::fill(ShiftedQuantity quantity, const ShiftGradients& gradients) {
+void ShiftExpansion::fill(ShiftedQuantity quantity, int diagonal, const Polynomial& q) {
   Kind& kind = kinds_[static_cast<int>(quantity)];
-  kind.unit.assign(static_cast<std::size_t>(groups_ * kDiagonals), 0);
-  kind.share = kind.unit;
-  for (int d = 0; d < diagonals_; ++d) {
-    const Polynomial q(gradients, quantity, d);
-    const double unit = q.bound() / kLargestSum;
-    kind.unit[static_cast<std::size_t>(d)] = static_cast<float>(unit);
-    const int group = d / kDiagonals;
-    const std::size_t column =
-        static_cast<std::size_t>(static_cast<int>(quantity) * kDiagonals + d % kDiagonals);
-    for (int g = 0; g < vertices_; ++g) {
-      for (int place = 0; place < kPlaces; ++place) {
-        const TernaryShift at(place);
-        Short* row = singles_.data() + at_single(group, g, place) + column;
-        row[0] = rounded(q.first(g, at), unit);
-        row[kRow] = rounded(q.second(g, at), unit);
-        row = pairs_.data() + at_pair(group, g, place) + column;
-        for (int h = g + 1; h < vertices_; ++h) {
-          for (int other = 0; other < kPlaces; ++other, row += kRow) {
-            *row = rounded(q.of_vertices(g, at, h, TernaryShift(other)), unit);
-          }
+  const double unit = q.bound() / kLargestSum;
+  const std::size_t d = static_cast<std::size_t>(diagonal);
+  kind.unit[d] = kind.second_unit[d] = static_cast<float>(unit);
+  if (form_ == SecondOrder::by_products) {
+    kind.second_unit[d] = static_cast<float>(fill_products(quantity, diagonal, q));
+  }
+  const int group = diagonal / kDiagonals;
+  const int column = static_cast<int>(quantity) * kDiagonals + diagonal % kDiagonals;
+  for (int g = 0; g < vertices_; ++g) {
+    for (int place = 0; place < kPlaces; ++place) {
+      const TernaryShift at(place);
+      Short* row = singles_.data() + at_single(group, g, place) + column;
+      row[0] = rounded(q.first(g, at), unit);
+      if (form_ == SecondOrder::by_products) continue;
+      row[kRow] = rounded(q.second(g, at), unit);
+      row = pairs_.data() + at_pair(group, g, place) + column;
+      for (int h = g + 1; h < vertices_; ++h) {
+        for (int other = 0; other < kPlaces; ++other, row += kRow) {
+          *row = rounded(q.of_vertices(g, at, h, TernaryShift(other)), unit);
         }
       }
     }
   }
 }
 
-float ShiftExpansion::second_order(int kind, const Short* sums) const {
-  float largest = 0;
-  const float* unit = kinds_[kind].unit.data();
-  for (int group = 0; group < groups_; ++group, unit += kDiagonals) {
-    const Short* const second = sums + (2 * group + 1) * kRow + kind * kDiagonals;
-    for (int k = 0; k < kDiagonals; ++k) {
-      largest = std::max(largest, std::abs(static_cast<float>(second[k]) * unit[k]));
+// Returns their unit: the largest entry fits, and every sum.
+double ShiftExpansion::fill_products(ShiftedQuantity quantity, int diagonal, const Polynomial& q) {
+  const int coordinates = products_.coordinates;
+  double largest = 0;
+  for (int i = 0; i < coordinates; ++i) {
+    for (int j = i; j < coordinates; ++j) {
+      largest = std::max(largest, std::abs(q.of_product(i, j)));
     }
   }
-  return std::max(largest, kinds_[kind].least);
+  const double unit = std::max(largest / kLargestByte, q.bound() / kLargestSum);
+  const std::size_t group = static_cast<std::size_t>(diagonal / kDiagonals);
+  const std::size_t column =
+      static_cast<std::size_t>(static_cast<int>(quantity) * kDiagonals + diagonal % kDiagonals);
+  std::int32_t& total = products_.totals[group * kRow + column];
+  ProductTable::Byte* quad = products_.entries.data() +
+                             products_.entries.size() / static_cast<std::size_t>(groups_) * group +
+                             ProductTable::kQuad * column;
+  for (int i = 0; i < coordinates; ++i) {
+    for (int j = i; j < coordinates; ++j) {
+      ProductTable::Byte& entry = quad[(j - i) / ProductTable::kQuad * ProductTable::kQuad * kRow +
+                                       (j - i) % ProductTable::kQuad];
+      entry = static_cast<ProductTable::Byte>(std::lround(q.of_product(i, j) / unit));
+      total += entry;
+    }
+    quad += products_.quads(i) * ProductTable::kQuad * kRow;
+  }
+  return unit;
 }
 
-void ShiftExpansion::calibrate(const std::vector<Short>& sums, const ShiftSample& sample) {
+float ShiftExpansion::second_order(int kind, int group, const Short* sums) const {
+  const float* const unit = kinds_[kind].second_unit.data() + group * kDiagonals;
+  const Short* const second = sums + kRow + kind * kDiagonals;
+  float largest = kinds_[kind].least[static_cast<std::size_t>(group)];
+  for (int k = 0; k < kDiagonals; ++k) {
+    largest = std::max(largest, std::abs(static_cast<float>(second[k]) * unit[k]));
+  }
+  return largest;
+}
+
+void ShiftExpansion::calibrate(int group, const std::vector<Short>& sums,
+                               const ShiftSample& sample) {
   const std::size_t sheets = sample.is_known.size();
-  assert(sums.size() >= sheets * this->sums());
+  assert(sums.size() >= sheets * kSums);
   assert(sample.slopes.size() == sheets * static_cast<std::size_t>(diagonals_));
-  for (int kind = 0; kind < 2; ++kind) {
-    const std::vector<double>& truth = kind == 0 ? sample.elongations : sample.slopes;
-    Kind& of = kinds_[kind];
+  for (const ShiftedQuantity quantity : {ShiftedQuantity::elongation, ShiftedQuantity::slope}) {
+    const int which = static_cast<int>(quantity);
+    const std::vector<double>& truth = which == 0 ? sample.elongations : sample.slopes;
+    Kind& of = kinds_[which];
     std::vector<float> orders(sheets);
     for (std::size_t s = 0; s < sheets; ++s) {
-      orders[s] = second_order(kind, sums.data() + s * this->sums());
+      orders[s] = second_order(which, group, sums.data() + s * kSums);
     }
     std::vector<float> sorted = orders;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sheets / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
-    of.least = kLeastOrder * *middle;
+    const float least = of.least[static_cast<std::size_t>(group)] = kLeastOrder * *middle;
+    float* const share = of.share.data() + group * kDiagonals;
+    const int count = diagonals_of(group);
     for (std::size_t s = 0; s < sheets; ++s) {
-      for (int d = 0; d < diagonals_ && sample.is_known[s]; ++d) {
-        const std::size_t k = static_cast<std::size_t>(d);
-        const double known =
-            estimate(static_cast<ShiftedQuantity>(kind), d, sums.data() + s * this->sums()).value;
-        const double left = std::abs(truth[s * static_cast<std::size_t>(diagonals_) + k] - known);
-        of.share[k] =
-            std::max(of.share[k], static_cast<float>(left) / std::max(orders[s], of.least));
+      for (int k = 0; k < count && sample.is_known[s]; ++k) {
+        const int d = group * kDiagonals + k;
+        const double known = estimate(quantity, d, sums.data() + s * kSums).value;
+        const double left = std::abs(
+            truth[s * static_cast<std::size_t>(diagonals_) + static_cast<std::size_t>(d)] - known);
+        share[k] = std::max(share[k], static_cast<float>(left) / std::max(orders[s], least));
       }
     }
-    const float largest = *std::max_element(of.share.begin(), of.share.end());
-    for (float& share : of.share) share = kSafety * std::max(share, kLeastShare * largest);
+    const float largest = *std::max_element(share, share + count);
+    for (int k = 0; k < count; ++k) {
+      share[k] = kSafety * std::max(share[k], kLeastShare * largest);
+    }
   }
 }
 
@@ -237,37 +287,36 @@ ShiftExpansion::Estimate ShiftExpansion::estimate(ShiftedQuantity quantity, int 
   const int which = static_cast<int>(quantity);
   const Kind& kind = kinds_[which];
   const std::size_t d = static_cast<std::size_t>(diagonal);
-  const Short* const first =
-      sums + diagonal / kDiagonals * 2 * kRow + which * kDiagonals + diagonal % kDiagonals;
-  return {(first[0] + first[kRow]) * static_cast<double>(kind.unit[d]),
-          static_cast<double>(kind.share[d]) * static_cast<double>(second_order(which, sums))};
+  const Short* const first = sums + which * kDiagonals + diagonal % kDiagonals;
+  return {first[0] * static_cast<double>(kind.unit[d]) +
+              first[kRow] * static_cast<double>(kind.second_unit[d]),
+          static_cast<double>(kind.share[d]) *
+              static_cast<double>(second_order(which, diagonal / kDiagonals, sums))};
 }
 
-bool ShiftExpansion::see(const Short* sums, signed char* directions) const {
-  const float scale[2] = {second_order(0, sums), second_order(1, sums)};
-  bool both = false;
-  for (int group = 0; group < groups_; ++group, sums += 2 * kRow) {
-    int grows[kDiagonals] = {}, shrinks[kDiagonals] = {};
-    for (int kind = 0; kind < 2; ++kind) {
-      const Short* const first = sums + kind * kDiagonals;
-      const float* const unit = kinds_[kind].unit.data() + group * kDiagonals;
-      const float* const share = kinds_[kind].share.data() + group * kDiagonals;
-      for (int k = 0; k < kDiagonals; ++k) {
-        const float value = static_cast<float>(first[k] + first[kRow + k]) * unit[k];
-        const float bound = share[k] * scale[kind];
-        grows[k] |= value > bound;
-        shrinks[k] |= value < -bound;
-      }
-    }
-    const int count = std::min(kDiagonals, diagonals_ - group * kDiagonals);
-    int conflicts = 0;
-    for (int k = 0; k < kDiagonals; ++k) conflicts |= grows[k] & shrinks[k];
-    both = both || conflicts != 0;
-    for (int k = 0; k < count; ++k) {
-      *directions++ = static_cast<signed char>(grows[k] - shrinks[k]);
+bool ShiftExpansion::see(int group, const Short* sums, signed char* directions) const {
+  int grows[kDiagonals] = {}, shrinks[kDiagonals] = {};
+  for (int kind = 0; kind < 2; ++kind) {
+    const float scale = second_order(kind, group, sums);
+    const Short* const first = sums + kind * kDiagonals;
+    const float* const unit = kinds_[kind].unit.data() + group * kDiagonals;
+    const float* const second_unit = kinds_[kind].second_unit.data() + group * kDiagonals;
+    const float* const share = kinds_[kind].share.data() + group * kDiagonals;
+    for (int k = 0; k < kDiagonals; ++k) {
+      const float value = static_cast<float>(first[k]) * unit[k] +
+                          static_cast<float>(first[kRow + k]) * second_unit[k];
+      const float bound = share[k] * scale;
+      grows[k] |= value > bound;
+      shrinks[k] |= value < -bound;
     }
   }
-  return both;
+  int conflicts = 0;
+  for (int k = 0; k < kDiagonals; ++k) conflicts |= grows[k] & shrinks[k];
+  const int count = diagonals_of(group);
+  for (int k = 0; k < count; ++k) {
+    directions[k] = static_cast<signed char>(grows[k] - shrinks[k]);
+  }
+  return conflicts != 0;
 }
 
 }  // namespace misalign::solver

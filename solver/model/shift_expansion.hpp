@@ -7,6 +7,7 @@
 // and that multiple is measured on sheets of its own.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 #include <xsimd/xsimd.hpp>  // its allocator; xsimd 13 has no header for that alone
@@ -18,22 +19,17 @@ namespace misalign::solver {
 /// Elongations at the early angle, slopes at the late one.
 enum class ShiftedQuantity { elongation, slope };
 
-/// The samples of the two angles, for this one of the far test. At 120 degrees of its 150 the
-/// orders beyond the second are a hundredth of the slopes, at 140 five; at 15 all diagonals have
-/// set out.
-int early_sample(int far_sample);
-int late_sample(int far_sample);
-
-/// The angles at which an expansion is made ready: early, on both sides of the late one, late.
-struct ShiftAngles {
+/// Where quantities are looked at: early, on both sides of the late level, late.
+struct ShiftPlaces {
   enum { kEarly, kBefore, kAfter, kLate };
   /// Slopes by central differences of lengths: their error is a ten-thousandth.
   static constexpr double kHalfStep_deg = 0.5;
 
-  ShiftAngles(const Model& model, int early_sample, int late_sample);
-  ~ShiftAngles();
+  /// By the base folding's pilot.
+  ShiftPlaces(const Model& model, double early_deg, double late_deg);
+  ~ShiftPlaces();
 
-  std::vector<TestAngle> all;
+  std::vector<TestPlace> all;
 };
 
 /// Gradients of all quantities by all coordinates (x and y of each shifted vertex in turn, in
@@ -75,71 +71,110 @@ struct ShiftSample {
   std::vector<char> is_known;
 };
 
+/// The second order of all quantities as quadratic forms of the coordinates, entries in bytes,
+/// which some machines multiply and add up four at a time (VNNI). With ternary shifts products are
+/// -1, 0 or 1.
+struct ProductTable {
+  using Byte = signed char;
+  /// Products side by side that one multiplication adds up.
+  static constexpr int kQuad = 4;
+
+  explicit ProductTable(int count) : coordinates(count) {}
+
+  const int coordinates;
+  /// Of each group, of each coordinate i, of each four of the coordinates i, i + 1, ...: of each of
+  /// its quantities four entries. Beyond the last coordinate: 0.
+  std::vector<Byte, xsimd::aligned_allocator<Byte, 64>> entries;
+  /// Of each group, of each of its quantities: the sum of all entries.
+  std::vector<std::int32_t> totals;
+
+  /// Of this coordinate and those after it.
+  int quads(int coordinate) const { return (coordinates - coordinate + kQuad - 1) / kQuad; }
+  int all_quads() const;
+};
+
+/// How the second order is found: by a row for every two places of two vertices, or by products.
+enum class SecondOrder { by_pairs, by_products };
+
 class ShiftExpansion {
  public:
   using Short = std::int16_t;
-  /// Quantities of this many diagonals lie side by side: their elongations, then their slopes.
-  static constexpr int kDiagonals = 16;
+  /// A group: quantities of this many diagonals lie side by side, their elongations, then their
+  /// slopes. Sheets that one group turns away need not be asked of the next.
+  static constexpr int kDiagonals = 8;
   static constexpr int kRow = 2 * kDiagonals;
   static constexpr int kPlaces = 9;
+  /// Of a sheet and a group: the first order, then the second.
+  static constexpr int kSums = 2 * kRow;
 
-  explicit ShiftExpansion(const ShiftGradients& gradients);
+  ShiftExpansion(const ShiftGradients& gradients, SecondOrder form);
   ~ShiftExpansion();
   /// Of its tables.
-  static std::size_t bytes(int vertices, int diagonals);
+  static std::size_t bytes(SecondOrder form, int vertices, int diagonals);
 
+  SecondOrder form() const { return form_; }
   int vertices() const { return vertices_; }
   int groups() const { return groups_; }
-  /// Shorts that a sheet's sums take: of each group the first order, then the second.
-  std::size_t sums() const { return static_cast<std::size_t>(groups_) * 2 * kRow; }
-  /// What a vertex in this place adds: to the first order, then to the second.
+  int diagonals() const { return diagonals_; }
+  /// Diagonals of a group: the last one may have fewer.
+  int diagonals_of(int group) const {
+    return std::min(kDiagonals, diagonals_ - group * kDiagonals);
+  }
+  /// By products: what they are multiplied with.
+  const ProductTable& products() const { return products_; }
+  /// What a vertex in this place adds: to the first order, then, by pairs, to the second.
   const Short* single(int group, int vertex, int place) const {
     return singles_.data() + at_single(group, vertex, place);
   }
-  /// What it adds to the second order together with the next vertex, and each one after that: of
-  /// each, one row for each of its places.
+  /// By pairs: what it adds to the second order together with the next vertex, and each one after
+  /// that: of each, one row for each of its places.
   const Short* pair(int group, int vertex, int place) const {
     return pairs_.data() + at_pair(group, vertex, place);
   }
   /// The place of a vertex with shifts of these signs: -1, 0 or 1.
   static int place_of(int x, int y) { return 3 * (x + 1) + y + 1; }
 
-  /// Measures the bounds on these sheets, of which the sums are known.
-  void calibrate(const std::vector<Short>& sums, const ShiftSample& sample);
-  /// A quantity of a sheet with these sums, and how far it may be off at most.
+  /// Measures the bounds of a group on these sheets, whose sums are known.
+  void calibrate(int group, const std::vector<Short>& sums, const ShiftSample& sample);
+  /// A quantity of a sheet whose diagonal's group has these sums, and how far it may be off.
   struct Estimate {
     double value, bound;
   };
   Estimate estimate(ShiftedQuantity quantity, int diagonal, const Short* sums) const;
-  /// What is certain of a sheet with these sums: `directions` becomes 1 where a diagonal grows
-  /// somewhere, -1 where it shrinks, 0 where neither is certain. True if one does both.
-  bool see(const Short* sums, signed char* directions) const;
+  /// What is certain of a group's diagonals in a sheet with these sums: `directions` becomes 1
+  /// where one grows somewhere, -1 where it shrinks, 0 where neither is certain. True if one does
+  /// both.
+  bool see(int group, const Short* sums, signed char* directions) const;
 
  private:
+  class Polynomial;
   // Of one kind of quantity, padded to whole groups.
   struct Kind {
-    std::vector<float> unit;   // of a short
-    std::vector<float> share;  // of the second order that may be left out
-    float least = 0;           // the second order is taken to be no smaller
+    std::vector<float> unit, second_unit;  // of a short
+    std::vector<float> share;              // of the second order that may be left out
+    std::vector<float> least;              // of a group: the second order is taken to be no smaller
   };
   std::size_t pairs_before(int vertex) const {
     return static_cast<std::size_t>(vertex) * (2 * vertices_ - vertex - 1) / 2;
   }
   std::size_t at_single(int group, int vertex, int place) const {
     const std::size_t before = static_cast<std::size_t>(group) * vertices_ + vertex;
-    return (before * kPlaces + place) * 2 * kRow;
+    return (before * kPlaces + place) * kSums;
   }
   std::size_t at_pair(int group, int vertex, int place) const {
     const std::size_t pairs = group * pairs_before(vertices_) + pairs_before(vertex);
     const std::size_t after = static_cast<std::size_t>(vertices_ - 1 - vertex);
     return (pairs * kPlaces + place * after) * kPlaces * kRow;
   }
-  void fill(ShiftedQuantity quantity, const ShiftGradients& gradients);
+  void fill(ShiftedQuantity quantity, int diagonal, const Polynomial& q);
+  double fill_products(ShiftedQuantity quantity, int diagonal, const Polynomial& q);
   /// Largest second order of a kind.
-  float second_order(int kind, const Short* sums) const;
+  float second_order(int kind, int group, const Short* sums) const;
 
+  const SecondOrder form_;
   const int vertices_, diagonals_, groups_;
   std::vector<Short, xsimd::aligned_allocator<Short, 64>> singles_, pairs_;
+  ProductTable products_;
   Kind kinds_[2];
 };
 

@@ -36,20 +36,27 @@ TEST_P(Acceptance, IsTheReferences) {
     // With tables now and then, and once under sanitizers, where they take half a minute to make.
     const bool with_tables = threshold % (kFewer == 1 ? 40 : 120) == 0;
     const Model model = sheets.with_threshold(threshold, {}, with_tables ? 0.4 : 0);
+    const auto are_right = [&](const std::vector<Rejection>& rejections) {
+      for (int i = 0; i < block.sheets; ++i) {
+        const bool passes = rejections[i].fault == Fault::none;
+        EXPECT_EQ(passes && judged[i].deploys_from_sample >= threshold,
+                  deploys_from[i] >= threshold)
+            << "seed " << kSeed << ", sheet " << i << ", D " << deploys_from[i] << ", judged "
+            << words(judged[i]) << ", rejections out: " << words(rejections[i]);
+        EXPECT_LE(rejections[i].sample, threshold);
+        to_reject += deploys_from[i] < threshold;
+        rejected += !passes;
+      }
+    };
     LaneBatch<double, float> scalar(model);
-    const std::vector<Rejection>& rejections = scalar.reject(block);
-    for (int i = 0; i < block.sheets; ++i) {
-      const bool passes = rejections[i].fault == Fault::none;
-      EXPECT_EQ(passes && judged[i].deploys_from_sample >= threshold, deploys_from[i] >= threshold)
-          << "seed " << kSeed << ", sheet " << i << ", D " << deploys_from[i] << ", judged "
-          << words(judged[i]) << ", rejections out: " << words(rejections[i]);
-      EXPECT_LE(rejections[i].sample, threshold);
-      to_reject += deploys_from[i] < threshold;
-      rejected += !passes;
-    }
+    are_right(scalar.reject(block));
     for (const InstructionSet set : available_instruction_sets()) {
-      EXPECT_EQ(words(make_batch(set, model)->reject(block)), words(rejections))
-          << instruction_set_name(set);
+      SCOPED_TRACE(instruction_set_name(set));
+      const auto batch = make_batch(set, model);
+      are_right(batch->reject(block));
+      // With tables in bytes some sheets are turned away elsewhere.
+      if (with_tables && set == InstructionSet::avx512) continue;
+      EXPECT_EQ(words(batch->reject(block)), words(scalar.reject(block)));
     }
   }
   // Most of what is to be rejected is (91 to 94 of 100; 83 among the few draws of a sanitizer); the

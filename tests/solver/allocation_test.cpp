@@ -69,7 +69,7 @@ class BatchAllocation : public testing::TestWithParam<InstructionSet> {
   void expect_none(const Criterion& criterion);
 };
 
-// The threshold is far enough for an approach, and some sheets have no start.
+// The threshold is far enough for steps ahead, and some sheets have no start.
 void BatchAllocation::expect_none(const Criterion& criterion) {
   if (!MISALIGN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not under a sanitizer";
   const DrawableSheet sheets(6, 6);

@@ -150,7 +150,7 @@ class ArcWalker {
 };
 
 // Tops of every height over the last station and of every width, with the tolerance of full paths
-// and with the approach's. The rest of the error is that of angles in degrees, 1e-13.
+// and with a wide one. The rest of the error is that of angles in degrees, 1e-13.
 TEST(Arc, FoldLimitIsTheParabolasTop) {
   const PathPlan plan = stations_at({10, 60});
   for (const double tolerance_deg : {kArc.limit_tolerance_rad / kRadPerDeg, 0.1}) {
@@ -171,31 +171,6 @@ TEST(Arc, FoldLimitIsTheParabolasTop) {
       }
     }
     RecordProperty("worst_deg", std::to_string(worst));
-  }
-}
-
-// A turn far below the plan's end need not be located: it is enough that a share of the way to the
-// end is out of reach. Reported is the middle of where it can be.
-TEST(Arc, FarFromTheEndALimitPointIsKnownToAShareOfTheWay) {
-  constexpr double kEnd_deg = 60;
-  for (const double share : {0.5, 0.9, 0.99}) {
-    CloseStepOptions options = kUsual;
-    options.limit_certain_share = share;
-    int roughly = 0;
-    for (const double top_deg : {10.1, 17.0, 40.0, 59.9}) {
-      for (const double curvature : {0.1, 0.5, 2.0, 10.0, 50.0}) {
-        ArcWalker arc({top_deg, curvature}, options);
-        arc.follow(stations_at({10, kEnd_deg}));
-        EXPECT_EQ(arc.result().end, PathEnd::fold_limit);
-        const double way_deg = kEnd_deg - top_deg + arc.below_top_deg();
-        EXPECT_LE(arc.below_top_deg(), std::max(1e-6, (1 - share) * way_deg));
-        const double error_deg = std::abs(arc.result().fold_limit_deg - top_deg);
-        // Half of what the pilot may still rise.
-        EXPECT_LE(error_deg, std::max(1e-6, 0.5 * (1 - share) * way_deg));
-        roughly += error_deg > 1e-6;
-      }
-    }
-    EXPECT_GT(roughly, 0);
   }
 }
 

@@ -1,5 +1,5 @@
 // Tables of draws to second order, beside the bounds that they claim: against states that Newton's
-// method finds at both angles. And how many draws they turn away.
+// method finds at both levels. And how many draws they turn away.
 //   shift_expansions DRAWS CAMPAIGN...
 #include <fmt/format.h>
 
@@ -27,34 +27,37 @@ struct Shares {
 
 Shares compare(const schema::Campaign& campaign, const solver::ExpansionTest<double, float>& test,
                const solver::Model& model, int draws) {
-  const int far = model.tests()[0].sample;
-  const std::vector<solver::TestAngle> angles = {
-      model.angle(solver::early_sample(far) * campaign.sample_deg, 0, true),
-      model.angle(solver::late_sample(far) * campaign.sample_deg, 0, true)};
-  solver::AngleSolver<double> solver(model, angles);
+  const std::vector<solver::TestPlace> places = {model.test_at(test.early_deg()),
+                                                 model.test_at(test.late_deg())};
+  solver::LevelSolver<double> solver(model, places);
   const std::size_t diagonals = model.mechanism().diagonals.size();
   std::vector<double> flat(diagonals);
-  std::vector<signed char> directions(diagonals);
+  std::vector<signed char> directions(solver::ShiftExpansion::kDiagonals);
   solver::ShiftBlock block{std::vector<double>(2 * model.shifted().size()), 1};
   Shares shares;
   for (int draw = 0; draw < draws; ++draw) {
     search::draw_shifts(campaign.misalignment, campaign.seed, static_cast<std::uint64_t>(draw),
                         block.shifts_mm.data());
-    const auto sums = solver::sums_of(test.expansion(), block.shifts_mm.data());
-    shares.turned_away += test.expansion().see(sums.data(), directions.data());
+    std::vector<std::vector<solver::ShiftExpansion::Short>> sums;
+    bool is_turned_away = false;
+    for (int group = 0; group < test.expansion().groups(); ++group) {
+      sums.push_back(solver::sums_of(test.expansion(), group, block.shifts_mm.data()));
+      is_turned_away |= test.expansion().see(group, sums.back().data(), directions.data());
+    }
+    shares.turned_away += is_turned_away;
     solver.load(block, 0, 1);
     solver::flat_lengths(model.mechanism(), solver.geometry(), flat.data());
-    for (const int angle : {0, 1}) {
-      solver.solve(angle);
-      const auto error = solver.length_error(angle, 0);
+    for (const int place : {0, 1}) {
+      solver.solve(place);
+      const auto error = solver.length_error(place, 0);
       if (!error || *error > kConverged_widths) continue;
       ++shares.compared;
       for (std::size_t d = 0; d < diagonals; ++d) {
-        const double truth = angle == 0 ? solver.lengths()[d] - flat[d] : solver.slopes()[d];
+        const double truth = place == 0 ? solver.lengths()[d] - flat[d] : solver.slopes()[d];
         const auto estimate = test.expansion().estimate(
-            angle == 0 ? ShiftedQuantity::elongation : ShiftedQuantity::slope, static_cast<int>(d),
-            sums.data());
-        double& share = angle == 0 ? shares.elongation : shares.slope;
+            place == 0 ? ShiftedQuantity::elongation : ShiftedQuantity::slope, static_cast<int>(d),
+            sums[d / solver::ShiftExpansion::kDiagonals].data());
+        double& share = place == 0 ? shares.elongation : shares.slope;
         const double here = std::abs(estimate.value - truth) / estimate.bound;
         share = std::max(share, here);
         shares.above += here > 1;

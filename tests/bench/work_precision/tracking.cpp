@@ -7,8 +7,8 @@
 namespace misalign::bench {
 namespace {
 
-// Steps of 10 degrees may turn a crease by as much as 60: what the solver's own approach to its
-// threshold allows.
+// Steps of 10 degrees may turn a crease by as much as 60: what the rejection tests'
+// own steps ahead allow.
 constexpr double kLongestHalfSine = 0.5;
 
 // As in production: what is not believed any more, of what is wanted.

@@ -1,11 +1,10 @@
-// As many sheets as there are lanes, all at one angle, straight from the base folding or from
-// states that are known. From the base one step with its factors, then two corrections: the second
-// one's size against the first one's tells how far away the solution still is. Where slopes are
-// wanted both are Newton's, with factors of their own; otherwise the second uses the first one's.
-// The tangent is not corrected: how far it is from keeping the loops closed, weighted by how that
-// shows in each diagonal of the base folding, corrects the slopes instead (the adjoint correction
-// of Giles & Pierce, Acta Numerica 11, 2002) and says how well they are known, whether Newton or
-// single precision left it.
+// As many sheets as there are lanes, all at one level, straight from the base folding or from
+// states that are known. From the base one step with its factors, then two corrections of Newton's
+// method: the second one's size against the first one's tells how far away the solution still is.
+// The tangent is that of the last Jacobian, one correction before the state: how far it is from
+// keeping the loops closed, weighted by how that shows in each diagonal of the base folding,
+// corrects the slopes (the adjoint correction of Giles & Pierce, Acta Numerica 11, 2002) and says
+// how well they are known, whether Newton or single precision left it.
 #pragma once
 
 #include <array>
@@ -14,88 +13,96 @@
 
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_state.hpp"
-#include "solver/linear/held_correction.hpp"
+#include "solver/linear/level_correction.hpp"
 #include "solver/model/rejection_test.hpp"
 
 namespace misalign::solver {
 
 template <class T>
-class AngleSolver {
+class LevelSolver {
  public:
   using Real = Scalar<T>;
 
-  /// `model` and `angles` must outlive this object.
-  AngleSolver(const Model& model, const std::vector<TestAngle>& angles);
+  /// `model` and `places` must outlive this object.
+  LevelSolver(const Model& model, const std::vector<TestPlace>& places);
 
   /// Puts so many sheets of a block into lanes, by their numbers; empty lanes repeat the first.
   void load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers, int count);
   /// The same of sheets first, first + 1, ...
   void load(const ShiftBlock& block, int first, int count);
-  /// Their states, lengths and, where the angle has them, slopes; from the base folding.
-  MISALIGN_FLATTEN void solve(int angle);
-  /// The same from this state, rounded as it may be.
-  MISALIGN_FLATTEN void solve_from(const FoldState<T>& state, int angle);
-  /// The same from a state at another angle, turned by this much of the pilot (rad) along its
-  /// rates.
-  MISALIGN_FLATTEN void solve_ahead(const FoldState<T>& state, const std::vector<T>& rates,
-                                    double by_rad, int angle);
+  /// Their states, lengths and slopes at the level of a place, from the base folding.
+  MISALIGN_FLATTEN void solve(int place);
+  /// The same from states near them, rounded as they may be: at the levels that these have.
+  MISALIGN_FLATTEN void solve_from(const FoldState<T>& state, int place);
+  /// The same from other states, turned by so much (rad; one per lane) along their unit tangents,
+  /// across which they are corrected.
+  MISALIGN_FLATTEN void solve_ahead(const FoldState<T>& state, const std::vector<T>& tangent,
+                                    const T& by_rad, int place);
 
   const SheetGeometry<T>& geometry() const { return geometry_; }
   const FoldState<T>& state() const { return state_; }
   /// Factors of the last Jacobian, one correction before the state.
-  const SparseLu<T>& factors() const { return lu_; }
+  const SparseLu<T>& factors() const { return closure_.factors(); }
   const std::vector<T>& lengths() const { return lengths_; }
+  /// Rates of change with the level (per rad), or ahead with the way along the tangent.
   const std::vector<T>& slopes() const { return slopes_; }
-  /// Of all unknowns with the pilot, where slopes are wanted.
-  const std::vector<T>& rates() const { return turn_; }
+  /// Of all unknowns with the same.
+  const std::vector<T>& tangent() const { return tangent_; }
   /// Largest change that the tangent's misfit made to a slope.
   const T& slope_correction() const { return slope_correction_; }
   /// How far lengths in lane i may be off (panel widths); none where the state is not to be
   /// trusted: Newton did not converge, or it lies on another branch than the base folding.
-  std::optional<double> length_error(int angle, int i) const;
+  std::optional<double> length_error(int place, int i) const;
   /// The same of a state that was solved ahead, which must be on the same curve as before.
-  std::optional<double> length_error_ahead(int angle, int i) const;
+  std::optional<double> length_error_ahead(int i) const;
 
  private:
-  T correct(bool new_factors);
-  void finish(int angle);
-  T correct_slopes(int angle);
+  T correct(const std::vector<T>& level);
+  void finish(const std::vector<T>& level, int place);
+  T correct_slopes(int place);
 
   const Model& model_;
   const Mechanism& mechanism_;
-  const std::vector<TestAngle>& angles_;
-  // Per angle, in this precision: the base folding in every lane, and what it shares.
+  const std::vector<TestPlace>& places_;
   std::vector<FoldState<T>> base_;
   std::vector<SparseLu<Real>> base_factors_;
   std::vector<std::vector<Real>> lengths_per_closure_;
-  std::vector<T> base_x_, base_y_;  // panel widths
+  std::vector<std::vector<T>> levels_, base_tangents_;
+  std::vector<T> base_x_, base_y_;
   SheetGeometry<T> geometry_;
   FoldState<T> state_;
-  std::vector<T> residual_, y_, turn_, lengths_, slopes_;
-  SparseLu<T> lu_;
-  T first_correction_, second_correction_, determinant_sign_, slope_correction_ = T(0);
+  std::vector<T> residual_, y_, turn_, tangent_, lengths_, slopes_;
+  SparseClosure<T> closure_;
+  T first_correction_, second_correction_, orientation_, slope_correction_ = T(0);
   T predictor_correction_ = T(0), largest_half_sine_ = T(0);
 };
 
 template <class T>
-AngleSolver<T>::AngleSolver(const Model& model, const std::vector<TestAngle>& angles)
+LevelSolver<T>::LevelSolver(const Model& model, const std::vector<TestPlace>& places)
     : model_(model),
       mechanism_(model.mechanism()),
-      angles_(angles),
+      places_(places),
       geometry_(lane_geometry<T>(mechanism_)),
       state_(flat_state<T>(mechanism_)),
       residual_(mechanism_.equations, T(0)),
       y_(mechanism_.unknowns, T(0)),
-      turn_(mechanism_.unknowns, T(0)),
+      turn_(y_),
+      tangent_(y_),
       lengths_(mechanism_.diagonals.size(), T(0)),
       slopes_(lengths_),
-      lu_(model.elimination()) {
-  for (const TestAngle& angle : angles) {
+      closure_(mechanism_, model.elimination()) {
+  const auto in_lanes = [](const std::vector<double>& values) {
+    std::vector<T> lanes;
+    for (const double value : values) lanes.push_back(T(static_cast<Real>(value)));
+    return lanes;
+  };
+  for (const TestPlace& at : places) {
     FoldState<T>& base = base_.emplace_back(state_);
-    for (int i = 0; i < kLanes<T>; ++i) put_lane(angle.base, base, i);
-    base_factors_.emplace_back(angle.factors);
-    lengths_per_closure_.emplace_back(angle.lengths_per_closure.begin(),
-                                      angle.lengths_per_closure.end());
+    for (int i = 0; i < kLanes<T>; ++i) put_lane(at.base, base, i);
+    base_factors_.emplace_back(at.factors);
+    lengths_per_closure_.emplace_back(at.lengths_per_closure.begin(), at.lengths_per_closure.end());
+    levels_.push_back(in_lanes(at.level));
+    base_tangents_.push_back(in_lanes(at.tangent));
   }
   const double* const flat_mm = model.base().sheet.vertices_mm.data();
   for (int v = 0; v < mechanism_.vertices; ++v) {
@@ -108,14 +115,14 @@ AngleSolver<T>::AngleSolver(const Model& model, const std::vector<TestAngle>& an
 }
 
 template <class T>
-void AngleSolver<T>::load(const ShiftBlock& block, int first, int count) {
+void LevelSolver<T>::load(const ShiftBlock& block, int first, int count) {
   std::array<int, kLanes<T>> numbers;
   for (int i = 0; i < kLanes<T>; ++i) numbers[i] = first + i;
   load(block, numbers, count);
 }
 
 template <class T>
-void AngleSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers,
+void LevelSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers,
                           int count) {
   using std::sqrt;
   const T per_width(static_cast<Real>(1 / mechanism_.panel_width_mm));
@@ -142,39 +149,40 @@ void AngleSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<
 }
 
 template <class T>
-void AngleSolver<T>::solve(int angle) {
-  const SparseLu<Real>& factors = base_factors_[angle];
-  state_ = base_[angle];
+void LevelSolver<T>::solve(int place) {
+  const SparseLu<Real>& factors = base_factors_[place];
+  const std::vector<T>&level = levels_[place], &tangent = base_tangents_[place];
+  state_ = base_[place];
   evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
   factors.forward(residual_.data(), y_.data());
   factors.backward_held(y_.data(), turn_.data());
-  for (T& turn : turn_) turn = -turn;
+  T change(0);
+  for (std::size_t j = 0; j < turn_.size(); ++j) change = change + level[j] * turn_[j];
+  for (std::size_t j = 0; j < turn_.size(); ++j) turn_[j] = change * tangent[j] - turn_[j];
   advance(mechanism_, turn_.data(), state_);
-  finish(angle);
+  finish(level, place);
 }
 
 template <class T>
-void AngleSolver<T>::solve_from(const FoldState<T>& state, int angle) {
+void LevelSolver<T>::solve_from(const FoldState<T>& state, int place) {
   state_ = state;
   for (T& turn : turn_) turn = T(0);
   advance(mechanism_, turn_.data(), state_);
-  state_.creases[mechanism_.pilot] = base_[angle].creases[mechanism_.pilot];
-  finish(angle);
+  finish(levels_[place], place);
 }
 
 template <class T>
-void AngleSolver<T>::solve_ahead(const FoldState<T>& state, const std::vector<T>& rates,
-                                 double by_rad, int angle) {
+void LevelSolver<T>::solve_ahead(const FoldState<T>& state, const std::vector<T>& tangent,
+                                 const T& by_rad, int place) {
   state_ = state;
   // As 2 tan(turn / 2), to third order, because `advance` turns by 2 atan of half its entry.
   for (std::size_t j = 0; j < turn_.size(); ++j) {
-    const T turn = T(static_cast<Real>(by_rad)) * rates[j];
+    const T turn = by_rad * tangent[j];
     turn_[j] = turn + turn * turn * turn * T(static_cast<Real>(1.0 / 12));
   }
   advance(mechanism_, turn_.data(), state_);
-  state_.creases[mechanism_.pilot] = base_[angle].creases[mechanism_.pilot];
-  predictor_correction_ = correct(true);
-  finish(angle);
+  predictor_correction_ = correct(tangent);
+  finish(tangent, place);
   largest_half_sine_ = T(0);
   for (std::size_t k = 0; k < state.creases.size(); ++k) {
     largest_half_sine_ = larger(largest_half_sine_,
@@ -183,58 +191,48 @@ void AngleSolver<T>::solve_ahead(const FoldState<T>& state, const std::vector<T>
 }
 
 template <class T>
-void AngleSolver<T>::finish(int angle) {
-  const bool with_slopes = angles_[angle].with_slopes;
-  first_correction_ = correct(true);
-  second_correction_ = correct(with_slopes);
-  determinant_sign_ = lu_.determinant_sign();
-  if (with_slopes) {
-    lu_.null_vector(-lu_.pilot_coefficient() / lu_.partner_coefficient(), T(1), y_.data(),
-                    turn_.data());
-    folded_lengths_and_slopes(mechanism_, geometry_, state_, turn_.data(), lengths_.data(),
-                              slopes_.data(), residual_.data());
-    slope_correction_ = correct_slopes(angle);
-  } else {
-    folded_lengths(mechanism_, geometry_, state_, lengths_.data());
-  }
+void LevelSolver<T>::finish(const std::vector<T>& level, int place) {
+  first_correction_ = correct(level);
+  second_correction_ = correct(level);
+  folded_lengths_and_slopes(mechanism_, geometry_, state_, tangent_.data(), lengths_.data(),
+                            slopes_.data(), residual_.data());
+  slope_correction_ = correct_slopes(place);
 }
 
-// One correction with the pilot held, by new factors or those that are there; returns the largest
-// turn it made.
+// One correction; returns the largest turn it made.
 template <class T>
-T AngleSolver<T>::correct(bool new_factors) {
-  correct_held(mechanism_, geometry_, new_factors, lu_, residual_, y_, turn_, state_);
+T LevelSolver<T>::correct(const std::vector<T>& level) {
+  orientation_ = correct_on_level(mechanism_, geometry_, level, closure_, turn_, tangent_, state_);
   T largest(0);
   for (const T& turn : turn_) largest = larger(largest, magnitude(turn));
   return largest;
 }
 
 template <class T>
-std::optional<double> AngleSolver<T>::length_error(int angle, int i) const {
-  const TestAngle& at = angles_[angle];
-  if ((lane(determinant_sign_, i) < 0) != (at.determinant_sign < 0)) return std::nullopt;
-  const double first = lane(first_correction_, i), second = lane(second_correction_, i);
-  return at.with_slopes ? newton_error(first, second, model_.length_per_rad())
-                        : chord_error(first, second, model_.length_per_rad());
+std::optional<double> LevelSolver<T>::length_error(int place, int i) const {
+  if ((lane(orientation_, i) < 0) != (places_[place].orientation < 0)) return std::nullopt;
+  return newton_error(lane(first_correction_, i), lane(second_correction_, i),
+                      model_.length_per_rad());
 }
 
 template <class T>
-std::optional<double> AngleSolver<T>::length_error_ahead(int angle, int i) const {
+std::optional<double> LevelSolver<T>::length_error_ahead(int i) const {
   const double corrected_rad =
       lane(predictor_correction_, i) + lane(first_correction_, i) + lane(second_correction_, i);
   if (!(corrected_rad <= kRejection.longest_correction_rad) ||
       !(lane(largest_half_sine_, i) <= kRejection.longest_half_sine)) {
     return std::nullopt;
   }
-  return length_error(angle, i);
+  return newton_error(lane(first_correction_, i), lane(second_correction_, i),
+                      model_.length_per_rad());
 }
 
 // Takes off what the tangent's misfit adds to the slopes, weighted as on the base folding; returns
 // the largest change.
 template <class T>
-T AngleSolver<T>::correct_slopes(int angle) {
+T LevelSolver<T>::correct_slopes(int place) {
   T largest(0);
-  const Real* weight = lengths_per_closure_[angle].data();
+  const Real* weight = lengths_per_closure_[place].data();
   for (T& slope : slopes_) {
     T sum(0);
     for (const T& misfit : residual_) sum = sum + T(*weight++) * misfit;
