@@ -82,6 +82,7 @@ class LaneBatch final : public Batch {
  private:
   static constexpr int kFar = 0, kMiddle = 1, kNear = 4;  // of the model's tests
 
+  static constexpr int kShiftSteps = 8;   // in which large shifts grow
   static constexpr int kMostSteps = 100;  // ahead: from the middle place it takes some ten
 
   // Large, and not needed by those who ask for verdicts alone.
@@ -106,14 +107,16 @@ class LaneBatch final : public Batch {
     run(single_test_, kFar, true, block, open_);
     if (near_tells) run(single_test_, kNear, false, block, open_);
     lost_.clear();
-    std::erase_if(open_, [&](const Undecided& sheet) {
-      if (sheet.kept_state < 0) lost_.push_back(sheet);
-      return sheet.kept_state < 0;
-    });
-    double_test_.run_again(kFar, block, open_, rejection_, states_);
-    drop_decided(open_);
-    run(double_test_, kMiddle, true, block, lost_);
-    open_.insert(open_.end(), lost_.begin(), lost_.end());
+    std::swap(open_, lost_);
+    take_found(kFar, block);
+    run(single_test_, kMiddle, true, block, lost_);
+    take_found(kMiddle, block);
+    // Large shifts: from nearer to flat, and grown step by step.
+    for (const int shift_steps : {1, kShiftSteps}) {
+      double_test_.run(kNear, true, block, lost_, rejection_, states_, shift_steps);
+      drop_decided(lost_);
+      take_found(kNear, block);
+    }
     for (int place = kNear; near_tells && place > kFar; --place) {
       run(double_test_, place, false, block, open_);
     }
@@ -127,6 +130,20 @@ class LaneBatch final : public Batch {
       double_test_.run_ahead(block, open_, rejection_, states_);
       drop_decided(open_);
     }
+  }
+
+  // Those of the lost sheets that have a state at this place are open again: looked at once more in
+  // double precision.
+  void take_found(int place, const ShiftBlock& block) {
+    found_.clear();
+    std::erase_if(lost_, [&](const Undecided& sheet) {
+      const bool is_found = sheet.kept_state >= 0;
+      if (is_found) found_.push_back(sheet);
+      return is_found;
+    });
+    if (place != kNear) double_test_.run_again(place, block, found_, rejection_, states_);
+    drop_decided(found_);
+    open_.insert(open_.end(), found_.begin(), found_.end());
   }
 
   template <class Test>
@@ -150,7 +167,7 @@ class LaneBatch final : public Batch {
   std::optional<ExpansionTest<T, Single>> expansion_test_;  // made when first needed
   LaneTest<Single> single_test_;
   LaneTest<T> double_test_;
-  std::vector<Undecided> open_, lost_;
+  std::vector<Undecided> open_, lost_, found_;
 };
 
 }  // namespace misalign::solver

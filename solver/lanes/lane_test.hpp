@@ -20,10 +20,11 @@ class LaneTest {
   /// `model` must outlive this object.
   explicit LaneTest(const Model& model);
 
-  /// At a place of the model's, from the base folding. States are kept if it `keeps` any.
+  /// At a place of the model's, from the base folding, its shifts grown in so many steps. States
+  /// are kept if it `keeps` any.
   template <class Rules>
   void run(int place, bool keeps, const ShiftBlock& block, std::vector<Undecided>& open,
-           Rules& rules, KeptStates& states);
+           Rules& rules, KeptStates& states, int shift_steps = 1);
   /// Once more from states that were kept at this place: what another precision left in doubt.
   template <class Rules>
   void run_again(int place, const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
@@ -38,7 +39,8 @@ class LaneTest {
 
  private:
   template <class Work>
-  void each_vector(const ShiftBlock& block, std::vector<Undecided>& open, const Work& work);
+  void each_vector(const ShiftBlock& block, std::vector<Undecided>& open, const Work& work,
+                   double share = 1);
   void take_kept(Undecided* open, int count, KeptStates& states);
   template <class Rules>
   void report_all(int place, bool keeps, Undecided* open, int count, Rules& rules,
@@ -85,13 +87,13 @@ LaneTest<T>::LaneTest(const Model& model)
 template <class T>
 template <class Work>
 void LaneTest<T>::each_vector(const ShiftBlock& block, std::vector<Undecided>& open,
-                              const Work& work) {
+                              const Work& work, double share) {
   for (std::size_t first = 0; first < open.size(); first += kLanes<T>) {
     Undecided* const sheets = open.data() + first;
     const int count = static_cast<int>(std::min<std::size_t>(kLanes<T>, open.size() - first));
     std::array<int, kLanes<T>> numbers;
     for (int i = 0; i < kLanes<T>; ++i) numbers[i] = sheets[i < count ? i : 0].sheet;
-    solver_.load(block, numbers, count);
+    solver_.load(block, numbers, count, share);
     work(sheets, count);
   }
 }
@@ -99,11 +101,18 @@ void LaneTest<T>::each_vector(const ShiftBlock& block, std::vector<Undecided>& o
 template <class T>
 template <class Rules>
 void LaneTest<T>::run(int place, bool keeps, const ShiftBlock& block, std::vector<Undecided>& open,
-                      Rules& rules, KeptStates& states) {
-  each_vector(block, open, [&](Undecided* sheets, int count) {
-    solver_.solve(place);
-    report_all(place, keeps, sheets, count, rules, states);
-  });
+                      Rules& rules, KeptStates& states, int shift_steps) {
+  each_vector(
+      block, open,
+      [&](Undecided* sheets, int count) {
+        solver_.solve(place);
+        for (int step = 2; step <= shift_steps; ++step) {
+          solver_.grow(1.0 * step / (step - 1));
+          solver_.solve_from(solver_.state(), place);
+        }
+        report_all(place, keeps, sheets, count, rules, states);
+      },
+      1.0 / shift_steps);
 }
 
 template <class T>
@@ -132,7 +141,7 @@ void LaneTest<T>::report_all(int place, bool keeps, Undecided* open, int count, 
     const auto error = solver_.length_error(place, i);
     if (!error) continue;
     const double here_deg = pilot_deg(i), base_deg = places_[place].pilot_deg;
-    if (!(here_deg <= rules.slopes_until_deg())) continue;
+    if (!(here_deg > 0 && here_deg <= rules.slopes_until_deg())) continue;
     const bool goes_on = report(place, base_deg + 2 * std::abs(here_deg - base_deg), here_deg,
                                 open[i].sheet, i, *error, rules);
     if (keeps) keep(here_deg, goes_on, rules.room_deg(here_deg), i, states.of(open[i]));

@@ -26,10 +26,14 @@ class LevelSolver {
   /// `model` and `places` must outlive this object.
   LevelSolver(const Model& model, const std::vector<TestPlace>& places);
 
-  /// Puts so many sheets of a block into lanes, by their numbers; empty lanes repeat the first.
-  void load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers, int count);
+  /// Puts so many sheets of a block into lanes, by their numbers, with this share of their shifts;
+  /// empty lanes repeat the first.
+  void load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers, int count,
+            double share = 1);
   /// The same of sheets first, first + 1, ...
   void load(const ShiftBlock& block, int first, int count);
+  /// Makes their shifts this many times as large.
+  void grow(double by);
   /// Their states, lengths and slopes at the level of a place, from the base folding.
   MISALIGN_FLATTEN void solve(int place);
   /// The same from states near them, rounded as they may be: at the levels that these have.
@@ -57,6 +61,7 @@ class LevelSolver {
   std::optional<double> length_error_ahead(int i) const;
 
  private:
+  void turn_axes();
   T correct(const std::vector<T>& level);
   void finish(const std::vector<T>& level, int place);
   T correct_slopes(int place);
@@ -123,9 +128,8 @@ void LevelSolver<T>::load(const ShiftBlock& block, int first, int count) {
 
 template <class T>
 void LevelSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers,
-                          int count) {
-  using std::sqrt;
-  const T per_width(static_cast<Real>(1 / mechanism_.panel_width_mm));
+                          int count, double share) {
+  const T per_width(static_cast<Real>(share / mechanism_.panel_width_mm));
   std::array<const double*, kLanes<T>> shifts;
   for (int i = 0; i < kLanes<T>; ++i) shifts[i] = block.of(numbers[i < count ? i : 0]);
   int k = 0;
@@ -139,6 +143,23 @@ void LevelSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<
     geometry_.y[vertex] = base_y_[vertex] + dy * per_width;
     k += 2;
   }
+  turn_axes();
+}
+
+template <class T>
+void LevelSolver<T>::grow(double by) {
+  const T times(static_cast<Real>(by));
+  for (const int vertex : model_.shifted()) {
+    geometry_.x[vertex] = base_x_[vertex] + times * (geometry_.x[vertex] - base_x_[vertex]);
+    geometry_.y[vertex] = base_y_[vertex] + times * (geometry_.y[vertex] - base_y_[vertex]);
+  }
+  turn_axes();
+}
+
+// Of the creases, from where their vertices are.
+template <class T>
+void LevelSolver<T>::turn_axes() {
+  using std::sqrt;
   for (const Crease& crease : mechanism_.creases) {
     const T dx = geometry_.x[crease.b] - geometry_.x[crease.a];
     const T dy = geometry_.y[crease.b] - geometry_.y[crease.a];

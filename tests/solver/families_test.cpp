@@ -195,7 +195,9 @@ TEST_P(Families, ThereAndBackAgain) {
     options.end_deg = family.end_deg();
     const PathPlan plan = family.plan(options);
     const ShiftBlock block = family.draws(kSheetsOfEach, kSeed);
-    ShiftHomotopy homotopy(family.mechanism, plan, family.base.sheet.vertices_mm);
+    const Elimination elimination =
+        plan_elimination(family.mechanism, family.base.folding, family.base.sheet.vertices_mm);
+    ShiftHomotopy homotopy(family.mechanism, elimination, plan, family.base.sheet.vertices_mm);
     SheetGeometry<double> geometry;
     for (int i = 0; i < block.sheets; ++i) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sheet " + std::to_string(i));

@@ -106,7 +106,7 @@ class CurvePath : public Witness {
   CurvePath(const Model& model, const solver::PathPlan& plan)
       : Witness(model, plan),
         newton_(model.mechanism()),
-        homotopy_(model.mechanism(), plan, model.base().sheet.vertices_mm) {}
+        homotopy_(model.mechanism(), model.elimination(), plan, model.base().sheet.vertices_mm) {}
 
   Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
     using solver::PathEnd;
