@@ -59,6 +59,27 @@ void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, s
   }
 }
 
+void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t first,
+                 std::uint64_t draws, double* shifts_mm) {
+  const std::size_t words = 2 * misalignment.vertices.size();
+  std::uint64_t draw = 0;
+  for (; !misalignment.parallel && draw + kDrawsAtOnce <= draws; draw += kDrawsAtOnce) {
+    double* const of_first = shifts_mm + draw * words;
+    for (std::size_t k = 0; k < words; k += 4) {
+      WordsOfDraws block;
+      philox_blocks(seed, first + draw, static_cast<std::uint32_t>(k / 4), kDrawStream, block);
+      const std::size_t count = std::min<std::size_t>(4, words - k);
+      for (std::size_t s = 0; s < kDrawsAtOnce; ++s) {
+        double* const to = of_first + s * words + k;
+        for (std::size_t i = 0; i < count; ++i) to[i] = shift_mm(misalignment, block[i][s]);
+      }
+    }
+  }
+  for (; draw < draws; ++draw) {
+    draw_shifts(misalignment, seed, first + draw, shifts_mm + draw * words);
+  }
+}
+
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  Eigen::Matrix2Xd& shifts_mm) {
   assert(misalignment.vertices.empty() || misalignment.vertices.back() < shifts_mm.cols());

@@ -14,6 +14,10 @@ namespace misalign::search {
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  double* shifts_mm, std::uint32_t stream = kDrawStream);
 
+/// The same of draws `first` and so many after it, one after the other.
+void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t first,
+                 std::uint64_t draws, double* shifts_mm);
+
 /// The same into the columns of these vertices (2 x vertices of the sheet); the others are left
 /// alone.
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "search/draws/draw.hpp"
@@ -161,11 +162,9 @@ void DrawEvaluator::make(const schema::DrawRange& range) {
   made_.numbers.resize(range.size());
   made_.shifts.sheets = static_cast<int>(range.size());
   made_.shifts.shifts_mm.resize(per_sheet * range.size());
-  double* shifts_mm = made_.shifts.shifts_mm.data();
-  for (std::uint64_t draw = range.lo; draw < range.hi; ++draw, shifts_mm += per_sheet) {
-    made_.numbers[draw - range.lo] = draw;
-    draw_shifts(campaign_.misalignment, campaign_.seed, draw, shifts_mm);
-  }
+  std::iota(made_.numbers.begin(), made_.numbers.end(), range.lo);
+  draw_shifts(campaign_.misalignment, campaign_.seed, range.lo, range.size(),
+              made_.shifts.shifts_mm.data());
 }
 
 void DrawEvaluator::certify(schema::Candidate& candidate) const {

@@ -2,6 +2,8 @@
 
 #include <Random123/philox.h>
 
+#include "search/draws/philox_lanes.hpp"
+
 namespace misalign::search {
 
 std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
@@ -12,6 +14,20 @@ std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw
   const r123::Philox4x32::key_type key = {{low(seed), high(seed)}};
   const auto words = r123::Philox4x32{}(counter, key);
   return {words[0], words[1], words[2], words[3]};
+}
+
+void philox_blocks(std::uint64_t seed, std::uint64_t first_draw, std::uint32_t block,
+                   std::uint32_t stream, WordsOfDraws& words) {
+#ifdef MISALIGN_X86
+  static const bool has_avx512 = __builtin_cpu_supports("avx512f");
+  static const bool has_avx2 = __builtin_cpu_supports("avx2");
+  if (has_avx512) return philox_avx512(seed, first_draw, block, stream, words);
+  if (has_avx2) return philox_avx2(seed, first_draw, block, stream, words);
+#endif
+  for (std::size_t draw = 0; draw < kDrawsAtOnce; ++draw) {
+    const auto of_draw = philox_block(seed, first_draw + draw, block, stream);
+    for (std::size_t i = 0; i < of_draw.size(); ++i) words[i][draw] = of_draw[i];
+  }
 }
 
 int ternary_level(std::uint32_t word) {

@@ -14,6 +14,12 @@ inline constexpr std::uint32_t kDrawStream = 0, kToleranceStream = 1, kBacklashS
 std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
                                           std::uint32_t block, std::uint32_t stream);
 
+/// The same of so many draws, one after the other: each of its words of all of them.
+inline constexpr int kDrawsAtOnce = 16;
+using WordsOfDraws = std::array<std::array<std::uint32_t, kDrawsAtOnce>, 4>;
+void philox_blocks(std::uint64_t seed, std::uint64_t first_draw, std::uint32_t block,
+                   std::uint32_t stream, WordsOfDraws& words);
+
 /// floor(3 w / 2^32) - 1.
 int ternary_level(std::uint32_t word);
 /// (w + 0.5) / 2^31 - 1, on (-1, 1).

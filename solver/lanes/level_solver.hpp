@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "solver/continuation/step.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_state.hpp"
 #include "solver/linear/level_correction.hpp"
@@ -55,7 +56,8 @@ class LevelSolver {
   /// Largest change that the tangent's misfit made to a slope.
   const T& slope_correction() const { return slope_correction_; }
   /// How far lengths in lane i may be off (panel widths); none where the state is not to be
-  /// trusted: Newton did not converge, or it lies on another branch than the base folding.
+  /// trusted: Newton did not converge, went too far from the base folding (kLongestStartShare), or
+  /// it lies on another branch.
   std::optional<double> length_error(int place, int i) const;
   /// The same of a state that was solved ahead, which must be on the same curve as before.
   std::optional<double> length_error_ahead(int i) const;
@@ -63,6 +65,7 @@ class LevelSolver {
  private:
   void turn_axes();
   T correct(const std::vector<T>& level);
+  T largest_turn() const;
   void finish(const std::vector<T>& level, int place);
   T correct_slopes(int place);
 
@@ -79,7 +82,7 @@ class LevelSolver {
   std::vector<T> residual_, y_, turn_, tangent_, lengths_, slopes_;
   SparseClosure<T> closure_;
   T first_correction_, second_correction_, orientation_, slope_correction_ = T(0);
-  T predictor_correction_ = T(0), largest_half_sine_ = T(0);
+  T from_base_ = T(0), predictor_correction_ = T(0), largest_half_sine_ = T(0);
 };
 
 template <class T>
@@ -180,12 +183,14 @@ void LevelSolver<T>::solve(int place) {
   T change(0);
   for (std::size_t j = 0; j < turn_.size(); ++j) change = change + level[j] * turn_[j];
   for (std::size_t j = 0; j < turn_.size(); ++j) turn_[j] = change * tangent[j] - turn_[j];
+  from_base_ = largest_turn();
   advance(mechanism_, turn_.data(), state_);
   finish(level, place);
 }
 
 template <class T>
 void LevelSolver<T>::solve_from(const FoldState<T>& state, int place) {
+  from_base_ = T(0);
   state_ = state;
   for (T& turn : turn_) turn = T(0);
   advance(mechanism_, turn_.data(), state_);
@@ -224,6 +229,11 @@ void LevelSolver<T>::finish(const std::vector<T>& level, int place) {
 template <class T>
 T LevelSolver<T>::correct(const std::vector<T>& level) {
   orientation_ = correct_on_level(mechanism_, geometry_, level, closure_, turn_, tangent_, state_);
+  return largest_turn();
+}
+
+template <class T>
+T LevelSolver<T>::largest_turn() const {
   T largest(0);
   for (const T& turn : turn_) largest = larger(largest, magnitude(turn));
   return largest;
@@ -231,6 +241,11 @@ T LevelSolver<T>::correct(const std::vector<T>& level) {
 
 template <class T>
 std::optional<double> LevelSolver<T>::length_error(int place, int i) const {
+  const double turned_rad =
+      lane(from_base_, i) + lane(first_correction_, i) + lane(second_correction_, i);
+  if (!(turned_rad <= kLongestStartShare * places_[place].pilot_deg * kRadPerDeg)) {
+    return std::nullopt;
+  }
   if ((lane(orientation_, i) < 0) != (places_[place].orientation < 0)) return std::nullopt;
   return newton_error(lane(first_correction_, i), lane(second_correction_, i),
                       model_.length_per_rad());

@@ -22,6 +22,38 @@ TEST(Draw, KnownAnswers) {
   EXPECT_TRUE(random_numbers_as_published());
 }
 
+// Sixteen draws side by side, on the registers that the machine has, against Random123 one by one:
+// over a carry into the draw's high half, and with every bit of key, block and stream set.
+TEST(Draw, WordsSideBySideAreThoseOneByOne) {
+  for (const std::uint64_t seed : {0ULL, 1ULL, ~0ULL, 0x299f31d0a4093822ULL}) {
+    for (const std::uint64_t first : {0ULL, (1ULL << 32) - 7, ~0ULL - 15}) {
+      for (const std::uint32_t block : {0U, 12U, ~0U}) {
+        WordsOfDraws words;
+        philox_blocks(seed, first, block, ~block, words);
+        for (std::size_t k = 0; k < kDrawsAtOnce; ++k) {
+          EXPECT_EQ((Block{words[0][k], words[1][k], words[2][k], words[3][k]}),
+                    philox_block(seed, first + k, block, ~block))
+              << "draw " << first + k;
+        }
+      }
+    }
+  }
+}
+
+// A run of draws, whole sixteens and what is left, of ternary and uniform shifts.
+TEST(Draw, ManyDrawsAreEachItsOwn) {
+  for (const auto distribution :
+       {schema::ShiftDistribution::ternary, schema::ShiftDistribution::uniform}) {
+    const schema::Misalignment some{{1, 2, 3, 5, 8, 13, 21}, 0.4, distribution};
+    std::vector<double> all(14 * 37), one(14);
+    draw_shifts(some, 5, 1000, 37, all.data());
+    for (std::uint64_t k = 0; k < 37; ++k) {
+      draw_shifts(some, 5, 1000 + k, one.data());
+      EXPECT_TRUE(std::equal(one.begin(), one.end(), all.begin() + static_cast<long>(14 * k))) << k;
+    }
+  }
+}
+
 // Contract: seed 1, draw 0 has the levels +1 +1 0 +1.
 TEST(Draw, TernaryLevelsOfTheContract) {
   const schema::Misalignment two{{8, 9}, 0.4, schema::ShiftDistribution::ternary};

@@ -39,7 +39,8 @@ class Starts : public testing::TestWithParam<double> {};
 TEST_P(Starts, AreThoseOfTheBranchOfTheBaseFolding) {
   const DrawableSheet sheets(6, 6);
   const Model model = sheets.with_threshold(1);
-  ShiftHomotopy homotopy(model.mechanism(), model.elimination(), model.path(), sheets.base.sheet.vertices_mm);
+  ShiftHomotopy homotopy(model.mechanism(), model.elimination(), model.path(),
+                         sheets.base.sheet.vertices_mm);
   const ShiftBlock block = sheets.draws(60 / kFewer, kSeed, GetParam());
   int found = 0, ended = 0;
   for (int i = 0; i < block.sheets; ++i) {
