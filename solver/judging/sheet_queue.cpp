@@ -99,8 +99,8 @@ SheetQueue::FarStart* SheetQueue::far_start(int sheet) {
 
 const SheetQueue::FarStart& SheetQueue::look_for_start(int sheet) {
   if (!homotopy_) {
-    homotopy_ = std::make_unique<ShiftHomotopy>(model_.mechanism(), model_.elimination(), model_.path(),
-                                                model_.base().sheet.vertices_mm);
+    homotopy_ = std::make_unique<ShiftHomotopy>(model_.mechanism(), model_.elimination(),
+                                                model_.path(), model_.base().sheet.vertices_mm);
   }
   block_->place(sheet, vertices_mm_);
   const PathEnd end = homotopy_->find(vertices_mm_);

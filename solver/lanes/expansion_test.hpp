@@ -279,18 +279,20 @@ void ExpansionTest<T, Single>::add_up(int group) {
 template <class T, class Single>
 void ExpansionTest<T, Single>::add_singles(int group) {
   const int vertices = expansion_->vertices();
+  const int pieces = expansion_->form() == SecondOrder::by_pairs ? 2 * kPieces : kPieces;
   Shorts* sums = reinterpret_cast<Shorts*>(sums_.data());
   for (const int sheet : asked_) {
-    const std::uint16_t* row = rows_.data() + sheet * vertices;
-    const Short* of_vertex = expansion_->single(group, 0, 0);
-    Shorts sum[2 * kPieces] = {};
-    for (int vertex = 0; vertex < vertices; ++vertex) {
-      const Shorts* const alone = reinterpret_cast<const Shorts*>(of_vertex + 2 * *row++);
-#pragma GCC unroll 8
-      for (int k = 0; k < 2 * kPieces; ++k) sum[k] += alone[k];
-      of_vertex += ShiftExpansion::kPlaces * kSums;
+    const std::uint16_t* const rows = rows_.data() + sheet * vertices;
+    for (int k = 0; k < pieces; ++k) {
+      const Short* of_vertex = expansion_->single(group, 0, 0) + k * kRow / kPieces;
+      Shorts sum = {};
+      for (int vertex = 0; vertex < vertices; ++vertex) {
+        sum += *reinterpret_cast<const Shorts*>(of_vertex + 2 * rows[vertex]);
+        of_vertex += ShiftExpansion::kPlaces * kSums;
+      }
+      sums[k] = sum;
     }
-    for (const Shorts& part : sum) *sums++ = part;
+    sums += 2 * kPieces;
   }
 }
 

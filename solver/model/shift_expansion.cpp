@@ -236,16 +236,6 @@ double ShiftExpansion::fill_products(ShiftedQuantity quantity, int diagonal, con
   return unit;
 }
 
-float ShiftExpansion::second_order(int kind, int group, const Short* sums) const {
-  const float* const unit = kinds_[kind].second_unit.data() + group * kDiagonals;
-  const Short* const second = sums + kRow + kind * kDiagonals;
-  float largest = kinds_[kind].least[static_cast<std::size_t>(group)];
-  for (int k = 0; k < kDiagonals; ++k) {
-    largest = std::max(largest, std::abs(static_cast<float>(second[k]) * unit[k]));
-  }
-  return largest;
-}
-
 void ShiftExpansion::calibrate(int group, const std::vector<Short>& sums,
                                const ShiftSample& sample) {
   const std::size_t sheets = sample.is_known.size();
@@ -292,31 +282,6 @@ ShiftExpansion::Estimate ShiftExpansion::estimate(ShiftedQuantity quantity, int 
               first[kRow] * static_cast<double>(kind.second_unit[d]),
           static_cast<double>(kind.share[d]) *
               static_cast<double>(second_order(which, diagonal / kDiagonals, sums))};
-}
-
-bool ShiftExpansion::see(int group, const Short* sums, signed char* directions) const {
-  int grows[kDiagonals] = {}, shrinks[kDiagonals] = {};
-  for (int kind = 0; kind < 2; ++kind) {
-    const float scale = second_order(kind, group, sums);
-    const Short* const first = sums + kind * kDiagonals;
-    const float* const unit = kinds_[kind].unit.data() + group * kDiagonals;
-    const float* const second_unit = kinds_[kind].second_unit.data() + group * kDiagonals;
-    const float* const share = kinds_[kind].share.data() + group * kDiagonals;
-    for (int k = 0; k < kDiagonals; ++k) {
-      const float value = static_cast<float>(first[k]) * unit[k] +
-                          static_cast<float>(first[kRow + k]) * second_unit[k];
-      const float bound = share[k] * scale;
-      grows[k] |= value > bound;
-      shrinks[k] |= value < -bound;
-    }
-  }
-  int conflicts = 0;
-  for (int k = 0; k < kDiagonals; ++k) conflicts |= grows[k] & shrinks[k];
-  const int count = diagonals_of(group);
-  for (int k = 0; k < count; ++k) {
-    directions[k] = static_cast<signed char>(grows[k] - shrinks[k]);
-  }
-  return conflicts != 0;
 }
 
 }  // namespace misalign::solver
