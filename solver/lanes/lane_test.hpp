@@ -173,7 +173,7 @@ void LaneTest<T>::run_ahead(const ShiftBlock& block, std::vector<Undecided>& ope
       const bool goes_on = report(0, farthest_deg, here_deg, sheets[i].sheet, i, *error, rules);
       keep(here_deg, goes_on, rules.room_deg(here_deg), i, kept);
       kept.step_deg = std::min(kept.step_deg, 2 * last_step_deg);
-      if (goes_on) rules.observe(sheets[i].sheet, here_deg, kept.state);
+      if (kept.tangent.back() > 0) rules.observe(sheets[i].sheet, here_deg, kept.state);
     }
   });
 }

@@ -130,6 +130,7 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
 }
 
 void RejectionTest::observe(int sheet, double pilot_deg, const FoldState<double>& state) {
+  if (decided(sheet) || !(pilot_deg <= threshold_deg_)) return;
   constexpr double least_cosine = kLeastCosine - kRejection.fold_angle_rad;
   const std::vector<Crease>& creases = model_.mechanism().creases;
   assert(state.creases.size() == creases.size());

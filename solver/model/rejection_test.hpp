@@ -108,15 +108,17 @@ class RejectionTest {
   /// Rejects the sheet if a diagonal was seen both growing and shrinking, or if its pilot has
   /// turned back short of the threshold. True if it is not decided and states beyond may tell more.
   bool observe(int sheet, const Observation& observation);
-  /// Rejects it if a crease is over-folded or lost its sign in this state of its path.
+  /// Rejects it if a crease is over-folded or lost its sign in this state of its path, short of the
+  /// threshold.
   void observe(int sheet, double pilot_deg, const FoldState<double>& state);
 
   /// Beyond, of slopes nothing is believed.
   double slopes_until_deg() const { return slopes_until_deg_; }
   /// How far it is from this pilot angle to the next one that is worth a look.
   double room_deg(double pilot_deg) const {
+    constexpr double kBefore_deg = 0.1;  // a step ends there, not beyond
     const double room = slopes_until_deg_ - pilot_deg;
-    return room > 1 ? room - 0.1 : threshold_deg_ - pilot_deg;
+    return (room > 1 ? room : threshold_deg_ - pilot_deg) - kBefore_deg;
   }
   const std::vector<Rejection>& results() const { return rejections_; }
   bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
