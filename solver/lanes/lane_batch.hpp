@@ -106,8 +106,8 @@ class LaneBatch final : public Batch {
     const bool near_tells = !expansion_test_->is_there();
     run(single_test_, kFar, true, block, open_);
     if (near_tells) run(single_test_, kNear, false, block, open_);
-    lost_.clear();
-    std::swap(open_, lost_);
+    lost_ = open_;
+    open_.clear();
     take_found(kFar, block);
     run(single_test_, kMiddle, true, block, lost_);
     take_found(kMiddle, block);
