@@ -2,8 +2,6 @@
 
 #include <Random123/philox.h>
 
-#include "search/draws/philox_lanes.hpp"
-
 namespace misalign::search {
 
 std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
@@ -19,9 +17,7 @@ std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw
 void philox_blocks(std::uint64_t seed, std::uint64_t first_draw, std::uint32_t block,
                    std::uint32_t stream, WordsOfDraws& words) {
 #ifdef MISALIGN_X86
-  static const bool has_avx512 = __builtin_cpu_supports("avx512f");
   static const bool has_avx2 = __builtin_cpu_supports("avx2");
-  if (has_avx512) return philox_avx512(seed, first_draw, block, stream, words);
   if (has_avx2) return philox_avx2(seed, first_draw, block, stream, words);
 #endif
   for (std::size_t draw = 0; draw < kDrawsAtOnce; ++draw) {

@@ -19,6 +19,9 @@ inline constexpr int kDrawsAtOnce = 16;
 using WordsOfDraws = std::array<std::array<std::uint32_t, kDrawsAtOnce>, 4>;
 void philox_blocks(std::uint64_t seed, std::uint64_t first_draw, std::uint32_t block,
                    std::uint32_t stream, WordsOfDraws& words);
+/// The same in a file with flags of its own: only where the machine has AVX2.
+void philox_avx2(std::uint64_t seed, std::uint64_t first_draw, std::uint32_t block,
+                 std::uint32_t stream, WordsOfDraws& words);
 
 /// floor(3 w / 2^32) - 1.
 int ternary_level(std::uint32_t word);

@@ -84,7 +84,7 @@ class ExpansionTest {
 template <class T, class Single>
 ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(model.ternary_mm()) {
   const SecondOrder form =
-      sizeof(T) == 64 && multiplies_bytes() ? SecondOrder::by_products : SecondOrder::by_pairs;
+      sizeof(T) == 64 && ProductSums::are_fast() ? SecondOrder::by_products : SecondOrder::by_pairs;
   // With springs beside the vertices unshifted sheets elongate too: expansions have no such term.
   if (model.ternary_mm() <= 0 || model.shifted().empty() || model.tests().empty() ||
       !model.mechanism().springs.at_vertices() ||

@@ -1,20 +1,23 @@
 # A function that any other file might call is compiled for every machine: what the files of the wider
-# instruction sets define for the linker works on their own registers, or makes the batch. Otherwise the
+# instruction sets define for the linker works on their own registers, or is what they are called for. Otherwise the
 # linker could keep the copy of an inline function that the machine at hand cannot run. Data (vtables,
 # typeinfo) has no instructions. Only where functions are inlined: called with the object files of a
 # release build.
 set -u
 failures=0
-for set in avx2 avx512; do
+# Of each file, by name: its set, what it is called for, and what is its own beside that.
+for row in 'lanes_avx2 make_avx2_batch xsimd::avx2' 'lanes_avx512 make_avx512_batch xsimd::avx512' \
+  'product_sums_vnni add_products_vnni' 'philox_avx2 philox_avx2'; do
+  read -r name makes own <<< "$row"
   object=
   for file in "$@"; do
-    case $file in *lanes_"$set".cpp.*) object=$file ;; esac
+    case $file in */"$name".cpp.*) object=$file ;; esac
   done
-  [ -n "$object" ] || { echo "FAILED: no object file of $set"; exit 1; }
+  [ -n "$object" ] || { echo "FAILED: no object file of $name"; exit 1; }
   functions=$(nm --demangle --defined-only "$object" | grep ' [TWi] ')
-  echo "$set: $(echo "$functions" | grep -c "xsimd::$set") functions on its registers"
-  echo "$functions" | grep -q "make_${set}_batch(" || { echo "FAILED: $set makes no batch"; failures=1; }
-  foreign=$(echo "$functions" | grep -v "xsimd::$set\|make_${set}_batch(")
-  [ -z "$foreign" ] || { echo "FAILED: $set defines for every machine:"; echo "$foreign"; failures=1; }
+  echo "$name: $(echo "$functions" | wc -l) functions"
+  echo "$functions" | grep -q "::$makes(" || { echo "FAILED: $name has no $makes"; failures=1; }
+  foreign=$(echo "$functions" | grep -v "::$makes(${own:+\\|$own}")
+  [ -z "$foreign" ] || { echo "FAILED: $name defines for every machine:"; echo "$foreign"; failures=1; }
 done
 exit $failures
