@@ -13,7 +13,7 @@ KeptState& KeptStates::of(Undecided& sheet) {
   if (sheet.kept_state < 0) sheet.kept_state = count_++;
   if (sheet.kept_state == std::ssize(states_)) {
     states_.push_back({flat_state<double>(mechanism_),
-                       std::vector<double>(static_cast<std::size_t>(mechanism_.unknowns)), 0, 0,
+                       std::vector<double>(static_cast<std::size_t>(mechanism_.unknowns)), 0, 0, 0,
                        false});
   }
   return states_[sheet.kept_state];

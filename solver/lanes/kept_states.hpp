@@ -17,7 +17,8 @@ struct KeptState {
   FoldState<double> state;
   std::vector<double> tangent;  ///< of unit length, one per unknown, away from flat
   double pilot_deg;
-  double step_deg;  ///< by which to go on, of the base folding's pilot
+  double step_deg;  ///< by which to go on, of the base folding's pilot ...
+  int to_sample;    ///< ... and exactly to this sample; 0: to none
   bool goes_on;     ///< whether states beyond may tell more
 };
 

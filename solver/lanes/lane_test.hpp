@@ -29,8 +29,8 @@ class LaneTest {
   template <class Rules>
   void run_again(int place, const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
                  KeptStates& states);
-  /// From the states that are kept one step along their tangents: the farther, the shorter. A sheet
-  /// that loses its way does not go on.
+  /// From the states that are kept one step along their tangents, the farther the shorter, and to
+  /// each of the last samples. A step that loses its way is halved.
   template <class Rules>
   void run_ahead(const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
                  KeptStates& states);
@@ -46,9 +46,10 @@ class LaneTest {
   void report_all(int place, bool keeps, Undecided* open, int count, Rules& rules,
                   KeptStates& states);
   template <class Rules>
-  bool report(int place, double reach_deg, double pilot_deg, int sheet, int i, double error,
-              Rules& rules);
-  void keep(double pilot_deg, bool goes_on, double room_deg, int i, KeptState& kept) const;
+  bool report(int place, double farthest_deg, double pilot_deg, int sample, int sheet, int i,
+              double error, Rules& rules);
+  void keep(double pilot_deg, bool goes_on, int next_sample, double longest_deg, int i,
+            KeptState& kept) const;
   double pilot_deg(int i) const {
     const auto& pilot = solver_.state().creases[mechanism_.pilot];
     return angle_deg(HalfAngle<double>{lane(pilot.c, i), lane(pilot.s, i)});
@@ -56,12 +57,14 @@ class LaneTest {
 
   const Mechanism& mechanism_;
   const std::vector<TestPlace>& places_;
+  const double sample_deg_;
   LevelSolver<T> solver_;
   std::vector<double> rounding_;  // per place
   double way_per_level_;          // of the base folding at the far place
   FoldState<T> start_;
   std::vector<T> flat_, tangent_;
-  T step_ = T(0);
+  T step_ = T(0), lands_ = T(0);
+  HalfAngle<T> pilot_{T(1), T(0)};
   std::vector<double> lane_flat_, lane_lengths_, lane_slopes_;
   Effort effort_;
 };
@@ -70,6 +73,7 @@ template <class T>
 LaneTest<T>::LaneTest(const Model& model)
     : mechanism_(model.mechanism()),
       places_(model.tests()),
+      sample_deg_(model.sample_deg()),
       solver_(model, places_),
       way_per_level_(places_.empty() ? 0 : norm_of(places_.front().tangent)),
       start_(flat_state<T>(mechanism_)),
@@ -142,9 +146,11 @@ void LaneTest<T>::report_all(int place, bool keeps, Undecided* open, int count, 
     if (!error) continue;
     const double here_deg = pilot_deg(i), base_deg = places_[place].pilot_deg;
     if (!(here_deg > 0 && here_deg <= rules.slopes_until_deg())) continue;
-    const bool goes_on = report(place, base_deg + 2 * std::abs(here_deg - base_deg), here_deg,
+    const bool goes_on = report(place, base_deg + 2 * std::abs(here_deg - base_deg), here_deg, 0,
                                 open[i].sheet, i, *error, rules);
-    if (keeps) keep(here_deg, goes_on, rules.room_deg(here_deg), i, states.of(open[i]));
+    if (keeps) {
+      keep(here_deg, goes_on, rules.next_sample(here_deg), kLongestStep_deg, i, states.of(open[i]));
+    }
   }
 }
 
@@ -154,7 +160,7 @@ void LaneTest<T>::run_ahead(const ShiftBlock& block, std::vector<Undecided>& ope
                             KeptStates& states) {
   each_vector(block, open, [&](Undecided* sheets, int count) {
     take_kept(sheets, count, states);
-    solver_.solve_ahead(start_, tangent_, step_, 0);
+    solver_.solve_ahead(start_, tangent_, step_, lands_, pilot_, 0);
     for (int i = 0; i < count; ++i) {
       KeptState& kept = states.of(sheets[i]);
       effort_.solves += 1;
@@ -162,17 +168,18 @@ void LaneTest<T>::run_ahead(const ShiftBlock& block, std::vector<Undecided>& ope
       const auto error = solver_.length_error_ahead(i);
       if (!error) {
         kept.step_deg /= 2;
+        kept.to_sample = 0;
         kept.goes_on = kept.step_deg >= kShortestStep_deg;
         continue;
       }
-      const double here_deg = pilot_deg(i);
+      const int sample = kept.to_sample;
+      const double here_deg = sample > 0 ? sample * sample_deg_ : pilot_deg(i);
       const double farthest_deg =
           farthest_between(kept.pilot_deg, kept.tangent.back(), here_deg,
                            lane(solver_.tangent().back(), i), lane(step_, i) / kRadPerDeg);
-      const double last_step_deg = kept.step_deg;
-      const bool goes_on = report(0, farthest_deg, here_deg, sheets[i].sheet, i, *error, rules);
-      keep(here_deg, goes_on, rules.room_deg(here_deg), i, kept);
-      kept.step_deg = std::min(kept.step_deg, 2 * last_step_deg);
+      const bool goes_on =
+          report(0, farthest_deg, here_deg, sample, sheets[i].sheet, i, *error, rules);
+      keep(here_deg, goes_on, rules.next_sample(here_deg), 2 * kept.step_deg, i, kept);
       if (kept.tangent.back() > 0) rules.observe(sheets[i].sheet, here_deg, kept.state);
     }
   });
@@ -188,14 +195,18 @@ void LaneTest<T>::take_kept(Undecided* open, int count, KeptStates& states) {
       lane(tangent_[j], i) = static_cast<Scalar<T>>(kept.tangent[j]);
     }
     lane(step_, i) = static_cast<Scalar<T>>(kept.step_deg * kRadPerDeg * way_per_level_);
+    lane(lands_, i) = static_cast<Scalar<T>>(kept.to_sample);
+    const HalfAngle<double> pilot = half_angle_of_deg(kept.to_sample * sample_deg_);
+    lane(pilot_.c, i) = static_cast<Scalar<T>>(pilot.c);
+    lane(pilot_.s, i) = static_cast<Scalar<T>>(pilot.s);
   }
 }
 
 // Whether states beyond may tell more.
 template <class T>
 template <class Rules>
-bool LaneTest<T>::report(int place, double reach_deg, double pilot_deg, int sheet, int i,
-                         double error, Rules& rules) {
+bool LaneTest<T>::report(int place, double farthest_deg, double pilot_deg, int sample, int sheet,
+                         int i, double error, Rules& rules) {
   for (std::size_t k = 0; k < lane_lengths_.size(); ++k) {
     lane_lengths_[k] = lane(solver_.lengths()[k], i);
     lane_slopes_[k] = lane(solver_.slopes()[k], i);
@@ -203,21 +214,23 @@ bool LaneTest<T>::report(int place, double reach_deg, double pilot_deg, int shee
   const double pilot_rate = lane(solver_.tangent().back(), i);
   return rules.observe(
       sheet,
-      {pilot_deg, pilot_rate, reach_deg, lane_lengths_.data(), error + rounding_[place],
+      {pilot_deg, sample, pilot_rate, farthest_deg, lane_lengths_.data(), error + rounding_[place],
        lane_slopes_.data(), slope_error(lane(solver_.slope_correction(), i)) + rounding_[place]});
 }
 
 template <class T>
-void LaneTest<T>::keep(double pilot_deg, bool goes_on, double room_deg, int i,
+void LaneTest<T>::keep(double pilot_deg, bool goes_on, int next_sample, double longest_deg, int i,
                        KeptState& kept) const {
   copy_lane(solver_.state(), i, kept.state);
   for (std::size_t j = 0; j < tangent_.size(); ++j) kept.tangent[j] = lane(solver_.tangent()[j], i);
   const double length = norm_of(kept.tangent);
   for (double& rate : kept.tangent) rate /= length;
   kept.pilot_deg = pilot_deg;
-  const double to_there_deg = room_deg / (way_per_level_ * kept.tangent.back());
-  kept.step_deg = step_ahead_deg(pilot_deg, places_.front().pilot_deg);
-  if (to_there_deg > kShortestStep_deg) kept.step_deg = std::min(kept.step_deg, to_there_deg);
+  const double to_sample_deg =
+      (next_sample * sample_deg_ - pilot_deg) / (way_per_level_ * kept.tangent.back());
+  kept.step_deg = std::min(step_ahead_deg(pilot_deg, places_.front().pilot_deg), longest_deg);
+  kept.to_sample = to_sample_deg > 0 && to_sample_deg <= kept.step_deg ? next_sample : 0;
+  if (kept.to_sample > 0) kept.step_deg = to_sample_deg;
   kept.goes_on = goes_on;
 }
 

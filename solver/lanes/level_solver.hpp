@@ -40,9 +40,10 @@ class LevelSolver {
   /// The same from states near them, rounded as they may be: at the levels that these have.
   MISALIGN_FLATTEN void solve_from(const FoldState<T>& state, int place);
   /// The same from other states, turned by so much (rad; one per lane) along their unit tangents,
-  /// across which they are corrected.
+  /// across which they are corrected; or in lanes where `lands` is positive with this pilot held.
   MISALIGN_FLATTEN void solve_ahead(const FoldState<T>& state, const std::vector<T>& tangent,
-                                    const T& by_rad, int place);
+                                    const T& by_rad, const T& lands, const HalfAngle<T>& pilot,
+                                    int place);
 
   const SheetGeometry<T>& geometry() const { return geometry_; }
   const FoldState<T>& state() const { return state_; }
@@ -79,10 +80,11 @@ class LevelSolver {
   std::vector<T> base_x_, base_y_;
   SheetGeometry<T> geometry_;
   FoldState<T> state_;
-  std::vector<T> residual_, y_, turn_, tangent_, lengths_, slopes_;
+  std::vector<T> residual_, y_, row_, turn_, tangent_, lengths_, slopes_;
   SparseClosure<T> closure_;
   T first_correction_, second_correction_, orientation_, slope_correction_ = T(0);
-  T from_base_ = T(0), predictor_correction_ = T(0), largest_half_sine_ = T(0);
+  T from_base_ = T(0), predictor_correction_ = T(0);
+  T largest_half_sine_ = T(0), goes_forward_ = T(0);
 };
 
 template <class T>
@@ -94,6 +96,7 @@ LevelSolver<T>::LevelSolver(const Model& model, const std::vector<TestPlace>& pl
       state_(flat_state<T>(mechanism_)),
       residual_(mechanism_.equations, T(0)),
       y_(mechanism_.unknowns, T(0)),
+      row_(y_),
       turn_(y_),
       tangent_(y_),
       lengths_(mechanism_.diagonals.size(), T(0)),
@@ -199,16 +202,25 @@ void LevelSolver<T>::solve_from(const FoldState<T>& state, int place) {
 
 template <class T>
 void LevelSolver<T>::solve_ahead(const FoldState<T>& state, const std::vector<T>& tangent,
-                                 const T& by_rad, int place) {
+                                 const T& by_rad, const T& lands, const HalfAngle<T>& pilot,
+                                 int place) {
   state_ = state;
+  for (std::size_t j = 0; j < row_.size(); ++j) row_[j] = select(lands > T(0), T(0), tangent[j]);
+  row_.back() = select(lands > T(0), T(1), tangent.back());
   // As 2 tan(turn / 2), to third order, because `advance` turns by 2 atan of half its entry.
   for (std::size_t j = 0; j < turn_.size(); ++j) {
     const T turn = by_rad * tangent[j];
     turn_[j] = turn + turn * turn * turn * T(static_cast<Real>(1.0 / 12));
   }
   advance(mechanism_, turn_.data(), state_);
-  predictor_correction_ = correct(tangent);
-  finish(tangent, place);
+  HalfAngle<T>& here = state_.creases[mechanism_.pilot];
+  here = {select(lands > T(0), pilot.c, here.c), select(lands > T(0), pilot.s, here.s)};
+  predictor_correction_ = correct(row_);
+  finish(row_, place);
+  goes_forward_ = T(0);
+  for (std::size_t j = 0; j < tangent.size(); ++j) {
+    goes_forward_ = goes_forward_ + tangent[j] * tangent_[j];
+  }
   largest_half_sine_ = T(0);
   for (std::size_t k = 0; k < state.creases.size(); ++k) {
     largest_half_sine_ = larger(largest_half_sine_,
@@ -256,7 +268,8 @@ std::optional<double> LevelSolver<T>::length_error_ahead(int i) const {
   const double corrected_rad =
       lane(predictor_correction_, i) + lane(first_correction_, i) + lane(second_correction_, i);
   if (!(corrected_rad <= kRejection.longest_correction_rad) ||
-      !(lane(largest_half_sine_, i) <= kRejection.longest_half_sine)) {
+      !(lane(largest_half_sine_, i) <= kRejection.longest_half_sine) ||
+      !(lane(goes_forward_, i) > 0)) {
     return std::nullopt;
   }
   return newton_error(lane(first_correction_, i), lane(second_correction_, i),

@@ -33,8 +33,8 @@ double slope_error(double correction) {
 }
 
 double step_ahead_deg(double pilot_deg, double far_deg) {
-  constexpr double kShortest_deg = 2.5, kLongest_deg = 7.5;
-  return std::clamp(kShortest_deg + (far_deg - pilot_deg) / 4, kShortest_deg, kLongest_deg);
+  constexpr double kBeyondFar_deg = 2.5;
+  return std::clamp(kBeyondFar_deg + (far_deg - pilot_deg) / 4, kBeyondFar_deg, kLongestStep_deg);
 }
 
 double farthest_between(double from_deg, double from_rate, double to_deg, double to_rate,
@@ -64,6 +64,7 @@ void RejectionTest::begin(int sheets) {
   flat_.resize(count * diagonals_);
   earlier_.resize(count * diagonals_);
   earlier_deg_.assign(count, 0);
+  earlier_exact_.assign(count, false);
   earlier_error_.assign(count, 0);
   direction_.assign(count * diagonals_, 0);
 }
@@ -79,6 +80,11 @@ void RejectionTest::expect(int sheet, const signed char* directions, bool both, 
               direction_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
 }
 
+int RejectionTest::next_sample(double pilot_deg) const {
+  return std::max(last_sample_of_slopes(model_.threshold_sample(), model_.sample_deg()),
+                  static_cast<int>(pilot_deg / model_.sample_deg() * (1 + 1e-12)) + 1);
+}
+
 bool RejectionTest::observe(int sheet, const Observation& seen) {
   assert(sheet >= 0 && static_cast<std::size_t>(sheet) < rejections_.size());
   if (decided(sheet)) return false;
@@ -87,16 +93,17 @@ bool RejectionTest::observe(int sheet, const Observation& seen) {
     return false;
   }
   if (!(seen.pilot_rate > 0 && seen.pilot_deg <= threshold_deg_)) return false;
-  if (!(seen.pilot_deg <= slopes_until_deg_)) return true;
+  if (seen.sample == 0 && !(seen.pilot_deg <= slopes_until_deg_)) return true;
   if (sees_both(sheet, seen)) {
     rejections_[sheet] = {Fault::not_monotone, sample_of(seen.pilot_deg)};
     return false;
   }
   earlier_deg_[sheet] = seen.pilot_deg;
+  earlier_exact_[sheet] = seen.sample > 0;
   earlier_error_[sheet] = seen.length_error;
   std::copy_n(seen.lengths, diagonals_,
               earlier_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
-  return true;
+  return seen.pilot_deg < threshold_deg_;
 }
 
 bool RejectionTest::sees_both(int sheet, const Observation& now) {
@@ -108,10 +115,14 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
   // Of so many steps one at least is longer than the band.
   const double flat_margin = now.length_error + kStepBand_widths * model_.threshold_sample();
   const double earlier_margin = flat_margin + earlier_error_[sheet];
-  const bool slopes_count = model_.sample_deg() <= kRejection.longest_sample_for_slopes_deg;
+  const bool slopes_count = model_.sample_deg() <= kRejection.longest_sample_for_slopes_deg &&
+                            now.pilot_deg <= slopes_until_deg_;
   const double slope_margin =
       now.slope_error + kRejection.least_slope_widths_per_deg / kRadPerDeg * now.pilot_rate;
+  // What a diagonal may still do on its way to a sample is left to it.
   const double of_a_sample = model_.sample_deg() * kRadPerDeg / now.pilot_rate;
+  const int ways = now.sample > 0 ? 0 : 1;
+  const int ways_since = now.sample > 0 && earlier_exact_[sheet] ? 0 : 2;
   for (std::size_t i = 0; i < diagonals_; ++i) {
     bool grows = direction_[first + i] > 0, shrinks = direction_[first + i] < 0;
     const auto moved = [&](double by, double margin) {
@@ -119,9 +130,10 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
       shrinks = shrinks || by < -margin;
     };
     const double next = std::abs(now.slopes[i]) * of_a_sample;
-    moved(now.lengths[i] - flat_[first + i], flat_margin + next);
-    if (has_earlier)
-      moved(since * (now.lengths[i] - earlier_[first + i]), earlier_margin + 2 * next);
+    moved(now.lengths[i] - flat_[first + i], flat_margin + ways * next);
+    if (has_earlier) {
+      moved(since * (now.lengths[i] - earlier_[first + i]), earlier_margin + ways_since * next);
+    }
     if (slopes_count) moved(now.slopes[i], slope_margin);
     if (grows && shrinks) return true;
     direction_[first + i] = static_cast<signed char>(grows ? 1 : shrinks ? -1 : 0);

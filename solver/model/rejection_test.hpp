@@ -62,6 +62,7 @@ struct Rejection {
 /// One state of a sheet, its diagonals in panel widths and per radian of the way along its path.
 struct Observation {
   double pilot_deg;
+  int sample;           ///< that it is at exactly; 0: at none
   double pilot_rate;    ///< how the pilot changes along that way; not positive: it turned back
   double farthest_deg;  ///< no farther had the pilot been on the way here
   const double* lengths;
@@ -82,7 +83,7 @@ double rounding_error(double epsilon, double extent, const TestPlace& test);
 /// pilot); sheets depart from the base folding at `far_deg`.
 double step_ahead_deg(double pilot_deg, double far_deg);
 /// Steps that lose the way are halved, down to this one.
-inline constexpr double kShortestStep_deg = 0.5;
+inline constexpr double kShortestStep_deg = 0.5, kLongestStep_deg = 7.5;
 /// How far a pilot gets between two states `step` apart on a path (deg), where it changes at these
 /// rates: where the path's tangents meet, and half as much again.
 double farthest_between(double from_deg, double from_rate, double to_deg, double to_rate,
@@ -114,12 +115,9 @@ class RejectionTest {
 
   /// Beyond, of slopes nothing is believed.
   double slopes_until_deg() const { return slopes_until_deg_; }
-  /// How far it is from this pilot angle to the next one that is worth a look.
-  double room_deg(double pilot_deg) const {
-    constexpr double kBefore_deg = 0.1;  // a step ends there, not beyond
-    const double room = slopes_until_deg_ - pilot_deg;
-    return (room > 1 ? room : threshold_deg_ - pilot_deg) - kBefore_deg;
-  }
+  /// The next sample beyond this pilot angle that is worth a look exactly there, where slopes are
+  /// not enough: the last one whose slopes count, and each after it.
+  int next_sample(double pilot_deg) const;
   const std::vector<Rejection>& results() const { return rejections_; }
   bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
 
@@ -127,8 +125,9 @@ class RejectionTest {
   bool sees_both(int sheet, const Observation& observation);
 
   const Model& model_;
+  /// The first sample that is not before it.
   int sample_of(double pilot_deg) const {
-    return static_cast<int>(pilot_deg / model_.sample_deg()) + 1;
+    return static_cast<int>(std::ceil(pilot_deg / model_.sample_deg() * (1 - 1e-12)));
   }
 
   const std::size_t diagonals_;
@@ -136,6 +135,7 @@ class RejectionTest {
   std::vector<Rejection> rejections_;
   std::vector<double> flat_, earlier_;  // per sheet and diagonal
   std::vector<double> earlier_deg_;     // per sheet: pilot; 0: nothing seen yet
+  std::vector<char> earlier_exact_;     // per sheet: whether that is a sample's
   std::vector<double> earlier_error_;   // per sheet
   std::vector<signed char> direction_;  // per sheet and diagonal; 0: not seen to move
 };

@@ -77,12 +77,12 @@ class RejectionRules : public testing::Test {
     std::array<double, 4> lengths = flat_, slopes = {};
     lengths[2] += by;
     slopes[2] = slope;
-    rejection.observe(kSheet, {sample * sample_deg_, 1, 0, lengths.data(), length_error,
-                               slopes.data(), slope_error});
+    rejection.observe(kSheet, {sample * sample_deg_, is_exact_ ? sample : 0, 1, 0, lengths.data(),
+                               length_error, slopes.data(), slope_error});
     EXPECT_FALSE(rejection.decided(0));
     if (rejection.decided(kSheet)) {
       EXPECT_EQ(words(rejection.results()[kSheet]),
-                "not_monotone at sample " + std::to_string(sample + 1));
+                "not_monotone at sample " + std::to_string(sample));
     }
     return rejection.decided(kSheet);
   }
@@ -99,6 +99,7 @@ class RejectionRules : public testing::Test {
   const double band_ = kStepBand_widths * kThreshold;
   RejectionTest rejection_{model_};
   double sample_deg_ = 1;
+  bool is_exact_ = false;
 };
 
 TEST_F(RejectionRules, GrownThenShrunkIsRejected) {
@@ -190,6 +191,28 @@ TEST_F(RejectionRules, SlopesAreIgnoredNextToTheThreshold) {
   EXPECT_EQ(last_sample_of_slopes(1500, 0.1), 1480);
 }
 
+// What is known of the last samples themselves is their lengths: from flat, from one to the next,
+// and however steep; between them it is nothing.
+TEST_F(RejectionRules, LengthsCountAtTheLastSamplesOnly) {
+  for (const bool exact : {false, true}) {
+    is_exact_ = exact;
+    for (const int sample : {kThreshold - 1, kThreshold}) {
+      begin(rejection_);
+      EXPECT_FALSE(rejects(100, 1e-3));
+      EXPECT_EQ(rejects(sample, -1.02 * band_, 0.1), exact) << "shorter than flat";
+      for (const double share : {0.98, 1.02}) {
+        begin(rejection_);
+        EXPECT_FALSE(rejects(sample - 1, 1e-3, 0.1));
+        EXPECT_EQ(rejects(sample, 1e-3 - share * band_, -0.1), exact && share > 1);
+      }
+    }
+  }
+  EXPECT_EQ(rejection_.next_sample(100.5), kThreshold - 2);
+  EXPECT_EQ(rejection_.next_sample(kThreshold - 2), kThreshold - 1);
+  EXPECT_EQ(rejection_.next_sample(kThreshold - 1.5), kThreshold - 1);
+  EXPECT_EQ(rejection_.next_sample(kThreshold - 1), kThreshold);
+}
+
 TEST_F(RejectionRules, SlopesAreIgnoredForCoarseSamples) {
   for (const double sample_deg : {1.0, 2.0, 2.5, 5.0}) {
     PathPlanOptions path;
@@ -239,7 +262,7 @@ TEST_F(RejectionRules, OverFoldMarginFromBothSides) {
     state.creases[5] = half_angle_of_deg(sign * (180 + share * (kOverFoldBand_deg + margin_deg)));
     rejection_.observe(kSheet, 120, state);
     EXPECT_EQ(words(rejection_.results()[kSheet]),
-              share > 1 ? "over_folded at sample 121" : "none at sample 0");
+              share > 1 ? "over_folded at sample 120" : "none at sample 0");
     EXPECT_FALSE(rejection_.decided(0));
   }
 }
@@ -251,7 +274,7 @@ TEST_F(RejectionRules, LostSignFromBothSides) {
     state.creases[3].s = -share * 1e-8 * model_.mechanism().creases[3].assignment;
     rejection_.observe(kSheet, 120, state);
     EXPECT_EQ(words(rejection_.results()[kSheet]),
-              share > 1 ? "assignment_flipped at sample 121" : "none at sample 0");
+              share > 1 ? "assignment_flipped at sample 120" : "none at sample 0");
   }
 }
 
@@ -260,16 +283,16 @@ TEST_F(RejectionRules, LimitMarginFromBothSides) {
   for (const double below_deg : {0.0, margin_deg - 1e-9, margin_deg + 1e-9, 20.5}) {
     begin(rejection_);
     EXPECT_FALSE(rejection_.observe(
-        kSheet, {100, -0.1, kThreshold - below_deg, flat_.data(), 0, flat_.data(), 0}));
+        kSheet, {100, 0, -0.1, kThreshold - below_deg, flat_.data(), 0, flat_.data(), 0}));
     EXPECT_EQ(words(rejection_.results()[kSheet]),
-              below_deg > margin_deg ? "fold_limit at sample 101" : "none at sample 0");
+              below_deg > margin_deg ? "fold_limit at sample 100" : "none at sample 0");
   }
 }
 
 TEST_F(RejectionRules, APilotThatGoesOnIsNoReason) {
   for (const double rate : {0.1, kNan}) {
     begin(rejection_);
-    EXPECT_EQ(rejection_.observe(kSheet, {100, rate, 0, flat_.data(), 0, flat_.data(), 1e3}),
+    EXPECT_EQ(rejection_.observe(kSheet, {100, 0, rate, 0, flat_.data(), 0, flat_.data(), 1e3}),
               rate > 0);
     EXPECT_FALSE(rejection_.decided(kSheet));
   }
