@@ -1,79 +1,184 @@
 // A homotopy in the shifts (Allgower & Georg, Introduction to Numerical Continuation Methods, ch.
-// 1), for a sheet too far from the base for Newton's method: from the base sheet to the sheet
+// 1), for sheets too far from the base for Newton's method: from the base sheet to the sheet
 // itself, the shifts growing from nothing to all of themselves, the pilot held at the first
-// station. It is a path like any other, whose pilot is the share of the shifts.
+// station. It is a path like any other, whose pilot is the share of the shifts; as many are
+// followed side by side as there are lanes.
 #pragma once
+
+#include <array>
+#include <span>
 
 #include "solver/continuation/path_follower.hpp"
 #include "solver/linear/sparse_lu.hpp"
 
 namespace misalign::solver {
 
-/// Loop closure of the sheet with a share of its shifts, factored in the fixed order. The pilot
+/// A sheet that is far from the base, and what the homotopy says of it. end_reached: `state` is its
+/// path's own at the first station. fold_limit: the branch of the base folding turns before the
+/// shifts are whole, so this sheet has no such folding next to flat. Otherwise neither was found: a
+/// numerical failure.
+struct FarStart {
+  explicit FarStart(const Mechanism& mechanism) : state(flat_state<double>(mechanism)) {}
+
+  int sheet = 0;  ///< its number, for whoever asks
+  SheetGeometry<double> geometry;
+  PathEnd end = PathEnd::start_lost;
+  FoldState<double> state;
+};
+
+class StartFinder {
+ public:
+  virtual ~StartFinder();
+  /// Of all these sheets.
+  virtual void find(std::span<FarStart> sheets) = 0;
+};
+
+/// Loop closure of sheets with a share of their shifts, factored in the fixed order. The pilot
 /// crease of a state stands for the share: half_sine / that of the first station. The joint itself
 /// is held there; its column of the Jacobian is the share's, which is in every equation and so kept
-/// beside the sparse factors.
-class GrowingShifts {
+/// beside the sparse factors. As a PathFollower wants it, like SparseClosure.
+template <class T>
+class ShareClosure {
  public:
-  /// All must outlive this object.
-  GrowingShifts(const Mechanism& mechanism, const Elimination& elimination,
-                const HalfAngle<double>& pilot, const FlatVertices& base_vertices_mm);
-
-  /// The sheet whose shifts grow.
-  void begin(const FlatVertices& vertices_mm) { shifts_mm_ = vertices_mm - base_vertices_mm_; }
-
-  double linearize(const FoldState<double>& state);
-  void solve(double is_free, double* x, double* null);
-  double orientation() const { return lu_.orientation(); }
-
- private:
-  void place_at(double share);
-  void solve_with(double of_residual, double partner, double share, double* x);
-
-  const Mechanism& mechanism_;
-  const HalfAngle<double> pilot_;
-  const FlatVertices& base_vertices_mm_;
-  SparseLu<double> lu_;
-  FlatVertices shifts_mm_, vertices_mm_;
-  SheetGeometry<double> geometry_;
-  FoldState<double> state_;
-  // Per equation, with room for one more: the residual and the share's column, then L y of each.
-  std::vector<double> residual_, before_, after_, of_residual_, of_share_, work_;
-};
-
-/// As a PathFollower wants it, like SparseClosure.
-struct ShareClosure {
-  GrowingShifts* shifts;
+  /// `mechanism` and `elimination` must outlive this object.
+  ShareClosure(const Mechanism& mechanism, const Elimination& elimination,
+               const HalfAngle<double>& pilot, const FlatVertices& base_vertices_mm)
+      : mechanism_(mechanism),
+        pilot_{T(pilot.c), T(pilot.s)},
+        base_(lane_geometry<T>(mechanism)),
+        geometry_(base_),
+        lu_(elimination),
+        state_(flat_state<T>(mechanism)),
+        residual_(static_cast<std::size_t>(mechanism.unknowns), T(0)),
+        before_(residual_),
+        after_(residual_),
+        of_residual_(residual_),
+        of_share_(residual_),
+        work_(residual_) {
+    SheetGeometry<double> base;
+    place(mechanism, base_vertices_mm, base);
+    for (int i = 0; i < kLanes<T>; ++i) put_lane(base, base_, i);
+  }
 
   void restart(int) {}
-  double linearize(const SheetGeometry<double>&, const FoldState<double>& state) {
-    return shifts->linearize(state);
-  }
-  void solve(double is_free, double* x, double* null) { shifts->solve(is_free, x, null); }
-  double orientation() const { return shifts->orientation(); }
-};
-
-class ShiftHomotopy {
- public:
-  /// All must outlive this object. `base_vertices_mm` are those of the unshifted sheet.
-  ShiftHomotopy(const Mechanism& mechanism, const Elimination& elimination, const PathPlan& plan,
-                const FlatVertices& base_vertices_mm);
-
-  /// Follows the branch to the sheet with these vertices. end_reached: state() is the path's own
-  /// state at the first station. fold_limit: the branch of the base folding turns before the shifts
-  /// are whole, so this sheet has no such folding next to flat. Otherwise neither was found: a
-  /// numerical failure.
-  PathEnd find(const FlatVertices& vertices_mm);
-  const FoldState<double>& state() const { return state_; }
+  T linearize(const SheetGeometry<T>& sheet, const FoldState<T>& state);
+  void solve(const T& is_free, T* x, T* null);
+  T orientation() const { return lu_.orientation(); }
 
  private:
+  // For the residual's rate of change with the share: error 1e-10 of it, which only bends the
+  // tangent.
+  static constexpr double kDifference = 1e-5;
+
+  void place_at(const T& share, const SheetGeometry<T>& sheet);
+  void solve_with(const T& of_residual, const T& partner, const T& share, T* x);
+
   const Mechanism& mechanism_;
-  const PathPlan& path_;
-  GrowingShifts shifts_;
-  const PathPlan shares_;
-  PathFollower<double, CloseSteps, ShareClosure> follower_;
-  SheetGeometry<double> base_geometry_;
-  FoldState<double> state_;
+  const HalfAngle<T> pilot_;
+  SheetGeometry<T> base_, geometry_;
+  SparseLu<T> lu_;
+  FoldState<T> state_;
+  // Per equation, with room for one more: the residual and the share's column, then L y of each.
+  std::vector<T> residual_, before_, after_, of_residual_, of_share_, work_;
 };
+
+/// How the share's path is followed, and where it pauses.
+CloseStepOptions options_of_shares(const HalfAngle<double>& pilot);
+PathPlan plan_of_shares(const PathPlan& path, const Mechanism& mechanism);
+
+template <class T>
+class ShiftHomotopy final : public StartFinder {
+ public:
+  /// The first two must outlive this object. `base_vertices_mm` are those of the unshifted sheet.
+  ShiftHomotopy(const Mechanism& mechanism, const Elimination& elimination, const PathPlan& plan,
+                const FlatVertices& base_vertices_mm)
+      : pilot_(mechanism.pilot),
+        first_(plan.stations.front().pilot),
+        shares_(plan_of_shares(plan, mechanism)),
+        follower_(mechanism, ShareClosure<T>(mechanism, elimination, first_, base_vertices_mm),
+                  options_of_shares(first_)) {}
+
+  void find(std::span<FarStart> sheets) override {
+    sheets_ = sheets;
+    next_ = 0;
+    follower_.run(*this, *this);
+  }
+
+  // For the follower.
+  bool next(PathStart& start, int lane) {
+    if (next_ == sheets_.size()) return false;
+    in_lane_[lane] = next_++;
+    start = {&sheets_[in_lane_[lane]].geometry, &shares_.start, &shares_, 0, 0};
+    return true;
+  }
+  bool see(const Station&, int) { return true; }
+  void ended(const PathResult& path, int lane) {
+    FarStart& sheet = sheets_[in_lane_[lane]];
+    sheet.end = path.end;
+    copy_lane(follower_.state(), lane, sheet.state);
+    sheet.state.creases[pilot_] = first_;
+  }
+
+ private:
+  const int pilot_;
+  const HalfAngle<double> first_;
+  const PathPlan shares_;
+  PathFollower<T, CloseSteps, ShareClosure<T>> follower_;
+  std::span<FarStart> sheets_;
+  std::size_t next_ = 0;
+  std::array<std::size_t, kLanes<T>> in_lane_{};
+};
+
+template <class T>
+void ShareClosure<T>::place_at(const T& share, const SheetGeometry<T>& sheet) {
+  for (std::size_t v = 0; v < base_.x.size(); ++v) {
+    geometry_.x[v] = base_.x[v] + share * (sheet.x[v] - base_.x[v]);
+    geometry_.y[v] = base_.y[v] + share * (sheet.y[v] - base_.y[v]);
+  }
+  turn_axes(mechanism_, geometry_);
+}
+
+template <class T>
+T ShareClosure<T>::linearize(const SheetGeometry<T>& sheet, const FoldState<T>& state) {
+  const HalfAngle<T>& carrier = state.creases[mechanism_.pilot];
+  const T share = carrier.s / pilot_.s, difference(kDifference);
+  const T per_difference = carrier.c / (T(4) * difference * pilot_.s);
+  state_ = state;
+  state_.creases[mechanism_.pilot] = pilot_;
+  place_at(share - difference, sheet);
+  evaluate(mechanism_, geometry_, state_, before_.data(), nullptr);
+  place_at(share + difference, sheet);
+  evaluate(mechanism_, geometry_, state_, after_.data(), nullptr);
+  place_at(share, sheet);
+  const T open_by = evaluate(mechanism_, geometry_, state_, residual_.data(), lu_.entries());
+  lu_.factorize(residual_.data(), of_residual_.data());
+  for (std::size_t i = 0; i < after_.size(); ++i)
+    after_[i] = (after_[i] - before_[i]) * per_difference;
+  lu_.forward(after_.data(), of_share_.data());
+  return open_by;
+}
+
+template <class T>
+void ShareClosure<T>::solve(const T& is_free, T* x, T* null) {
+  const std::size_t last = static_cast<std::size_t>(mechanism_.equations) - 1;
+  const T &of_partner = lu_.partner_coefficient(), &of_share = of_share_[last];
+  const auto holds_share =
+      magnitude(of_partner) >= select(is_free > T(0), magnitude(of_share), T(0));
+  const T& rest = of_residual_[last];
+  solve_with(T(1), select(holds_share, rest / of_partner, T(0)),
+             select(holds_share, T(0), rest / of_share), x);
+  solve_with(T(0), -of_share, of_partner, null);
+}
+
+// So many times the residual, less the share's column: for a share and a partner that satisfy the
+// equation that is left.
+template <class T>
+void ShareClosure<T>::solve_with(const T& of_residual, const T& partner, const T& share, T* x) {
+  for (std::size_t i = 0; i < work_.size(); ++i) {
+    work_[i] = of_residual * of_residual_[i] - share * of_share_[i];
+  }
+  lu_.backward(work_.data(), partner, T(0), x);
+  x[mechanism_.unknowns - 1] = share;
+}
 
 }  // namespace misalign::solver

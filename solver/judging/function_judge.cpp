@@ -41,6 +41,7 @@ void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_
   next_ = 0;
   last_rad_ = 0;
   samples_ = 0;
+  limit_error_rad_ = 0;
   rows_.clear();
   is_sure_ = true;
   fault_known_ = false;

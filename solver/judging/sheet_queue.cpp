@@ -36,8 +36,11 @@ const SheetGeometry<double>& PlacedSheet::of(const SheetBlock& block, int sheet)
   return geometry_;
 }
 
-SheetQueue::SheetQueue(const Model& model, int lanes)
-    : model_(model), sheet_of_lane_(lanes), placed_(model.mechanism()) {}
+SheetQueue::SheetQueue(const Model& model, const QueueLanes& lanes)
+    : model_(model),
+      sheet_of_lane_(lanes.count),
+      make_finder_(lanes.make_finder),
+      placed_(model.mechanism()) {}
 
 SheetQueue::~SheetQueue() = default;
 
@@ -46,7 +49,7 @@ void SheetQueue::begin(const SheetBlock& block) {
   waiting_.resize(static_cast<std::size_t>(block.sheets()));
   std::iota(waiting_.begin(), waiting_.end(), 0);
   starts_ = nullptr;
-  next_ = far_count_ = 0;
+  next_ = far_count_ = looked_for_ = 0;
 }
 
 void SheetQueue::begin_again(const std::vector<int>& sheets) {
@@ -64,6 +67,7 @@ void SheetQueue::begin_from(const std::vector<QueuedStart>& starts) {
 
 bool SheetQueue::next(PathStart& start, int lane) {
   assert(block_ && lane >= 0 && static_cast<std::size_t>(lane) < sheet_of_lane_.size());
+  if (!starts_ && next_ == waiting_.size()) look_for_starts();
   if (next_ == (starts_ ? starts_->size() : waiting_.size())) return false;
   const QueuedStart* const from = starts_ ? &(*starts_)[next_] : nullptr;
   sheet_of_lane_[lane] = from ? from->sheet : waiting_[next_];
@@ -75,41 +79,39 @@ bool SheetQueue::next(PathStart& start, int lane) {
   }
   const FarStart* const far = far_start(of_lane(lane));
   const bool is_found = far && far->end == PathEnd::end_reached;
-  start = {&geometry, is_found ? &far->start : &model_.path().start, &model_.path(), 0, 0};
+  start = {&geometry, is_found ? &far->state : &model_.path().start, &model_.path(), 0, 0};
   return true;
 }
 
 bool SheetQueue::has_ended(PathResult& path, int lane) {
   if (path.end != PathEnd::start_lost) return true;
   const int sheet = of_lane(lane);
-  const bool is_known = far_start(sheet) != nullptr;
-  const FarStart& far = is_known ? *far_start(sheet) : look_for_start(sheet);
-  if (far.end == PathEnd::fold_limit) path.end = PathEnd::fold_limit;
-  if (is_known || far.end != PathEnd::end_reached) return true;
-  waiting_.push_back(sheet);
+  if (const FarStart* const far = far_start(sheet)) {
+    if (far->end == PathEnd::fold_limit) path.end = PathEnd::fold_limit;
+    return true;
+  }
+  if (far_count_ == far_.size()) far_.emplace_back(model_.mechanism());
+  FarStart& far = far_[far_count_++];
+  far.sheet = sheet;
+  far.geometry = placed_.of(*block_, sheet);
   return false;
 }
 
-SheetQueue::FarStart* SheetQueue::far_start(int sheet) {
-  const auto end = far_.begin() + static_cast<std::ptrdiff_t>(far_count_);
+const FarStart* SheetQueue::far_start(int sheet) const {
+  const auto end = far_.begin() + static_cast<std::ptrdiff_t>(looked_for_);
   const auto at =
       std::find_if(far_.begin(), end, [&](const FarStart& one) { return one.sheet == sheet; });
   return at == end ? nullptr : &*at;
 }
 
-const SheetQueue::FarStart& SheetQueue::look_for_start(int sheet) {
-  if (!homotopy_) {
-    homotopy_ = std::make_unique<ShiftHomotopy>(model_.mechanism(), model_.elimination(),
-                                                model_.path(), model_.base().sheet.vertices_mm);
-  }
-  block_->place(sheet, vertices_mm_);
-  const PathEnd end = homotopy_->find(vertices_mm_);
-  if (far_count_ == far_.size()) far_.emplace_back();
-  FarStart& far = far_[far_count_++];
-  far.sheet = sheet;
-  far.end = end;
-  far.start = homotopy_->state();
-  return far;
+// Of all that were lost since the last time, which go again.
+void SheetQueue::look_for_starts() {
+  if (looked_for_ == far_count_) return;
+  if (!finder_) finder_ = make_finder_(model_);
+  const std::span<FarStart> lost(far_.data() + looked_for_, far_count_ - looked_for_);
+  finder_->find(lost);
+  for (const FarStart& far : lost) waiting_.push_back(far.sheet);
+  looked_for_ = far_count_;
 }
 
 const SheetGeometry<double>& SheetQueue::geometry_of_lane(int lane) {
@@ -117,7 +119,7 @@ const SheetGeometry<double>& SheetQueue::geometry_of_lane(int lane) {
   return placed_.of(*block_, of_lane(lane));
 }
 
-QueueObserver::QueueObserver(const Model& model, int lanes)
+QueueObserver::QueueObserver(const Model& model, const QueueLanes& lanes)
     : model_(model), queue_(model, lanes), flat_(model.mechanism().diagonals.size()) {}
 
 QueueObserver::~QueueObserver() = default;

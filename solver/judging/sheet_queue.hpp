@@ -50,11 +50,24 @@ struct QueuedStart {
   int forward_sign;
 };
 
+/// How many lanes a queue's sheets go to, and what finds starts in as many at a time.
+struct QueueLanes {
+  std::size_t count;
+  std::unique_ptr<StartFinder> (*make_finder)(const Model& model);
+};
+template <class T>
+QueueLanes lanes_of() {
+  return {kLanes<T>, [](const Model& model) -> std::unique_ptr<StartFinder> {
+            return std::make_unique<ShiftHomotopy<T>>(model.mechanism(), model.elimination(),
+                                                      model.path(), model.base().sheet.vertices_mm);
+          }};
+}
+
 /// Hands out sheets one after the other, each with the state it starts from: of the base folding,
 /// or where that is too far off, found from there.
 class SheetQueue {
  public:
-  SheetQueue(const Model& model, int lanes);
+  SheetQueue(const Model& model, const QueueLanes& lanes);
   ~SheetQueue();
 
   /// `block` must live until its paths have ended.
@@ -67,7 +80,8 @@ class SheetQueue {
   /// false: there is none.
   bool next(PathStart& start, int lane);
   /// The path of this lane's sheet has ended. False if it only lost its start, and will go again
-  /// from a better one; where there is none, `path` says that it cannot fold next to flat.
+  /// once better ones have been looked for; where there is none, `path` says then that it cannot
+  /// fold next to flat.
   bool has_ended(PathResult& path, int lane);
   int of_lane(int lane) const { return sheet_of_lane_[lane]; }
   /// Of the sheet in this lane, until another one is asked for.
@@ -80,18 +94,14 @@ class SheetQueue {
   const std::vector<QueuedStart>* starts_ = nullptr;  // of those, if not along the model's path
   std::size_t next_ = 0;
   std::vector<int> sheet_of_lane_;
-  std::unique_ptr<ShiftHomotopy> homotopy_;  // made when first needed
-  // What it said of sheets that the base folding was too far off for; grows to what a block needs.
-  struct FarStart {
-    int sheet;
-    PathEnd end;
-    FoldState<double> start;
-  };
-  FarStart* far_start(int sheet);
-  const FarStart& look_for_start(int sheet);
+  const FarStart* far_start(int sheet) const;
+  void look_for_starts();
+  std::unique_ptr<StartFinder> (*const make_finder_)(const Model&);
+  std::unique_ptr<StartFinder> finder_;  // made when first needed
+  // Sheets that the base folding was too far off for, those that were looked for first; grows to
+  // what a block needs.
   std::vector<FarStart> far_;
-  std::size_t far_count_ = 0;
-  FlatVertices vertices_mm_;
+  std::size_t far_count_ = 0, looked_for_ = 0;
   PlacedSheet placed_;
 };
 
@@ -107,7 +117,7 @@ class QueueObserver {
   void begin_path(PathStart& start, int lane);
 
  protected:
-  QueueObserver(const Model& model, int lanes);
+  QueueObserver(const Model& model, const QueueLanes& lanes);
   /// flat_ has the lengths of its diagonals (panel widths).
   virtual void begin_sheet(PathStart& start, int lane) = 0;
 

@@ -1,6 +1,8 @@
 // Sheets and states of lanes: one lane's share in and out, and choices lane by lane.
 #pragma once
 
+#include <cmath>
+
 #include "solver/kinematics/fold_state.hpp"
 #include "solver/kinematics/lane_math.hpp"
 
@@ -16,6 +18,19 @@ SheetGeometry<T> lane_geometry(const Mechanism& mechanism) {
   geometry.axis_x.assign(mechanism.edges.size(), T(1));
   geometry.axis_y.assign(mechanism.edges.size(), T(0));
   return geometry;
+}
+
+/// Puts the axes of the creases where their vertices are.
+template <class T>
+void turn_axes(const Mechanism& mechanism, SheetGeometry<T>& geometry) {
+  using std::sqrt;
+  for (const Crease& crease : mechanism.creases) {
+    const T dx = geometry.x[crease.b] - geometry.x[crease.a];
+    const T dy = geometry.y[crease.b] - geometry.y[crease.a];
+    const T inverse = T(1) / sqrt(dx * dx + dy * dy);
+    geometry.axis_x[crease.edge] = dx * inverse;
+    geometry.axis_y[crease.edge] = dy * inverse;
+  }
 }
 
 /// `b` in the lanes where `choice` is positive, else `a`.

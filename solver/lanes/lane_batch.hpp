@@ -17,8 +17,8 @@ class LaneBatch final : public Batch {
   explicit LaneBatch(const Model& model)
       : model_(model),
         rejection_(model),
-        functions_(model, kLanes<T>),
-        judging_(model, kLanes<T>),
+        functions_(model, lanes_of<T>()),
+        judging_(model, lanes_of<T>()),
         states_(model.mechanism()),
         long_follower_(model.mechanism(), model.elimination()),
         follower_(model.mechanism(), model.elimination()),
@@ -82,7 +82,7 @@ class LaneBatch final : public Batch {
  private:
   static constexpr int kFar = 0, kMiddle = 1, kNear = 4;  // of the model's tests
 
-  static constexpr int kShiftSteps = 8;   // in which large shifts grow
+  static constexpr int kShiftSteps[] = {1, 8, 32};  // in which large shifts grow
   static constexpr int kMostSteps = 100;  // ahead: from the middle place it takes some ten
 
   // Large, and not needed by those who ask for verdicts alone.
@@ -112,7 +112,7 @@ class LaneBatch final : public Batch {
     run(single_test_, kMiddle, true, block, lost_);
     take_found(kMiddle, block);
     // Large shifts: from nearer to flat, and grown step by step.
-    for (const int shift_steps : {1, kShiftSteps}) {
+    for (const int shift_steps : kShiftSteps) {
       double_test_.run(kNear, true, block, lost_, rejection_, states_, shift_steps);
       drop_decided(lost_);
       take_found(kNear, block);

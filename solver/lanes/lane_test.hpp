@@ -109,11 +109,8 @@ void LaneTest<T>::run(int place, bool keeps, const ShiftBlock& block, std::vecto
   each_vector(
       block, open,
       [&](Undecided* sheets, int count) {
-        solver_.solve(place);
-        for (int step = 2; step <= shift_steps; ++step) {
-          solver_.grow(1.0 * step / (step - 1));
-          solver_.solve_from(solver_.state(), place);
-        }
+        if (shift_steps == 1) solver_.solve(place);
+        if (shift_steps > 1) solver_.solve_growing(place, shift_steps);
         report_all(place, keeps, sheets, count, rules, states);
       },
       1.0 / shift_steps);

@@ -33,10 +33,11 @@ class LevelSolver {
             double share = 1);
   /// The same of sheets first, first + 1, ...
   void load(const ShiftBlock& block, int first, int count);
-  /// Makes their shifts this many times as large.
-  void grow(double by);
   /// Their states, lengths and slopes at the level of a place, from the base folding.
   MISALIGN_FLATTEN void solve(int place);
+  /// The same of sheets with a share 1 / steps of their shifts, which then grow to all of
+  /// themselves in so many steps, with one correction each.
+  MISALIGN_FLATTEN void solve_growing(int place, int steps);
   /// The same from states near them, rounded as they may be: at the levels that these have.
   MISALIGN_FLATTEN void solve_from(const FoldState<T>& state, int place);
   /// The same from other states, turned by so much (rad; one per lane) along their unit tangents,
@@ -57,14 +58,13 @@ class LevelSolver {
   /// Largest change that the tangent's misfit made to a slope.
   const T& slope_correction() const { return slope_correction_; }
   /// How far lengths in lane i may be off (panel widths); none where the state is not to be
-  /// trusted: Newton did not converge, went too far from the base folding (kLongestStartShare), or
-  /// it lies on another branch.
+  /// trusted: Newton did not converge, went too far from the base folding (kLongestStartShare) or
+  /// in a step of the shifts, or it lies on another branch.
   std::optional<double> length_error(int place, int i) const;
   /// The same of a state that was solved ahead, which must be on the same curve as before.
   std::optional<double> length_error_ahead(int i) const;
 
  private:
-  void turn_axes();
   T correct(const std::vector<T>& level);
   T largest_turn() const;
   void finish(const std::vector<T>& level, int place);
@@ -83,7 +83,7 @@ class LevelSolver {
   std::vector<T> residual_, y_, row_, turn_, tangent_, lengths_, slopes_;
   SparseClosure<T> closure_;
   T first_correction_, second_correction_, orientation_, slope_correction_ = T(0);
-  T from_base_ = T(0), predictor_correction_ = T(0);
+  T from_base_ = T(0), largest_growth_ = T(0), predictor_correction_ = T(0);
   T largest_half_sine_ = T(0), goes_forward_ = T(0);
 };
 
@@ -149,30 +149,7 @@ void LevelSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<
     geometry_.y[vertex] = base_y_[vertex] + dy * per_width;
     k += 2;
   }
-  turn_axes();
-}
-
-template <class T>
-void LevelSolver<T>::grow(double by) {
-  const T times(static_cast<Real>(by));
-  for (const int vertex : model_.shifted()) {
-    geometry_.x[vertex] = base_x_[vertex] + times * (geometry_.x[vertex] - base_x_[vertex]);
-    geometry_.y[vertex] = base_y_[vertex] + times * (geometry_.y[vertex] - base_y_[vertex]);
-  }
-  turn_axes();
-}
-
-// Of the creases, from where their vertices are.
-template <class T>
-void LevelSolver<T>::turn_axes() {
-  using std::sqrt;
-  for (const Crease& crease : mechanism_.creases) {
-    const T dx = geometry_.x[crease.b] - geometry_.x[crease.a];
-    const T dy = geometry_.y[crease.b] - geometry_.y[crease.a];
-    const T inverse = T(1) / sqrt(dx * dx + dy * dy);
-    geometry_.axis_x[crease.edge] = dx * inverse;
-    geometry_.axis_y[crease.edge] = dy * inverse;
-  }
+  turn_axes(mechanism_, geometry_);
 }
 
 template <class T>
@@ -187,13 +164,31 @@ void LevelSolver<T>::solve(int place) {
   for (std::size_t j = 0; j < turn_.size(); ++j) change = change + level[j] * turn_[j];
   for (std::size_t j = 0; j < turn_.size(); ++j) turn_[j] = change * tangent[j] - turn_[j];
   from_base_ = largest_turn();
+  largest_growth_ = T(0);
   advance(mechanism_, turn_.data(), state_);
   finish(level, place);
 }
 
 template <class T>
-void LevelSolver<T>::solve_from(const FoldState<T>& state, int place) {
+void LevelSolver<T>::solve_growing(int place, int steps) {
+  solve(place);
+  largest_growth_ = from_base_;
   from_base_ = T(0);
+  for (int step = 2; step <= steps; ++step) {
+    const T by(static_cast<Real>(1.0 * step / (step - 1)));
+    for (const int vertex : model_.shifted()) {
+      geometry_.x[vertex] = base_x_[vertex] + by * (geometry_.x[vertex] - base_x_[vertex]);
+      geometry_.y[vertex] = base_y_[vertex] + by * (geometry_.y[vertex] - base_y_[vertex]);
+    }
+    turn_axes(mechanism_, geometry_);
+    largest_growth_ = larger(largest_growth_, correct(levels_[place]));
+  }
+  finish(levels_[place], place);
+}
+
+template <class T>
+void LevelSolver<T>::solve_from(const FoldState<T>& state, int place) {
+  from_base_ = largest_growth_ = T(0);
   state_ = state;
   for (T& turn : turn_) turn = T(0);
   advance(mechanism_, turn_.data(), state_);
@@ -255,7 +250,9 @@ template <class T>
 std::optional<double> LevelSolver<T>::length_error(int place, int i) const {
   const double turned_rad =
       lane(from_base_, i) + lane(first_correction_, i) + lane(second_correction_, i);
-  if (!(turned_rad <= kLongestStartShare * places_[place].pilot_deg * kRadPerDeg)) {
+  const double pilot_rad = places_[place].pilot_deg * kRadPerDeg;
+  if (!(turned_rad <= kLongestStartShare * pilot_rad) ||
+      !(lane(largest_growth_, i) <= kRejection.longest_growth_share * pilot_rad)) {
     return std::nullopt;
   }
   if ((lane(orientation_, i) < 0) != (places_[place].orientation < 0)) return std::nullopt;

@@ -5,10 +5,9 @@
 
 namespace misalign::solver {
 
-FunctionObserver::FunctionObserver(const Model& model, int lanes)
+FunctionObserver::FunctionObserver(const Model& model, const QueueLanes& lanes)
     : QueueObserver(model, lanes),
-      judges_(static_cast<std::size_t>(lanes),
-              FunctionJudge(model.mechanism(), model.criterion())) {}
+      judges_(lanes.count, FunctionJudge(model.mechanism(), model.criterion())) {}
 
 FunctionObserver::~FunctionObserver() = default;
 
@@ -23,8 +22,9 @@ void FunctionObserver::begin_sheet(PathStart& start, int lane) {
   judges_[lane].begin(*start.plan, flat_);
 }
 
-void FunctionObserver::ended(const PathResult& path, int lane) {
+void FunctionObserver::ended(PathResult path, int lane) {
   effort_.add(path);
+  if (!queue_.has_ended(path, lane)) return;
   const int sheet = queue_.of_lane(lane);
   const std::optional<Verdict> verdict = judges_[lane].conclude(path);
   if (verdict) {
@@ -34,14 +34,14 @@ void FunctionObserver::ended(const PathResult& path, int lane) {
   }
 }
 
-JudgingObserver::JudgingObserver(const Model& model, int lanes)
+JudgingObserver::JudgingObserver(const Model& model, const QueueLanes& lanes)
     : QueueObserver(model, lanes),
       between_(model.mechanism(), model.elimination()),
       point_(model.mechanism()),
       residual_(model.mechanism().equations),
       dense_state_(model.mechanism()),
       fallback_(model.mechanism()) {
-  for (int i = 0; i < lanes; ++i) judges_.emplace_back(model, between_);
+  for (std::size_t i = 0; i < lanes.count; ++i) judges_.emplace_back(model, between_);
   if (judges_.front().looks_between()) {
     between_.prepare();
     point_.rates.resize(static_cast<std::size_t>(model.mechanism().unknowns));

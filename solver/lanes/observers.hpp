@@ -16,13 +16,13 @@ namespace misalign::solver {
 /// Full paths as functions: what these say for certain.
 class FunctionObserver final : public QueueObserver {
  public:
-  FunctionObserver(const Model& model, int lanes);
+  FunctionObserver(const Model& model, const QueueLanes& lanes);
   ~FunctionObserver() override;
 
   /// Verdicts go to `verdicts`.
   void begin(const SheetBlock& block, std::vector<Verdict>& verdicts);
   ObserverResult see(const PathFunction& function, int lane) { return judges_[lane].see(function); }
-  void ended(const PathResult& path, int lane);
+  void ended(PathResult path, int lane);
 
   /// The sheets that were not decided.
   const std::vector<int>& left() const { return left_; }
@@ -38,7 +38,7 @@ class FunctionObserver final : public QueueObserver {
 /// Full paths in close steps: every sample of a sheet goes to a judge, until it has seen enough.
 class JudgingObserver final : public QueueObserver {
  public:
-  JudgingObserver(const Model& model, int lanes);
+  JudgingObserver(const Model& model, const QueueLanes& lanes);
   ~JudgingObserver() override;
 
   void begin(const SheetBlock& block);

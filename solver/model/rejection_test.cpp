@@ -88,7 +88,8 @@ int RejectionTest::next_sample(double pilot_deg) const {
 bool RejectionTest::observe(int sheet, const Observation& seen) {
   assert(sheet >= 0 && static_cast<std::size_t>(sheet) < rejections_.size());
   if (decided(sheet)) return false;
-  if (seen.pilot_rate < 0 && seen.farthest_deg < threshold_deg_ - kRejection.certain_limit_deg) {
+  if (seen.pilot_rate < -kRejection.certain_turn_slope_errors * seen.slope_error &&
+      seen.farthest_deg < threshold_deg_ - kRejection.certain_limit_deg) {
     rejections_[sheet] = {Fault::fold_limit, sample_of(seen.pilot_deg)};
     return false;
   }
@@ -129,7 +130,7 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
       grows = grows || by > margin;
       shrinks = shrinks || by < -margin;
     };
-    const double next = std::abs(now.slopes[i]) * of_a_sample;
+    const double next = (std::abs(now.slopes[i]) + now.slope_error) * of_a_sample;
     moved(now.lengths[i] - flat_[first + i], flat_margin + ways * next);
     if (has_earlier) {
       moved(since * (now.lengths[i] - earlier_[first + i]), earlier_margin + ways_since * next);

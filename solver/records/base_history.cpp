@@ -12,7 +12,7 @@ namespace misalign::solver {
 FoldingHistory record_on_base(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit) {
   assert(model.has_spare_equations());
-  HistoryObserver observer(model, 1, visit);
+  HistoryObserver observer(model, lanes_of<double>(), visit);
   BasePath path(model.mechanism(), model.base());
   const SheetBlock sheet(vertices_mm);
   observer.begin(sheet);

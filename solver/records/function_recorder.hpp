@@ -21,7 +21,7 @@ class FunctionRecorder {
         mechanism_(model.mechanism()),
         follower_(follower),
         close_follower_(close_follower),
-        records_(model, kLanes<T>),
+        records_(model, lanes_of<T>()),
         measure_(model) {}
 
   /// Of every sheet of the block; says which are left for the close steps.

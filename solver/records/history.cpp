@@ -16,7 +16,7 @@ FoldingHistory record_history(const Model& model, const FlatVertices& vertices_m
 }
 
 FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm) {
-  HistoryObserver observer(model, 1);
+  HistoryObserver observer(model, lanes_of<double>());
   DenseFallback dense(model.mechanism());
   const SheetBlock sheet(vertices_mm);
   observer.begin(sheet);

@@ -22,14 +22,15 @@ std::size_t index_of(const Station& station, const PathPlan& plan) {
 
 }  // namespace
 
-HistoryObserver::HistoryObserver(const Model& model, int lanes, const StationVisitor* visit)
+HistoryObserver::HistoryObserver(const Model& model, const QueueLanes& lanes,
+                                 const StationVisitor* visit)
     : QueueObserver(model, lanes),
       visit_(visit),
       between_(model.mechanism(), model.elimination()),
       point_(model.mechanism()),
       dense_state_(model.mechanism()),
       fallback_(model.mechanism()) {
-  for (int i = 0; i < lanes; ++i) lanes_.push_back(new_lane());
+  for (std::size_t i = 0; i < lanes.count; ++i) lanes_.push_back(new_lane());
 }
 
 HistoryObserver::~HistoryObserver() = default;

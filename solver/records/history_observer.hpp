@@ -19,7 +19,8 @@ namespace misalign::solver {
 class HistoryObserver final : public QueueObserver {
  public:
   /// All must outlive this object.
-  HistoryObserver(const Model& model, int lanes, const StationVisitor* visit = nullptr);
+  HistoryObserver(const Model& model, const QueueLanes& lanes,
+                  const StationVisitor* visit = nullptr);
   ~HistoryObserver() override;
 
   void begin(const SheetBlock& block);

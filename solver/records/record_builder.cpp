@@ -27,12 +27,11 @@ bool reaches_back_to(const Station& station, const PathFunction& function) {
 
 }  // namespace
 
-RecordBuilder::RecordBuilder(const Model& model, int lanes)
+RecordBuilder::RecordBuilder(const Model& model, const QueueLanes& lanes)
     : QueueObserver(model, lanes),
-      lanes_(static_cast<std::size_t>(lanes),
-             Lane{FunctionJudge(model.mechanism(), model.criterion()),
-                  ExtremeFinder(model.mechanism().diagonal_count())}),
-      solved_(static_cast<std::size_t>(lanes)),
+      lanes_(lanes.count, Lane{FunctionJudge(model.mechanism(), model.criterion()),
+                               ExtremeFinder(model.mechanism().diagonal_count())}),
+      solved_(lanes.count),
       here_(model.mechanism()),
       near_(flat_state<double>(model.mechanism())) {
   for (const Station& station : model.path().stations) {
@@ -169,9 +168,10 @@ void RecordBuilder::want(int index, double pilot_deg, double x, Lane& lane) {
   near_states_.push_back({x, &wanted.near});
 }
 
-void RecordBuilder::ended(const PathResult& path, int lane) {
+void RecordBuilder::ended(PathResult path, int lane) {
   near_states_.clear();
   effort_.add(path);
+  if (!queue_.has_ended(path, lane)) return;
   Lane& one = lanes_[lane];
   const int sheet = queue_.of_lane(lane);
   UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];

@@ -56,12 +56,12 @@ struct UnfinishedRecord {
 
 class RecordBuilder final : public QueueObserver {
  public:
-  RecordBuilder(const Model& model, int lanes);
+  RecordBuilder(const Model& model, const QueueLanes& lanes);
   ~RecordBuilder() override;
 
   void begin(const SheetBlock& block);
   ObserverResult see(const PathFunction& function, int lane);
-  void ended(const PathResult& path, int lane);
+  void ended(PathResult path, int lane);
   /// What is to be solved of the path that was just seen, and where it goes on if it is unfinished.
   const std::vector<NearState>& near_states() const { return near_states_; }
 

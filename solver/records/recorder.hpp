@@ -17,7 +17,10 @@ class Recorder {
  public:
   /// All must outlive this object.
   Recorder(const Model& model, PathFollower<T>& follower, const StationVisitor* visit = nullptr)
-      : model_(model), follower_(follower), observer_(model, kLanes<T>, visit), measure_(model) {}
+      : model_(model),
+        follower_(follower),
+        observer_(model, lanes_of<T>(), visit),
+        measure_(model) {}
 
   std::vector<FoldingHistory>& record(const SheetBlock& block) {
     observer_.begin(block);

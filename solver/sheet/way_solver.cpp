@@ -26,7 +26,7 @@ class PathOutliner {
  public:
   PathOutliner(const Model& model, const FlatVertices& vertices_mm,
                PathFollower<double, LongSteps>& follower, PathFollower<double>& close_follower)
-      : queue_(model, 1),
+      : queue_(model, lanes_of<double>()),
         sheet_(vertices_mm),
         follower_(follower),
         close_follower_(close_follower),

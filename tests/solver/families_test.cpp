@@ -197,13 +197,16 @@ TEST_P(Families, ThereAndBackAgain) {
     const ShiftBlock block = family.draws(kSheetsOfEach, kSeed);
     const Elimination elimination =
         plan_elimination(family.mechanism, family.base.folding, family.base.sheet.vertices_mm);
-    ShiftHomotopy homotopy(family.mechanism, elimination, plan, family.base.sheet.vertices_mm);
-    SheetGeometry<double> geometry;
+    ShiftHomotopy<double> homotopy(family.mechanism, elimination, plan,
+                                   family.base.sheet.vertices_mm);
+    FarStart start(family.mechanism);
+    const SheetGeometry<double>& geometry = start.geometry;
     for (int i = 0; i < block.sheets; ++i) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sheet " + std::to_string(i));
-      place(family.mechanism, family.vertices(block, i), geometry);
-      ASSERT_EQ(homotopy.find(family.vertices(block, i)), PathEnd::end_reached);
-      const Walked up(family, geometry, plan, homotopy.state());
+      place(family.mechanism, family.vertices(block, i), start.geometry);
+      homotopy.find({&start, 1});
+      ASSERT_EQ(start.end, PathEnd::end_reached);
+      const Walked up(family, geometry, plan, start.state);
       const auto stations =
           static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(up.states.size()));
       ASSERT_GE(stations, 45);

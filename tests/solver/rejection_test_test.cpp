@@ -289,6 +289,26 @@ TEST_F(RejectionRules, LimitMarginFromBothSides) {
   }
 }
 
+// Single precision made -2.4 of 1.2, with slopes off by 2 (8 x 6, shifts of 8 mm).
+TEST_F(RejectionRules, APilotTurnsBackForCertainOnly) {
+  for (const double slope_error : {0.0099, 0.0101}) {
+    begin(rejection_);
+    EXPECT_FALSE(rejection_.observe(
+        kSheet, {100, 0, -0.1, 100, flat_.data(), 0, flat_.data(), slope_error}));
+    EXPECT_EQ(rejection_.results()[kSheet].fault,
+              slope_error < 0.01 ? Fault::fold_limit : Fault::none);
+  }
+}
+
+// A length between two samples is left what its slope, known only so well, may still do.
+TEST_F(RejectionRules, LengthsAllowForTheErrorOfSlopes) {
+  for (const double slope_error : {0.0, 0.1}) {
+    begin(rejection_);
+    EXPECT_FALSE(rejects(80, 1e-3));
+    EXPECT_EQ(rejects(100, -1.02 * band_, 0, 0, slope_error), slope_error == 0);
+  }
+}
+
 TEST_F(RejectionRules, APilotThatGoesOnIsNoReason) {
   for (const double rate : {0.1, kNan}) {
     begin(rejection_);

@@ -106,15 +106,18 @@ class CurvePath : public Witness {
   CurvePath(const Model& model, const solver::PathPlan& plan)
       : Witness(model, plan),
         newton_(model.mechanism()),
-        homotopy_(model.mechanism(), model.elimination(), plan, model.base().sheet.vertices_mm) {}
+        homotopy_(model.mechanism(), model.elimination(), plan, model.base().sheet.vertices_mm),
+        start_(model.mechanism()) {}
 
   Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
     using solver::PathEnd;
     begin(vertices_mm);
-    if (homotopy_.find(vertices_mm) != PathEnd::end_reached) {
+    start_.geometry = geometry_;
+    homotopy_.find({&start_, 1});
+    if (start_.end != PathEnd::end_reached) {
       return conclude({PathEnd::start_lost, 0, 0, 0, 0});
     }
-    Curve curve(mechanism_, geometry_, homotopy_.state());
+    Curve curve(mechanism_, geometry_, start_.state);
     constexpr double kStep_rad = 0.02;
     for (const solver::Station& station : plan_.stations) {
       if (station.sample == 0) continue;
@@ -142,7 +145,8 @@ class CurvePath : public Witness {
 
  private:
   solver::Newton newton_;
-  solver::ShiftHomotopy homotopy_;
+  solver::ShiftHomotopy<double> homotopy_;
+  solver::FarStart start_;
 };
 
 }  // namespace misalign::stress
