@@ -1,7 +1,7 @@
--- The catalogue of one campaign, version 9. Angles in degrees, lengths in mm; draws are half-open
+-- The catalogue of one campaign, version 10. Angles in degrees, lengths in mm; draws are half-open
 -- ranges. No row per rejected draw: `misalign replay` makes any of them again.
 PRAGMA application_id = 0x4D53414C;  -- "MSAL"
-PRAGMA user_version = 9;
+PRAGMA user_version = 10;
 
 CREATE TABLE campaign (
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -19,7 +19,7 @@ CREATE TABLE campaign (
 ) STRICT;
 
 -- What a run says of itself. Advice, and never checked: host, version, commit, compiler, flags, when exactly,
--- why it ended, what committing cost. (README.md, "What is checked, and what is advice")
+-- why it ended, what committing cost, what was asked of draws first. (README.md, "What is checked, and what is advice")
 CREATE TABLE run (
   id INTEGER PRIMARY KEY,
   started_at TEXT NOT NULL,  -- UTC, ISO 8601
@@ -39,7 +39,10 @@ CREATE TABLE run (
   commit_s REAL,
   longest_commit_s REAL,
   -- By which definitions its candidates are measured (solver/records/metrics.hpp). Since version 4.
-  metrics_version INTEGER NOT NULL DEFAULT 1
+  metrics_version INTEGER NOT NULL DEFAULT 1,
+  -- The pilot angle of the base folding at the level of which tables turned draws away, as each machine
+  -- finds it best; the largest where its ranks differ, null where none had tables. Since version 10.
+  tables_deg REAL
 ) STRICT;
 
 -- The ledger: ranges of draws that are done. A unit and its candidates are one transaction.

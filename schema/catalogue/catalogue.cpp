@@ -134,6 +134,7 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
     transact([&] {
       end = *goal_end_;  // it may be the second time
       writer_->write(units, run_);
+      keep_tables(units);
       for (const UnitRecord& unit : units) add_to_goal(unit, end);
       if (end.value() != goal_end_->value()) store_goal_end(end);
     });
@@ -144,6 +145,19 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
   ++cost_.commits;
   cost_.seconds += seconds;
   cost_.longest_s = std::max(cost_.longest_s, seconds);
+}
+
+// The draws' first question is known once it was asked.
+void Catalogue::keep_tables(const std::vector<UnitRecord>& units) {
+  double deg = 0;
+  for (const UnitRecord& unit : units) deg = std::max(deg, unit.tables_deg);
+  if (deg == 0) return;
+  SQLite::Statement update(*database_,
+                           "UPDATE run SET tables_deg = ?1 WHERE id = ?2 AND "
+                           "coalesce(tables_deg, 0) < ?1");
+  update.bind(1, deg);
+  update.bind(2, run_);
+  update.exec();
 }
 
 std::string Catalogue::result_of(const PieceRow& piece) const {

@@ -102,6 +102,7 @@ class Catalogue {
   void create();
   void add_to_goal(const UnitRecord& unit, GoalEnd& end) const;
   void store_goal_end(const GoalEnd& end);
+  void keep_tables(const std::vector<UnitRecord>& units);
   void take_over_levels(SQLite::Database& other);
   template <class Work>
   void transact(const Work& work);

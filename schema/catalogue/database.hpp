@@ -12,7 +12,7 @@
 namespace misalign::schema {
 
 inline constexpr int kApplicationId = 0x4D53414C;
-inline constexpr int kSchemaVersion = 9;
+inline constexpr int kSchemaVersion = 10;
 
 /// Draws and counts as SQLite keeps them: below 2^63, so that the sign is never used.
 inline std::int64_t stored(std::uint64_t draw) { return static_cast<std::int64_t>(draw); }

@@ -23,6 +23,7 @@ constexpr LaterColumn kLaterColumns[] = {
     {"run", "commits", 3, "NULL"},
     {"run", "commit_s", 3, "NULL"},
     {"run", "longest_commit_s", 3, "NULL"},
+    {"run", "tables_deg", 10, "NULL"},
     {"campaign", "goal_relative_error", 3, "NULL"},
     {"yield", "from_deg", kYieldAngleSince, kThresholdSql},
     {"fault_sample", "stands_for", kRarerSampleSince, "1024"},  // kFaultSampleEvery

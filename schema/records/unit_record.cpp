@@ -1,5 +1,6 @@
 #include "schema/records/unit_record.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 
@@ -23,6 +24,7 @@ void UnitRecord::add(UnitRecord&& next) {
   accepted += next.accepted;
   rejected += next.rejected;
   seconds += next.seconds;
+  tables_deg = std::max(tables_deg, next.tables_deg);
   const auto append = [](auto& to, auto& from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   };

@@ -35,9 +35,10 @@ struct UnitRecord {
   int worker = 0;  ///< the rank that worked it off
   std::uint64_t accepted = 0, rejected = 0;
   double seconds = 0;
-  std::vector<Candidate> candidates;                      ///< ascending
-  std::vector<DrawVerdict> undecided;                     ///< ascending
-  std::vector<DrawVerdict> fault_sample;                  ///< ascending; see FaultSampleRule
+  double tables_deg = 0;                  ///< column tables_deg of a run; 0: there were none
+  std::vector<Candidate> candidates;      ///< ascending
+  std::vector<DrawVerdict> undecided;     ///< ascending
+  std::vector<DrawVerdict> fault_sample;  ///< ascending; see FaultSampleRule
   std::map<std::pair<int, int>, std::uint64_t> screened;  ///< (Fault, sample) -> draws
   std::vector<LevelCount> levels;                         ///< of a population, from 0 on
 

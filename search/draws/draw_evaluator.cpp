@@ -123,6 +123,7 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
   make(range);
   // Rejected for certain, or waiting for the full path.
   const std::vector<solver::Rejection>& seen = batch_->reject(made_.shifts);
+  unit.tables_deg = batch_->tables_deg();
   for (std::size_t k = 0; k < made_.size(); ++k) {
     if (seen[k].fault == solver::Fault::none || sampled.holds(made_.numbers[k])) {
       waiting_.add(made_, k);

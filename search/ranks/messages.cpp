@@ -12,6 +12,7 @@ void unit_fields(Wire& wire, Unit& unit) {
   wire.field(unit.accepted);
   wire.field(unit.rejected);
   wire.field(unit.seconds);
+  wire.field(unit.tables_deg);
   list(wire, unit.candidates, [&](auto& candidate) {
     candidate_fields(wire, candidate);
     optional_field(wire, candidate.certificate, [&](auto& row) { certificate_fields(wire, row); });
@@ -33,7 +34,7 @@ std::string candidate_layout() {
   return layout + " ascent";
 }
 
-std::string message_layout() { return candidate_layout() + " certificate"; }
+std::string message_layout() { return candidate_layout() + " certificate tables"; }
 
 Bytes pack(const SentUnit& sent) {
   Writer wire;

@@ -21,6 +21,7 @@ class BaseBatch final : public Batch {
   std::vector<FoldingHistory>& record_lengths(const ShiftBlock& block) override {
     return record(block);
   }
+  double tables_deg() const override { return 0; }
   Effort rejection_effort() const override { return {}; }
   Effort path_effort() const override { return {}; }
 

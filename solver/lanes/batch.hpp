@@ -37,6 +37,9 @@ class Batch {
   virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
   /// The same without residuals, singular values and isometry errors, which are 0.
   virtual std::vector<FoldingHistory>& record_lengths(const ShiftBlock& block) = 0;
+  /// The pilot angle of the base folding at the level of the tables that reject() asks first; 0:
+  /// there are none, or none yet.
+  virtual double tables_deg() const = 0;
   /// Of everything so far; of paths, those that were judged, measured and recorded.
   virtual Effort rejection_effort() const = 0;
   virtual Effort path_effort() const = 0;

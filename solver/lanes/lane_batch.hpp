@@ -64,6 +64,8 @@ class LaneBatch final : public Batch {
     return recorders().of_samples.record_lengths(SheetBlock(model_, block));
   }
 
+  double tables_deg() const override { return expansion_test_ ? expansion_test_->late_deg() : 0; }
+
   Effort rejection_effort() const override {
     Effort effort = single_test_.effort();
     effort.add(double_test_.effort());

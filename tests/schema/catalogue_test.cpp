@@ -107,6 +107,28 @@ TEST_F(CatalogueTest, SpeedIsThatOfTheLastRun) {
   EXPECT_EQ(state().draws_per_s, 5000);
 }
 
+// The largest where ranks differ, and at once: a run may be killed.
+TEST_F(CatalogueTest, ARunKeepsTheLevelOfItsTables) {
+  Catalogue catalogue = open();
+  const auto kept = [&] {
+    return open_for_reading(catalogue.path())
+        ->execAndGet("SELECT group_concat(ifnull(tables_deg, 'none')) FROM run")
+        .getString();
+  };
+  catalogue.begin_run(kRun, {});
+  std::uint64_t lo = 0;
+  for (const auto& [tables_deg, expected] : std::vector<std::pair<double, std::string>>{
+           {0, "none"}, {115, "115.0"}, {130.5, "130.5"}, {115, "130.5"}}) {
+    UnitRecord done = unit(lo, lo + 1000);
+    done.tables_deg = tables_deg;
+    catalogue.commit({done});
+    EXPECT_EQ(kept(), expected);
+    lo += 1000;
+  }
+  catalogue.begin_run(kRun, {});
+  EXPECT_EQ(kept(), "130.5,none");
+}
+
 TEST_F(CatalogueTest, OverlapsAreRefusedWhole) {
   Catalogue catalogue = open();
   catalogue.begin_run(kRun, {{0, kEndOfDraws}, 8000, {}});

@@ -69,6 +69,17 @@ TEST(DrawEvaluator, CandidatesAreWhatTheirDrawsGive) {
   }
 }
 
+// Where draws are asked of tables first; sheets of which nothing is known have none.
+TEST(DrawEvaluator, UnitsSayAtWhichLevelTablesAre) {
+  DrawEvaluator ternary(miura_4x4());
+  const double level_deg = work_off(ternary, {0, 60}).tables_deg;
+  EXPECT_TRUE(level_deg == 115 || level_deg == 130 || level_deg == 140) << level_deg;
+  schema::Campaign campaign = miura_4x4();
+  campaign.misalignment.distribution = schema::ShiftDistribution::uniform;
+  DrawEvaluator uniform(campaign);
+  EXPECT_EQ(work_off(uniform, {0, 60}).tables_deg, 0);
+}
+
 // `search/campaigns/miura-4x4.json` with a threshold next to their fold limits, 161.079 and 161.033
 // degrees: A18-A12 goes back between 159.88 degrees and a little beyond 160.
 TEST(DrawEvaluator, TurnsAboutTheLastSampleAreNoReason) {

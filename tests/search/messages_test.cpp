@@ -28,6 +28,7 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
   unit.accepted = 2;
   unit.rejected = 7;
   unit.seconds = 0.125;
+  unit.tables_deg = 130.5;
   for (const std::uint64_t draw : {1ULL, 2ULL}) {
     solver::Metrics metrics{};
     int next = 100;  // every metric another number, or none
@@ -57,6 +58,7 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
   EXPECT_EQ(got.accepted, 2u);
   EXPECT_EQ(got.rejected, 7u);
   EXPECT_EQ(got.seconds, 0.125);
+  EXPECT_EQ(got.tables_deg, 130.5);
   ASSERT_EQ(got.candidates.size(), 2u);
   for (int k = 0; k < 2; ++k) {
     const solver::Metrics &sent = unit.candidates[k].metrics, &came = got.candidates[k].metrics;
