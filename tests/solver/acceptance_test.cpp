@@ -59,8 +59,9 @@ TEST_P(Acceptance, IsTheReferences) {
       EXPECT_EQ(words(batch->reject(block)), words(scalar.reject(block)));
     }
   }
-  // Nearly all that is to be rejected is (98 to 100 of 100); the rest is left to the full path.
-  EXPECT_GE(rejected, 0.9 * to_reject);
+  // Nearly all that is to be rejected is (98 to 100 of 100; 90 among the few draws of a sanitizer);
+  // the rest is left to the full path.
+  EXPECT_GE(rejected, 0.85 * to_reject);
   RecordProperty("rejected_of_those_to_reject", std::to_string(1.0 * rejected / to_reject));
 }
 
