@@ -40,6 +40,9 @@ STYLES = {
     "lanes-10deg": (BLACK, DASHED, "eight lanes, 10° steps"),
     "function": (GREY, SOLID, "path as a function"),
     "function-lanes": (GREY, DASHED, "function in eight lanes"),
+    "level": (SKY, SOLID, "each sample from a level"),
+    "level-float": (SKY, DOTTED, "from a level, in single"),
+    "level-lanes": (SKY, DASHED, "from a level, eight lanes"),
     "kinsol": (PURPLE, SOLID, "KINSOL"),
     "kinsol-newton": (PURPLE, DASHED, "KINSOL, a Jacobian a step"),
     "kinsol-dq": (PURPLE, DOTTED, "KINSOL, finite differences"),
@@ -48,7 +51,8 @@ STYLES = {
     "fixed order": (RED, SOLID, "step, fixed order"),
 }
 # Curves that end far from the frame's right side are named at their end: dx and dy in points, alignment.
-NAMED_IN_PLACE = {"paper-float": (3, 7, "right"), "tangent-float": (0, -14, "center")}
+NAMED_IN_PLACE = {"paper-float": (3, 7, "right"), "tangent-float": (0, -14, "center"), "level": (0, 7, "center"),
+                  "level-float": (0, 8, "center"), "level-lanes": (0, 7, "center")}
 DEFAULT_TOLERANCE = 1e-12
 FIT_FROM = 150  # unknowns: from 10 x 10 on, where the leading power rules
 TIMES_MS = (0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)

@@ -52,7 +52,7 @@ def against(row, paper):
 
 def at_default(rows, spacing):
     rows = [row for row in rows if row["samples_deg"] == spacing and row["largest_error_mm"] and
-            abs(float(row["tolerance"]) / DEFAULT_TOLERANCE - 1) < 1e-6]
+            (abs(float(row["tolerance"]) / DEFAULT_TOLERANCE - 1) < 1e-6 or row["method"].startswith("level"))]
     paper = next(row for row in rows if row["method"] == "paper")
     return table(
         ["method", "ms a path", "against `paper`", "largest error, mm", "corrections",

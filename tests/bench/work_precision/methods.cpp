@@ -6,6 +6,7 @@
 #include "solver/lanes/batch.hpp"
 #include "tests/bench/work_precision/adaptive.hpp"
 #include "tests/bench/work_precision/fixed_steps.hpp"
+#include "tests/bench/work_precision/level.hpp"
 #include "tests/bench/work_precision/tracking.hpp"
 #ifdef MISALIGN_WITH_KINSOL
 #include "tests/bench/work_precision/kinsol.hpp"
@@ -92,6 +93,14 @@ Method function(const std::string& name, const std::string& linear_solver, const
           0,    kEverySpacing, kLeastInDouble, prepare};
 }
 
+// Its corrections are counted, not repeated until a tolerance is met: one point.
+Method level(const std::string& name, const std::string& linear_solver,
+             const std::string& precision, const Prepare& prepare) {
+  constexpr double kAnyTolerance = 1e-3;
+  return {name, linear_solver, precision,     "analytic", "from a level",
+          0,    {10},          kAnyTolerance, prepare};
+}
+
 #ifdef MISALIGN_X86
 bool has_avx512() {
   const auto sets = solver::available_instruction_sets();
@@ -145,10 +154,14 @@ std::vector<Method> all_methods() {
   };
   add_trackers("tracker", FixedOrderLinear<double>::kName, track_one_by_one, methods);
   methods.push_back(function("function", FixedOrderLinear<double>::kName, functions_one_by_one));
+  methods.push_back(level("level", FixedOrderLinear<double>::kName, "double", levels_one_by_one));
+  methods.push_back(
+      level("level-float", FixedOrderLinear<double>::kName, "single", levels_in_single_precision));
 #ifdef MISALIGN_X86
   if (has_avx512()) {
     add_trackers("lanes", "fixed order in lanes", track_in_lanes, methods);
     methods.push_back(function("function-lanes", "fixed order in lanes", functions_in_lanes));
+    methods.push_back(level("level-lanes", "fixed order in lanes", "double", levels_in_lanes));
   }
 #endif
   return methods;

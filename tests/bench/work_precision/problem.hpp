@@ -30,6 +30,7 @@ class Problem {
 
   const solver::Mechanism& mechanism() const { return mechanism_; }
   Topology topology() const { return {mechanism_, base_.folding, base_.sheet.vertices_mm}; }
+  const solver::PerforatedSheet& base() const { return base_; }
   const std::vector<Sheet>& sheets() const { return sheets_; }
   int diagonals() const { return mechanism_.diagonal_count(); }
 
