@@ -45,7 +45,7 @@ class ShareClosure {
                const HalfAngle<double>& pilot, const FlatVertices& base_vertices_mm)
       : mechanism_(mechanism),
         pilot_{T(pilot.c), T(pilot.s)},
-        base_(lane_geometry<T>(mechanism)),
+        base_(in_all_lanes<T>(mechanism, base_vertices_mm)),
         geometry_(base_),
         lu_(elimination),
         state_(flat_state<T>(mechanism)),
@@ -54,11 +54,7 @@ class ShareClosure {
         after_(residual_),
         of_residual_(residual_),
         of_share_(residual_),
-        work_(residual_) {
-    SheetGeometry<double> base;
-    place(mechanism, base_vertices_mm, base);
-    for (int i = 0; i < kLanes<T>; ++i) put_lane(base, base_, i);
-  }
+        work_(residual_) {}
 
   void restart(int) {}
   T linearize(const SheetGeometry<T>& sheet, const FoldState<T>& state);
@@ -70,7 +66,6 @@ class ShareClosure {
   // tangent.
   static constexpr double kDifference = 1e-5;
 
-  void place_at(const T& share, const SheetGeometry<T>& sheet);
   void solve_with(const T& of_residual, const T& partner, const T& share, T* x);
 
   const Mechanism& mechanism_;
@@ -130,26 +125,17 @@ class ShiftHomotopy final : public StartFinder {
 };
 
 template <class T>
-void ShareClosure<T>::place_at(const T& share, const SheetGeometry<T>& sheet) {
-  for (std::size_t v = 0; v < base_.x.size(); ++v) {
-    geometry_.x[v] = base_.x[v] + share * (sheet.x[v] - base_.x[v]);
-    geometry_.y[v] = base_.y[v] + share * (sheet.y[v] - base_.y[v]);
-  }
-  turn_axes(mechanism_, geometry_);
-}
-
-template <class T>
 T ShareClosure<T>::linearize(const SheetGeometry<T>& sheet, const FoldState<T>& state) {
   const HalfAngle<T>& carrier = state.creases[mechanism_.pilot];
   const T share = carrier.s / pilot_.s, difference(kDifference);
   const T per_difference = carrier.c / (T(4) * difference * pilot_.s);
   state_ = state;
   state_.creases[mechanism_.pilot] = pilot_;
-  place_at(share - difference, sheet);
+  put_between(mechanism_, base_, sheet, share - difference, geometry_);
   evaluate(mechanism_, geometry_, state_, before_.data(), nullptr);
-  place_at(share + difference, sheet);
+  put_between(mechanism_, base_, sheet, share + difference, geometry_);
   evaluate(mechanism_, geometry_, state_, after_.data(), nullptr);
-  place_at(share, sheet);
+  put_between(mechanism_, base_, sheet, share, geometry_);
   const T open_by = evaluate(mechanism_, geometry_, state_, residual_.data(), lu_.entries());
   lu_.factorize(residual_.data(), of_residual_.data());
   for (std::size_t i = 0; i < after_.size(); ++i)

@@ -37,10 +37,7 @@ const SheetGeometry<double>& PlacedSheet::of(const SheetBlock& block, int sheet)
 }
 
 SheetQueue::SheetQueue(const Model& model, const QueueLanes& lanes)
-    : model_(model),
-      sheet_of_lane_(lanes.count),
-      make_finder_(lanes.make_finder),
-      placed_(model.mechanism()) {}
+    : model_(model), lanes_(lanes), sheet_of_lane_(lanes.count), placed_(model.mechanism()) {}
 
 SheetQueue::~SheetQueue() = default;
 
@@ -107,7 +104,7 @@ const FarStart* SheetQueue::far_start(int sheet) const {
 // Of all that were lost since the last time, which go again.
 void SheetQueue::look_for_starts() {
   if (looked_for_ == far_count_) return;
-  if (!finder_) finder_ = make_finder_(model_);
+  if (!finder_) finder_ = lanes_.make_finder(model_);
   const std::span<FarStart> lost(far_.data() + looked_for_, far_count_ - looked_for_);
   finder_->find(lost);
   for (const FarStart& far : lost) waiting_.push_back(far.sheet);

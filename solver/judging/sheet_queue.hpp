@@ -89,6 +89,7 @@ class SheetQueue {
 
  private:
   const Model& model_;
+  const QueueLanes lanes_;
   const SheetBlock* block_ = nullptr;
   std::vector<int> waiting_;
   const std::vector<QueuedStart>* starts_ = nullptr;  // of those, if not along the model's path
@@ -96,7 +97,6 @@ class SheetQueue {
   std::vector<int> sheet_of_lane_;
   const FarStart* far_start(int sheet) const;
   void look_for_starts();
-  std::unique_ptr<StartFinder> (*const make_finder_)(const Model&);
   std::unique_ptr<StartFinder> finder_;  // made when first needed
   // Sheets that the base folding was too far off for, those that were looked for first; grows to
   // what a block needs.

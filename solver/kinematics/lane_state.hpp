@@ -33,6 +33,18 @@ void turn_axes(const Mechanism& mechanism, SheetGeometry<T>& geometry) {
   }
 }
 
+/// `between` lies this share of the way from `base` to `sheet`: its vertices, and its creases'
+/// axes.
+template <class T>
+void put_between(const Mechanism& mechanism, const SheetGeometry<T>& base,
+                 const SheetGeometry<T>& sheet, const T& share, SheetGeometry<T>& between) {
+  for (std::size_t v = 0; v < base.x.size(); ++v) {
+    between.x[v] = base.x[v] + share * (sheet.x[v] - base.x[v]);
+    between.y[v] = base.y[v] + share * (sheet.y[v] - base.y[v]);
+  }
+  turn_axes(mechanism, between);
+}
+
 /// `b` in the lanes where `choice` is positive, else `a`.
 template <class T>
 void replace(const T& choice, const FoldState<T>& b, FoldState<T>& a) {
@@ -51,13 +63,23 @@ void replace(const T& choice, const FoldState<T>& b, FoldState<T>& a) {
 template <class T>
 void put_lane(const SheetGeometry<double>& from, SheetGeometry<T>& to, int i) {
   for (std::size_t v = 0; v < from.x.size(); ++v) {
-    lane(to.x[v], i) = from.x[v];
-    lane(to.y[v], i) = from.y[v];
+    lane(to.x[v], i) = static_cast<Scalar<T>>(from.x[v]);
+    lane(to.y[v], i) = static_cast<Scalar<T>>(from.y[v]);
   }
   for (std::size_t e = 0; e < from.axis_x.size(); ++e) {
-    lane(to.axis_x[e], i) = from.axis_x[e];
-    lane(to.axis_y[e], i) = from.axis_y[e];
+    lane(to.axis_x[e], i) = static_cast<Scalar<T>>(from.axis_x[e]);
+    lane(to.axis_y[e], i) = static_cast<Scalar<T>>(from.axis_y[e]);
   }
+}
+
+/// A sheet into every lane.
+template <class T>
+SheetGeometry<T> in_all_lanes(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
+  SheetGeometry<double> sheet;
+  place(mechanism, vertices_mm, sheet);
+  SheetGeometry<T> lanes = lane_geometry<T>(mechanism);
+  for (int i = 0; i < kLanes<T>; ++i) put_lane(sheet, lanes, i);
+  return lanes;
 }
 
 template <class T>

@@ -39,8 +39,7 @@ class LaneTest {
 
  private:
   template <class Work>
-  void each_vector(const ShiftBlock& block, std::vector<Undecided>& open, const Work& work,
-                   double share = 1);
+  void each_vector(const ShiftBlock& block, std::vector<Undecided>& open, const Work& work);
   void take_kept(Undecided* open, int count, KeptStates& states);
   template <class Rules>
   void report_all(int place, bool keeps, Undecided* open, int count, Rules& rules,
@@ -63,7 +62,7 @@ class LaneTest {
   double way_per_level_;          // of the base folding at the far place
   FoldState<T> start_;
   std::vector<T> flat_, tangent_;
-  T step_ = T(0), lands_ = T(0);
+  T step_ = T(0);
   HalfAngle<T> pilot_{T(1), T(0)};
   std::vector<double> lane_flat_, lane_lengths_, lane_slopes_;
   Effort effort_;
@@ -91,13 +90,13 @@ LaneTest<T>::LaneTest(const Model& model)
 template <class T>
 template <class Work>
 void LaneTest<T>::each_vector(const ShiftBlock& block, std::vector<Undecided>& open,
-                              const Work& work, double share) {
+                              const Work& work) {
   for (std::size_t first = 0; first < open.size(); first += kLanes<T>) {
     Undecided* const sheets = open.data() + first;
     const int count = static_cast<int>(std::min<std::size_t>(kLanes<T>, open.size() - first));
     std::array<int, kLanes<T>> numbers;
     for (int i = 0; i < kLanes<T>; ++i) numbers[i] = sheets[i < count ? i : 0].sheet;
-    solver_.load(block, numbers, count, share);
+    solver_.load(block, numbers, count);
     work(sheets, count);
   }
 }
@@ -106,14 +105,14 @@ template <class T>
 template <class Rules>
 void LaneTest<T>::run(int place, bool keeps, const ShiftBlock& block, std::vector<Undecided>& open,
                       Rules& rules, KeptStates& states, int shift_steps) {
-  each_vector(
-      block, open,
-      [&](Undecided* sheets, int count) {
-        if (shift_steps == 1) solver_.solve(place);
-        if (shift_steps > 1) solver_.solve_growing(place, shift_steps);
-        report_all(place, keeps, sheets, count, rules, states);
-      },
-      1.0 / shift_steps);
+  each_vector(block, open, [&](Undecided* sheets, int count) {
+    if (shift_steps > 1) {
+      solver_.solve_growing(place, shift_steps);
+    } else {
+      solver_.solve(place);
+    }
+    report_all(place, keeps, sheets, count, rules, states);
+  });
 }
 
 template <class T>
@@ -157,7 +156,7 @@ void LaneTest<T>::run_ahead(const ShiftBlock& block, std::vector<Undecided>& ope
                             KeptStates& states) {
   each_vector(block, open, [&](Undecided* sheets, int count) {
     take_kept(sheets, count, states);
-    solver_.solve_ahead(start_, tangent_, step_, lands_, pilot_, 0);
+    solver_.solve_ahead(start_, tangent_, step_, pilot_, 0);
     for (int i = 0; i < count; ++i) {
       KeptState& kept = states.of(sheets[i]);
       effort_.solves += 1;
@@ -192,7 +191,6 @@ void LaneTest<T>::take_kept(Undecided* open, int count, KeptStates& states) {
       lane(tangent_[j], i) = static_cast<Scalar<T>>(kept.tangent[j]);
     }
     lane(step_, i) = static_cast<Scalar<T>>(kept.step_deg * kRadPerDeg * way_per_level_);
-    lane(lands_, i) = static_cast<Scalar<T>>(kept.to_sample);
     const HalfAngle<double> pilot = half_angle_of_deg(kept.to_sample * sample_deg_);
     lane(pilot_.c, i) = static_cast<Scalar<T>>(pilot.c);
     lane(pilot_.s, i) = static_cast<Scalar<T>>(pilot.s);

@@ -27,24 +27,20 @@ class LevelSolver {
   /// `model` and `places` must outlive this object.
   LevelSolver(const Model& model, const std::vector<TestPlace>& places);
 
-  /// Puts so many sheets of a block into lanes, by their numbers, with this share of their shifts;
-  /// empty lanes repeat the first.
-  void load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers, int count,
-            double share = 1);
+  /// Puts so many sheets of a block into lanes, by their numbers; empty lanes repeat the first.
+  void load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers, int count);
   /// The same of sheets first, first + 1, ...
   void load(const ShiftBlock& block, int first, int count);
   /// Their states, lengths and slopes at the level of a place, from the base folding.
   MISALIGN_FLATTEN void solve(int place);
-  /// The same of sheets with a share 1 / steps of their shifts, which then grow to all of
-  /// themselves in so many steps, with one correction each.
-  MISALIGN_FLATTEN void solve_growing(int place, int steps);
+  /// The same while their shifts grow from nothing in so many steps, with one correction each.
+  void solve_growing(int place, int steps);
   /// The same from states near them, rounded as they may be: at the levels that these have.
   MISALIGN_FLATTEN void solve_from(const FoldState<T>& state, int place);
   /// The same from other states, turned by so much (rad; one per lane) along their unit tangents,
-  /// across which they are corrected; or in lanes where `lands` is positive with this pilot held.
+  /// across which they are corrected; or in lanes where this pilot is not flat with it held.
   MISALIGN_FLATTEN void solve_ahead(const FoldState<T>& state, const std::vector<T>& tangent,
-                                    const T& by_rad, const T& lands, const HalfAngle<T>& pilot,
-                                    int place);
+                                    const T& by_rad, const HalfAngle<T>& pilot, int place);
 
   const SheetGeometry<T>& geometry() const { return geometry_; }
   const FoldState<T>& state() const { return state_; }
@@ -77,8 +73,8 @@ class LevelSolver {
   std::vector<SparseLu<Real>> base_factors_;
   std::vector<std::vector<Real>> lengths_per_closure_;
   std::vector<std::vector<T>> levels_, base_tangents_;
-  std::vector<T> base_x_, base_y_;
-  SheetGeometry<T> geometry_;
+  const SheetGeometry<T> base_sheet_;
+  SheetGeometry<T> geometry_, whole_;
   FoldState<T> state_;
   std::vector<T> residual_, y_, row_, turn_, tangent_, lengths_, slopes_;
   SparseClosure<T> closure_;
@@ -92,7 +88,9 @@ LevelSolver<T>::LevelSolver(const Model& model, const std::vector<TestPlace>& pl
     : model_(model),
       mechanism_(model.mechanism()),
       places_(places),
-      geometry_(lane_geometry<T>(mechanism_)),
+      base_sheet_(in_all_lanes<T>(mechanism_, model.base().sheet.vertices_mm)),
+      geometry_(base_sheet_),
+      whole_(base_sheet_),
       state_(flat_state<T>(mechanism_)),
       residual_(mechanism_.equations, T(0)),
       y_(mechanism_.unknowns, T(0)),
@@ -115,14 +113,6 @@ LevelSolver<T>::LevelSolver(const Model& model, const std::vector<TestPlace>& pl
     levels_.push_back(in_lanes(at.level));
     base_tangents_.push_back(in_lanes(at.tangent));
   }
-  const double* const flat_mm = model.base().sheet.vertices_mm.data();
-  for (int v = 0; v < mechanism_.vertices; ++v) {
-    const double x_mm = flat_mm[2 * v] - flat_mm[0], y_mm = flat_mm[2 * v + 1] - flat_mm[1];
-    base_x_.push_back(T(static_cast<Real>(x_mm / mechanism_.panel_width_mm)));
-    base_y_.push_back(T(static_cast<Real>(y_mm / mechanism_.panel_width_mm)));
-  }
-  geometry_.x = base_x_;
-  geometry_.y = base_y_;
 }
 
 template <class T>
@@ -134,8 +124,8 @@ void LevelSolver<T>::load(const ShiftBlock& block, int first, int count) {
 
 template <class T>
 void LevelSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers,
-                          int count, double share) {
-  const T per_width(static_cast<Real>(share / mechanism_.panel_width_mm));
+                          int count) {
+  const T per_width(static_cast<Real>(1 / mechanism_.panel_width_mm));
   std::array<const double*, kLanes<T>> shifts;
   for (int i = 0; i < kLanes<T>; ++i) shifts[i] = block.of(numbers[i < count ? i : 0]);
   int k = 0;
@@ -145,8 +135,8 @@ void LevelSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<
       lane(dx, i) = static_cast<Real>(shifts[i][k]);
       lane(dy, i) = static_cast<Real>(shifts[i][k + 1]);
     }
-    geometry_.x[vertex] = base_x_[vertex] + dx * per_width;
-    geometry_.y[vertex] = base_y_[vertex] + dy * per_width;
+    geometry_.x[vertex] = base_sheet_.x[vertex] + dx * per_width;
+    geometry_.y[vertex] = base_sheet_.y[vertex] + dy * per_width;
     k += 2;
   }
   turn_axes(mechanism_, geometry_);
@@ -171,16 +161,17 @@ void LevelSolver<T>::solve(int place) {
 
 template <class T>
 void LevelSolver<T>::solve_growing(int place, int steps) {
+  whole_ = geometry_;
+  const auto grow_to = [&](int step) {
+    const T share(static_cast<Real>(1.0 * step / steps));
+    put_between(mechanism_, base_sheet_, whole_, share, geometry_);
+  };
+  grow_to(1);
   solve(place);
   largest_growth_ = from_base_;
   from_base_ = T(0);
   for (int step = 2; step <= steps; ++step) {
-    const T by(static_cast<Real>(1.0 * step / (step - 1)));
-    for (const int vertex : model_.shifted()) {
-      geometry_.x[vertex] = base_x_[vertex] + by * (geometry_.x[vertex] - base_x_[vertex]);
-      geometry_.y[vertex] = base_y_[vertex] + by * (geometry_.y[vertex] - base_y_[vertex]);
-    }
-    turn_axes(mechanism_, geometry_);
+    grow_to(step);
     largest_growth_ = larger(largest_growth_, correct(levels_[place]));
   }
   finish(levels_[place], place);
@@ -197,11 +188,11 @@ void LevelSolver<T>::solve_from(const FoldState<T>& state, int place) {
 
 template <class T>
 void LevelSolver<T>::solve_ahead(const FoldState<T>& state, const std::vector<T>& tangent,
-                                 const T& by_rad, const T& lands, const HalfAngle<T>& pilot,
-                                 int place) {
+                                 const T& by_rad, const HalfAngle<T>& pilot, int place) {
   state_ = state;
-  for (std::size_t j = 0; j < row_.size(); ++j) row_[j] = select(lands > T(0), T(0), tangent[j]);
-  row_.back() = select(lands > T(0), T(1), tangent.back());
+  const auto is_held = pilot.s > T(0);
+  for (std::size_t j = 0; j < row_.size(); ++j) row_[j] = select(is_held, T(0), tangent[j]);
+  row_.back() = select(is_held, T(1), tangent.back());
   // As 2 tan(turn / 2), to third order, because `advance` turns by 2 atan of half its entry.
   for (std::size_t j = 0; j < turn_.size(); ++j) {
     const T turn = by_rad * tangent[j];
@@ -209,7 +200,7 @@ void LevelSolver<T>::solve_ahead(const FoldState<T>& state, const std::vector<T>
   }
   advance(mechanism_, turn_.data(), state_);
   HalfAngle<T>& here = state_.creases[mechanism_.pilot];
-  here = {select(lands > T(0), pilot.c, here.c), select(lands > T(0), pilot.s, here.s)};
+  here = {select(is_held, pilot.c, here.c), select(is_held, pilot.s, here.s)};
   predictor_correction_ = correct(row_);
   finish(row_, place);
   goes_forward_ = T(0);

@@ -138,13 +138,12 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
         for (int steps = 0; steps < 6 && kept.of(open[0]).goes_on; ++steps) {
           more = Notes(path.cols());
           again.run_ahead(block_, open, more, kept);
-          if (!more.seen && kept.of(open[0]).goes_on) continue;  // half of the step comes next
           compare<double>(model_.tests()[0], path, more, ahead_);
         }
       }
     }
     EXPECT_GE(at_tests_.seen, 0.95 * at_tests_.looks);
-    EXPECT_GE(ahead_.seen, 0.8 * ahead_.looks) << "limits are near";
+    EXPECT_GE(ahead_.seen, 0.7 * ahead_.looks) << "next to limits steps are halved";
     // Narrow enough to be of use: diagonals move by 5e-3 panel widths, slopes are as large.
     EXPECT_LE(median(length_errors_), 1e-3);
     EXPECT_LE(median(slope_errors_), 2e-3);

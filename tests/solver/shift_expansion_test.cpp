@@ -108,8 +108,8 @@ class ShiftExpansions : public testing::TestWithParam<ExpandedSheet> {
   // Asking is cheap; the paths of the first of them are followed.
   static constexpr int kAsked = 400, kFollowed = 40 / kFewer;
   // Of differences and straight lines over a tenth of a degree: h^2 / 4 of third derivatives up to
-  // 10.
-  static constexpr double kDifferenceError = 1e-5;
+  // 6.
+  static constexpr double kDifferenceError = 5e-6;
   const DrawableSheet sheets_;
   const Model model_;
   ExpansionTest<double, float> test_;

@@ -70,7 +70,7 @@ class LevelJumps {
       solver::lane(way, i) =
           static_cast<Real>(rest_deg * solver::kRadPerDeg) / solver::lane(tangent_.back(), i);
     }
-    solver_.solve_ahead(state_, tangent_, way, T(1),
+    solver_.solve_ahead(state_, tangent_, way,
                         {T(static_cast<Real>(at.c)), T(static_cast<Real>(at.s))}, place);
   }
 
