@@ -63,23 +63,29 @@ void replace(const T& choice, const FoldState<T>& b, FoldState<T>& a) {
 template <class T>
 void put_lane(const SheetGeometry<double>& from, SheetGeometry<T>& to, int i) {
   for (std::size_t v = 0; v < from.x.size(); ++v) {
-    lane(to.x[v], i) = static_cast<Scalar<T>>(from.x[v]);
-    lane(to.y[v], i) = static_cast<Scalar<T>>(from.y[v]);
+    lane(to.x[v], i) = from.x[v];
+    lane(to.y[v], i) = from.y[v];
   }
   for (std::size_t e = 0; e < from.axis_x.size(); ++e) {
-    lane(to.axis_x[e], i) = static_cast<Scalar<T>>(from.axis_x[e]);
-    lane(to.axis_y[e], i) = static_cast<Scalar<T>>(from.axis_y[e]);
+    lane(to.axis_x[e], i) = from.axis_x[e];
+    lane(to.axis_y[e], i) = from.axis_y[e];
   }
 }
 
-/// A sheet into every lane.
+/// A sheet in every lane, as `place` has it; of its edges the creases only.
 template <class T>
 SheetGeometry<T> in_all_lanes(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
-  SheetGeometry<double> sheet;
-  place(mechanism, vertices_mm, sheet);
-  SheetGeometry<T> lanes = lane_geometry<T>(mechanism);
-  for (int i = 0; i < kLanes<T>; ++i) put_lane(sheet, lanes, i);
-  return lanes;
+  SheetGeometry<T> sheet = lane_geometry<T>(mechanism);
+  const double* const mm = vertices_mm.data();
+  const auto widths = [&](double from_first_mm) {
+    return T(static_cast<Scalar<T>>(from_first_mm / mechanism.panel_width_mm));
+  };
+  for (int v = 0; v < mechanism.vertices; ++v) {
+    sheet.x[v] = widths(mm[2 * v] - mm[0]);
+    sheet.y[v] = widths(mm[2 * v + 1] - mm[1]);
+  }
+  turn_axes(mechanism, sheet);
+  return sheet;
 }
 
 template <class T>
