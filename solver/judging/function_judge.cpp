@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/continuation/long_steps.hpp"
+#include "solver/judging/extreme_finder.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -126,9 +127,11 @@ ObserverResult FunctionJudge::see_sample(const Station& station, double x, bool 
     if (heading == FunctionBumps::Heading::unsure) return unsure();
     if (heading == FunctionBumps::Heading::back) {
       const std::optional<double> rate = bumps_->rate_there(x);
-      if (!rate) return unsure();
+      const std::optional<double> from_deg =
+          rate ? find_where_goes_back(station, *rate, function) : std::nullopt;
+      if (!from_deg) return unsure();
       fault_known_ = true;
-      judge_.end_between(bumps_->where(), *rate);
+      judge_.end_between(bumps_->where(), *rate, *from_deg);
       return ObserverResult::enough;
     }
     bumps_->take(station.pilot_deg * kRadPerDeg);
@@ -159,6 +162,24 @@ bool FunctionJudge::score_is_certain(double x, const PathFunction& function) {
   }
   return judge_.missed_part(&state_, here_.lengths, &again_.length_errors, crease_error)
       .is_certain();
+}
+
+// Where on the way to this sample, at which the diagonal changes by `rate`, it begins to go back,
+// if that is known well enough for the score; 0 where none is asked for. A bump is for close steps.
+std::optional<double> FunctionJudge::find_where_goes_back(const Station& station, double rate,
+                                                          const PathFunction& function) {
+  if (!criterion_.scores || samples_ == 0) return 0;
+  const int d = bumps_->where();
+  if (!judge_.goes_back(d, rate) || last_rad_ < function.pilot_at_oldest()) return std::nullopt;
+  const double last_deg = last_rad_ / kRadPerDeg, step_deg = station.pilot_deg - last_deg;
+  const double from_deg =
+      goes_back_from_deg(function, d, judge_.direction(d), last_deg, station.pilot_deg);
+  // Rates fall to that at the sample on no more than the whole step.
+  const double rate_error =
+      bumps_->look(function.locate(from_deg * kRadPerDeg), again_.slopes) / std::abs(rate);
+  LeastPart part;
+  part.add((from_deg - last_deg) / step_deg, 2 * rate_error);
+  return part.is_certain() ? std::optional(from_deg) : std::nullopt;
 }
 
 // Whether the stop that is asked for is as stiff, if that is certain.

@@ -38,6 +38,8 @@ class FunctionJudge {
   std::optional<bool> find_creases(double x, const PathFunction& function);
   bool is_decisive();
   bool score_is_certain(double x, const PathFunction& function);
+  std::optional<double> find_where_goes_back(const Station& station, double rate,
+                                             const PathFunction& function);
   std::optional<bool> find_stop_stiff(double x, const PathFunction& function);
   void know_last_better(const PathFunction& function);
   ObserverResult lost() {

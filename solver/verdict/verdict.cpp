@@ -53,7 +53,9 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
 
 void Judge::end_between(int where, double rate, double from_deg) {
   assert(where >= 0 && where < mechanism_.diagonal_count());
-  end(goes_back(where, rate) ? Fault::reverses_between : Fault::bump, where);
+  const double part =
+      samples_in_order_ > 0 ? (from_deg - last_pilot_deg_) * kRadPerDeg / sample_rad() : 0;
+  end(goes_back(where, rate) ? Fault::reverses_between : Fault::bump, where, part);
   if (fault_ != Fault::bump) return;
   between_.bump_where = where;
   between_.bump_deg = from_deg;
@@ -127,11 +129,13 @@ LeastPart Judge::missed_part(const FoldState<double>* state, const std::vector<d
     }
     return part;
   }
+  // Who looks between the samples sees what turns up to half a sample before and after them.
+  const double earlier = criterion_.bumps == BumpRule::ignored ? 0 : 0.5;
   for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
     const double step = lengths[i] - last_[i];
     if (std::abs(step) < kStepBand_widths || !goes_back(i, step)) continue;
     const double forward = (last_[i] - before_last_[i]) * direction_[i], back = std::abs(step);
-    part.add(turning_part(forward, back),
+    part.add(turning_part(forward, back) - earlier,
              step_errors ? turning_part_error(forward, back, (*step_errors)[i]) : 0);
   }
   return part;

@@ -80,7 +80,7 @@ class Judge {
     missed_part_ = missed_part;
   }
   /// A diagonal goes back before the next sample, at which it changes by `rate` (of any unit): ends
-  /// with the fault that this is. `from_deg`, where it begins, is for between().
+  /// with the fault that this is. `from_deg`, where it begins, is for between() and the score.
   void end_between(int where, double rate, double from_deg = 0);
   /// The next sample is to be looked at again, better known.
   void reconsider() { end(Fault::none, -1); }

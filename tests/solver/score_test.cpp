@@ -7,9 +7,9 @@ namespace misalign::solver {
 namespace {
 
 // Of a made-up path whose first diagonal is a parabola with its top at `top` samples.
-int score_of_parabola(double top, double curvature_widths) {
+int score_of_parabola(double top, double curvature_widths, BumpRule bumps = BumpRule::ignored) {
   const TestSheet sheet(4, 4);
-  Criterion criterion;
+  Criterion criterion{bumps};
   criterion.scores = true;
   Judge judge(sheet.mechanism, criterion);
   const FoldState<double> state = sheet.folded(30);
@@ -19,12 +19,14 @@ int score_of_parabola(double top, double curvature_widths) {
     lengths[0] = 1 - curvature_widths * (sample - top) * (sample - top);
     return lengths;
   };
+  std::vector<double> slopes(diagonals, 1e-3 / kRadPerDeg);
   judge.begin(lengths_at(0));
   int sample = 1;
-  while (judge.see({1.0 * sample, half_angle_of_deg(sample), sample, true}, &state,
-                   lengths_at(sample))) {
-    ++sample;
-  }
+  do {
+    slopes[0] = 2 * curvature_widths * (top - sample) / kRadPerDeg;
+  } while (judge.see({1.0 * sample, half_angle_of_deg(sample), sample, true}, &state,
+                     lengths_at(sample), &slopes) &&
+           ++sample);
   return judge.conclude({PathEnd::stopped, 0, 0, 0, 0}).score;
 }
 
@@ -36,6 +38,15 @@ TEST(Score, IsWhereAParabolaTurns) {
                 static_cast<int>(std::floor((top + 0.5) * kScoresPerSample)))
           << top << " " << curvature;
     }
+  }
+}
+
+// Who looks between the samples sees the top itself.
+TEST(Score, IsTheTopWhereCubicsAreLookedAt) {
+  for (const double top : {1.3, 2.26, 6.5, 6.6, 7.1, 7.49, 7.51, 7.999}) {
+    EXPECT_EQ(score_of_parabola(top, 1e-4, BumpRule::by_cubic),
+              static_cast<int>(std::floor(top * kScoresPerSample)))
+        << top;
   }
 }
 
@@ -110,6 +121,51 @@ TEST(Score, IsThatOfTheSolvedLengths) {
   EXPECT_GT(reversals, 0);
   EXPECT_GT(deep, 0);
   RecordProperty("limits", limits);
+}
+
+// Of this diagonal between D and the next sample, by solved slopes a fiftieth of a degree apart.
+std::optional<double> turn_between(const DrawableSheet& sheets, const FlatVertices& vertices_mm,
+                                   const Verdict& verdict) {
+  const int D = verdict.deploys_from_sample;
+  PathPlanOptions path{1};
+  path.end_deg = D + 1;
+  path.look_deg = 0.02;
+  const FoldingHistory history = record_history(Model(sheets.base, path), vertices_mm);
+  double last = 0, last_deg = 0;
+  for (std::size_t row = 0; row < history.stations.size(); ++row) {
+    const double deg = history.stations[row].pilot_deg;
+    const double slope = history.slope_mm_per_deg(static_cast<Eigen::Index>(row), verdict.where);
+    if (last_deg >= D && last * slope < 0) {
+      return last_deg + (deg - last_deg) * last / (last - slope) - D;
+    }
+    last = slope;
+    last_deg = deg;
+  }
+  return std::nullopt;
+}
+
+// Where going back between samples is a fault, by functions and in close steps: within one score.
+TEST(Score, IsWhereADiagonalTurnsBetweenSamples) {
+  const DrawableSheet sheets{4, 4};
+  const ShiftBlock block = sheets.draws(4000 / kFewer, kSeed + 19);
+  const Model model(sheets.base, sheets.shifted_vertices, {1}, 170, {BumpRule::exact, 0, 0, true});
+  const std::vector<Verdict> verdicts =
+      make_batch(available_instruction_sets().back(), model)->judge(block);
+  int functions = 0, close_steps = 0;
+  for (int i = 0; i < block.sheets; ++i) {
+    const Verdict& verdict = verdicts[i];
+    if (verdict.first_fault != Fault::reverses_between || verdict.deploys_from_sample < 20)
+      continue;
+    const bool is_deep = verdict.deploys_from_sample > 177;
+    if (!is_deep && functions == 20) continue;
+    const std::optional<double> part = turn_between(sheets, sheets.vertices(block, i), verdict);
+    if (!part) continue;  // it had turned before D by less than the band
+    EXPECT_NEAR(verdict.score % kScoresPerSample, *part * kScoresPerSample, 1 + 0.01) << i;
+    EXPECT_EQ(verdict.score / kScoresPerSample, verdict.deploys_from_sample);
+    ++(is_deep ? close_steps : functions);
+  }
+  EXPECT_GT(functions, 0);
+  RecordProperty("close_steps", close_steps);
 }
 
 // Also where a polynomial's errors leave the score in doubt.
