@@ -21,7 +21,7 @@ CloseStepOptions options_of_shares(const HalfAngle<double>& pilot) {
   options.arc.longest_step_rad = 0.05 * unit_rad;
   options.arc.shortest_step_rad = 1e-7 * unit_rad;
   options.arc.least_tangent_cosine = 0.9;
-  options.arc.most_steps = 2000;
+  options.arc.most_steps = 20000;
   options.arc.limit_tolerance_rad = 1e-3 * unit_rad;
   return options;
 }

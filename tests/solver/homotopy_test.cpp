@@ -11,14 +11,14 @@ namespace {
 // The branch in steps so small that Newton cannot leave it: the share up to which it goes, and the
 // state there.
 double follow_in_small_steps(const DrawableSheet& sheets, const Model& model,
-                             const FlatVertices& vertices_mm, FoldState<double>& state) {
-  constexpr int kSteps = 1000;
+                             const FlatVertices& vertices_mm, FoldState<double>& state,
+                             int steps = 1000) {
   Newton newton(model.mechanism());
   SheetGeometry<double> geometry;
   state = model.path().start;
   int sign = 0;
-  for (int k = 0; k <= kSteps; ++k) {
-    const double share = static_cast<double>(k) / kSteps;
+  for (int k = 0; k <= steps; ++k) {
+    const double share = static_cast<double>(k) / steps;
     const FlatVertices& base_mm = sheets.base.sheet.vertices_mm;
     place(model.mechanism(), base_mm + share * (vertices_mm - base_mm), geometry);
     FoldState<double> next = state;
@@ -76,6 +76,39 @@ INSTANTIATE_TEST_SUITE_P(Amplitudes, Starts, testing::Values(0.4, 8.0, 11.0),
                            return std::to_string(static_cast<int>(10 * amplitude.param)) +
                                   "_tenths_mm";
                          });
+
+// Where creases turn far while the shifts grow by a thousandth, 2,000 steps are not enough: draws
+// 20063 and 49341 of 8 x 6 with shifts of 8 mm.
+TEST(LargeShifts, HaveStartsAfterLongWaysSlow) {
+  const DrawableSheet sheets(8, 6);
+  const Model model = sheets.with_threshold(1);
+  ShiftHomotopy<double> homotopy(model.mechanism(), model.elimination(), model.path(),
+                                 sheets.base.sheet.vertices_mm);
+  const struct {
+    const char* signs;
+    PathEnd end;
+  } draws[] = {{"0000+0-0+-00-00-00---+0-00000-+--0++0+0--+-++-0-+00-0+-0-+--++++---0-+",
+                PathEnd::end_reached},
+               {"-++++--++0--+-0--0-0--+-0-+-0++0+0000-++-0++00++-0-----0-0+++++0--0+00",
+                PathEnd::fold_limit}};
+  for (const auto& [signs, end] : draws) {
+    ShiftBlock block{{}, 1};
+    for (const char* sign = signs; *sign != 0; ++sign) {
+      block.shifts_mm.push_back(*sign == '+' ? 8 : *sign == '-' ? -8 : 0);
+    }
+    ASSERT_EQ(block.shifts_mm.size(), 2 * sheets.shifted_vertices.size());
+    FarStart start(sheets.mechanism);
+    const FlatVertices vertices_mm = sheets.vertices(block, 0);
+    place(sheets.mechanism, vertices_mm, start.geometry);
+    homotopy.find({&start, 1});
+    ASSERT_EQ(start.end, end);
+    FoldState<double> expected;
+    const double share = follow_in_small_steps(sheets, model, vertices_mm, expected, 20000);
+    EXPECT_EQ(share == 1, end == PathEnd::end_reached) << share;
+    if (share < 1) continue;
+    EXPECT_LT(largest_half_sine(start.state, expected), 1e-8);
+  }
+}
 
 // A block with such sheets gives what each of them gives alone, and none is undecided.
 TEST(LargeShifts, AreDecidedInLanesSlow) {
