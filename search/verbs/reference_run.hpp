@@ -1,21 +1,29 @@
 // The frozen reference on a campaign's draws: what lanes are compared with.
 #pragma once
 
+#include <algorithm>
+
 #include "search/draws/draw.hpp"
+#include "solver/reference/grown_start.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {
 
-// Where the reference and the lanes differ, the reference goes again in shorter and shorter steps:
-// it can cross a fold limit to another branch without a crease moving by 20 degrees (of 100,000 of
-// 4 x 4 in steps of 1 degree 47, of 0.02 two, of 0.002 one).
-inline constexpr double kCarefulSteps_deg[] = {0.02, 0.002, 0.0002};
+// Where the reference and the lanes differ, the reference goes again. Newton's method straight from
+// the base folding may start it on another branch where shifts are large (of 8 x 6 with 8 mm a
+// sixth), so its shifts grow in this many steps; and it can cross a fold limit to another branch
+// without a crease moving by 20 degrees (of 100,000 of 4 x 4 in steps of 1 degree 47, of 0.02 two,
+// of 0.002 one), so it goes in shorter and shorter steps.
+inline constexpr int kGrowingSteps = 500;
+inline constexpr double kCarefulSteps_deg[] = {solver::PathPlanOptions{}.longest_step_deg, 0.02,
+                                               0.002, 0.0002};
 
 class ReferenceRun {
  public:
   ReferenceRun(const schema::Campaign& campaign, const solver::Mechanism& mechanism,
                double longest_step_deg = solver::PathPlanOptions{}.longest_step_deg)
       : campaign_(campaign),
+        mechanism_(mechanism),
         base_(campaign.pattern.base),
         plan_(solver::plan_path(
             mechanism, base_.folding, base_.sheet.vertices_mm,
@@ -25,10 +33,28 @@ class ReferenceRun {
   solver::Verdict judge(std::uint64_t draw) {
     return reference_.judge(base_.sheet.vertices_mm + shifts_of_draw(campaign_, draw));
   }
+  /// The same from its first sample on, with a start that its shifts have grown to.
+  solver::Verdict judge_grown(std::uint64_t draw) const {
+    const solver::FlatVertices& base_mm = base_.sheet.vertices_mm;
+    const solver::FlatVertices vertices_mm = base_mm + shifts_of_draw(campaign_, draw);
+    solver::PathPlan plan = plan_;
+    plan.stations.erase(plan.stations.begin(),
+                        std::ranges::find(plan.stations, 1, &solver::Station::sample));
+    const solver::GrownStart start = solver::grow_start(
+        mechanism_,
+        solver::base_state(mechanism_, base_.folding, base_mm, plan.stations.front().pilot),
+        base_mm, vertices_mm, kGrowingSteps);
+    if (!start.is_whole()) {
+      return {0, solver::Fault::fold_limit, -1, solver::PathEnd::fold_limit};
+    }
+    plan.start = start.state;
+    return solver::Reference(mechanism_, plan, campaign_.criterion()).judge(vertices_mm);
+  }
   const solver::PathResult& path() const { return reference_.path(); }
 
  private:
   const schema::Campaign& campaign_;
+  const solver::Mechanism& mechanism_;
   const solver::PerforatedSheet& base_;
   const solver::PathPlan plan_;
   solver::Reference reference_;

@@ -4,35 +4,10 @@
 
 #include "blocks.hpp"
 #include "solver/reference/arc_length.hpp"
+#include "solver/reference/grown_start.hpp"
 
 namespace misalign::solver {
 namespace {
-
-// The branch in steps so small that Newton cannot leave it: the share up to which it goes, and the
-// state there.
-double follow_in_small_steps(const DrawableSheet& sheets, const Model& model,
-                             const FlatVertices& vertices_mm, FoldState<double>& state,
-                             int steps = 1000) {
-  Newton newton(model.mechanism());
-  SheetGeometry<double> geometry;
-  state = model.path().start;
-  int sign = 0;
-  for (int k = 0; k <= steps; ++k) {
-    const double share = static_cast<double>(k) / steps;
-    const FlatVertices& base_mm = sheets.base.sheet.vertices_mm;
-    place(model.mechanism(), base_mm + share * (vertices_mm - base_mm), geometry);
-    FoldState<double> next = state;
-    const bool closed = newton.correct(geometry, next).end == NewtonEnd::converged;
-    if (sign == 0) sign = newton.factors().determinant_sign();
-    // A turn of the branch: no solution near, one on its other half, or one far off.
-    if (!closed || newton.factors().determinant_sign() != sign ||
-        largest_half_sine(next, state) > 0.2 * model.path().stations.front().pilot.s) {
-      return share;
-    }
-    state = next;
-  }
-  return 1;
-}
 
 class Starts : public testing::TestWithParam<double> {};
 
@@ -50,18 +25,18 @@ TEST_P(Starts, AreThoseOfTheBranchOfTheBaseFolding) {
   int found = 0, ended = 0;
   for (int i = 0; i < block.sheets; ++i) {
     const FlatVertices vertices_mm = sheets.vertices(block, i);
-    FoldState<double> expected;
-    const double share = follow_in_small_steps(sheets, model, vertices_mm, expected);
+    const GrownStart expected = grow_start(sheets.mechanism, model.path().start,
+                                           sheets.base.sheet.vertices_mm, vertices_mm, 1000);
     switch (starts[i].end) {
       case PathEnd::end_reached:
         ++found;
-        EXPECT_EQ(share, 1) << "sheet " << i;
+        EXPECT_TRUE(expected.is_whole()) << "sheet " << i;
         // Both closed to 1e-12, over a singular value of 1e-4 and more.
-        EXPECT_LT(largest_half_sine(starts[i].state, expected), 1e-8) << "sheet " << i;
+        EXPECT_LT(largest_half_sine(starts[i].state, expected.state), 1e-8) << "sheet " << i;
         break;
       case PathEnd::fold_limit:
         ++ended;
-        EXPECT_LT(share, 1) << "sheet " << i;
+        EXPECT_FALSE(expected.is_whole()) << "sheet " << i;
         break;
       default:
         ADD_FAILURE() << "sheet " << i << " was lost";
@@ -102,11 +77,11 @@ TEST(LargeShifts, HaveStartsAfterLongWaysSlow) {
     place(sheets.mechanism, vertices_mm, start.geometry);
     homotopy.find({&start, 1});
     ASSERT_EQ(start.end, end);
-    FoldState<double> expected;
-    const double share = follow_in_small_steps(sheets, model, vertices_mm, expected, 20000);
-    EXPECT_EQ(share == 1, end == PathEnd::end_reached) << share;
-    if (share < 1) continue;
-    EXPECT_LT(largest_half_sine(start.state, expected), 1e-8);
+    const GrownStart expected = grow_start(sheets.mechanism, model.path().start,
+                                           sheets.base.sheet.vertices_mm, vertices_mm, 20000);
+    EXPECT_EQ(expected.is_whole(), end == PathEnd::end_reached) << expected.share;
+    if (!expected.is_whole()) continue;
+    EXPECT_LT(largest_half_sine(start.state, expected.state), 1e-8);
   }
 }
 
