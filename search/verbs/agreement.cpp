@@ -60,8 +60,9 @@ class Comparison {
       solver::Verdict& expected = expected_[draw] = reference.judge(draw);
       const solver::Verdict& found = full_path_[draw];
       if (same(expected, found)) continue;
-      for (const double step_deg : kCarefulSteps_deg) {
-        expected = ReferenceRun(campaign_, model.mechanism(), step_deg).judge_grown(draw);
+      for (const auto& [step_deg, growing_steps] : kCarefulRuns) {
+        expected =
+            ReferenceRun(campaign_, model.mechanism(), step_deg).judge_grown(draw, growing_steps);
         if (same(expected, found)) break;
       }
       if (same(expected, found)) {
