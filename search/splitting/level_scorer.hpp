@@ -16,7 +16,7 @@ inline constexpr int kBelow = -1, kUndecided = -2;
 /// The score of a campaign's last level: its criterion.
 int last_level(const schema::Campaign& campaign);
 /// A verdict's score in this campaign: kScoresPerSample a sample, see solver::score. A sheet that
-/// is not accepted, for an inactive diagonal, lies just below the last level.
+/// is not accepted lies below the last level, one with an inactive diagonal below every level.
 int score_of(const solver::Verdict& verdict, const schema::Campaign& campaign);
 
 /// Rejection tests at a level's own sample, and full paths of those that they leave.

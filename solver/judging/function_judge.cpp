@@ -127,9 +127,9 @@ ObserverResult FunctionJudge::see_sample(const Station& station, double x, bool 
     if (heading == FunctionBumps::Heading::unsure) return unsure();
     if (heading == FunctionBumps::Heading::back) {
       const std::optional<double> rate = bumps_->rate_there(x);
-      const std::optional<double> from_deg =
-          rate ? find_where_goes_back(station, *rate, function) : std::nullopt;
-      if (!from_deg) return unsure();
+      if (!rate) return unsure();
+      const std::optional<double> from_deg = find_where_goes_back(station, *rate, function);
+      if (!from_deg) return lost();
       fault_known_ = true;
       judge_.end_between(bumps_->where(), *rate, *from_deg);
       return ObserverResult::enough;
@@ -165,7 +165,8 @@ bool FunctionJudge::score_is_certain(double x, const PathFunction& function) {
 }
 
 // Where on the way to this sample, at which the diagonal changes by `rate`, it begins to go back,
-// if that is known well enough for the score; 0 where none is asked for. A bump is for close steps.
+// if that is known well enough for the score; 0 where none is asked for. Not of a bump: its rate at
+// the sample does not say how fast it turns.
 std::optional<double> FunctionJudge::find_where_goes_back(const Station& station, double rate,
                                                           const PathFunction& function) {
   if (!criterion_.scores || samples_ == 0) return 0;
@@ -174,11 +175,12 @@ std::optional<double> FunctionJudge::find_where_goes_back(const Station& station
   const double last_deg = last_rad_ / kRadPerDeg, step_deg = station.pilot_deg - last_deg;
   const double from_deg =
       goes_back_from_deg(function, d, judge_.direction(d), last_deg, station.pilot_deg);
-  // Rates fall to that at the sample on no more than the whole step.
-  const double rate_error =
-      bumps_->look(function.locate(from_deg * kRadPerDeg), again_.slopes) / std::abs(rate);
+  // Rates fall to that at the sample on no more than the whole step, at half their mean or faster.
+  const double x = function.locate(from_deg * kRadPerDeg);
+  const double rate_error = bumps_->look(x, again_.slopes) + function.node_error();
   LeastPart part;
-  part.add((from_deg - last_deg) / step_deg, 2 * rate_error);
+  part.add((from_deg - last_deg) / step_deg,
+           2 * rate_error / std::abs(rate) + function.pilot_error(x) / (step_deg * kRadPerDeg));
   return part.is_certain() ? std::optional(from_deg) : std::nullopt;
 }
 

@@ -1,23 +1,23 @@
-// A start for the reference where shifts are large, and Newton's method from the base folding may
-// find another branch: on dense matrices, in steps so small that it cannot leave its own.
+// A start for the reference where shifts are large, and Newton's method straight from the base
+// folding may find none, or another branch: the shifts grow in small steps, on dense matrices.
 #pragma once
 
-#include "solver/kinematics/fold_state.hpp"
+#include "solver/continuation/path.hpp"
 #include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::solver {
 
 struct GrownStart {
-  /// Up to which the shifts grew: 1, all of them, unless the branch turns before.
-  double share = 0;
+  /// end_reached: all shifts have grown. fold_limit: the branch turns before. stalled: another one
+  /// crosses it, and which goes on is not known.
+  PathEnd end = PathEnd::stalled;
+  double share = 0;         ///< of the shifts, how far they have grown
   FoldState<double> state;  ///< there
-
-  bool is_whole() const { return share == 1; }
 };
 
-/// From this state of the base sheet, the pilot held, in so many equal steps of the shifts.
+/// From this state of the base sheet, the pilot held. A step in which a crease turns far or the
+/// Jacobian's determinant changes its sign is halved, down to 1e-8 of the shifts.
 GrownStart grow_start(const Mechanism& mechanism, const FoldState<double>& base_state,
-                      const FlatVertices& base_vertices_mm, const FlatVertices& vertices_mm,
-                      int steps);
+                      const FlatVertices& base_vertices_mm, const FlatVertices& vertices_mm);
 
 }  // namespace misalign::solver

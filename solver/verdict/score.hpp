@@ -37,8 +37,8 @@ class LeastPart {
 
 /// A diagonal goes on by `forward` in the sample before the fault and back by `back` > 0 in that of
 /// the fault. A parabola through its three lengths turns at this part of a sample from half a
-/// sample before D on. Where going back between samples is a fault too, parts count from D on: what
-/// turns later is not over with the next sample.
+/// sample before D on. Where going back between samples is a fault too, parts count from D on, half
+/// a sample later: the turn itself.
 inline double turning_part(double forward, double back) {
   return forward > 0 ? forward / (forward + back) : 0;
 }

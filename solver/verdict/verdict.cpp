@@ -129,7 +129,7 @@ LeastPart Judge::missed_part(const FoldState<double>* state, const std::vector<d
     }
     return part;
   }
-  // Who looks between the samples sees what turns up to half a sample before and after them.
+  // Where turns between samples are faults their places count from D on, not from half before it.
   const double earlier = criterion_.bumps == BumpRule::ignored ? 0 : 0.5;
   for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
     const double step = lengths[i] - last_[i];

@@ -30,7 +30,7 @@ struct Verdict {
   Fault first_fault = Fault::none;
   int where = -1;  ///< crease (over_folded, assignment_flipped) or diagonal (the others)
   PathEnd path_end = PathEnd::end_reached;  ///< the cause, when undecided
-  /// Where scores are asked for: kScoresPerSample times the samples in order, whether or not a
+  /// Where scores are asked for: kScoresPerSample times the samples in order, unless a
   /// diagonal is inactive, and the part by which the fault was missed.
   int score = kNoScore;
 
