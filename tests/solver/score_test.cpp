@@ -157,7 +157,7 @@ TEST(Score, IsWhereADiagonalTurnsBetweenSamples) {
     if (verdict.first_fault != Fault::reverses_between || verdict.deploys_from_sample < 20)
       continue;
     const bool is_deep = verdict.deploys_from_sample > 177;
-    if (!is_deep && functions == 20) continue;
+    if (!is_deep && functions == 20 / kFewer) continue;
     const std::optional<double> part = turn_between(sheets, sheets.vertices(block, i), verdict);
     if (!part) continue;  // it had turned before D by less than the band
     EXPECT_NEAR(verdict.score % kScoresPerSample, *part * kScoresPerSample, 1 + 0.01) << i;
