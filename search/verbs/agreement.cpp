@@ -61,7 +61,7 @@ class Comparison {
       const solver::Verdict& found = full_path_[draw];
       if (same(expected, found)) continue;
       for (const double step_deg : kCarefulSteps_deg) {
-        expected = ReferenceRun(campaign_, model.mechanism(), step_deg).judge_grown(draw);
+        expected = judge_carefully(campaign_, model.mechanism(), step_deg, draw);
         if (same(expected, found)) break;
       }
       if (same(expected, found)) {

@@ -14,8 +14,8 @@ namespace misalign::search {
 struct AgreementReport {
   std::uint64_t draws = 0, undecided = 0;
   std::uint64_t verdicts_differ = 0;   // D, first fault or place, on the full path
-  std::uint64_t reference_jumped = 0;  // they differed until it grew into its start, or took
-                                       // finer steps
+  std::uint64_t reference_jumped = 0;  // they differed until the reference grew into its start, or
+                                       // took finer steps
   std::uint64_t reference_lost = 0;    // not compared: it is undecided, and the fast path is not
   std::uint64_t decisions = 0;  // at the campaign's threshold, at every tenth degree, at each
                                 // draw's own D and one sample above

@@ -20,49 +20,55 @@ inline constexpr double kCarefulSteps_deg[] = {solver::PathPlanOptions{}.longest
 // where the angles' squares are 3e-6.
 inline constexpr double kLeastStart_deg = 0.1;
 
+inline solver::PathPlan reference_plan(const schema::Campaign& campaign,
+                                       const solver::Mechanism& mechanism,
+                                       double longest_step_deg) {
+  const solver::PerforatedSheet& base = campaign.pattern.base;
+  return solver::plan_path(
+      mechanism, base.folding, base.sheet.vertices_mm,
+      solver::reference_path(campaign.path(), longest_step_deg, campaign.between_samples));
+}
+
 class ReferenceRun {
  public:
-  ReferenceRun(const schema::Campaign& campaign, const solver::Mechanism& mechanism,
-               double longest_step_deg = solver::PathPlanOptions{}.longest_step_deg)
+  ReferenceRun(const schema::Campaign& campaign, const solver::Mechanism& mechanism)
       : campaign_(campaign),
-        mechanism_(mechanism),
-        base_(campaign.pattern.base),
-        plan_(solver::plan_path(
-            mechanism, base_.folding, base_.sheet.vertices_mm,
-            solver::reference_path(campaign.path(), longest_step_deg, campaign.between_samples))),
+        plan_(reference_plan(campaign, mechanism, solver::PathPlanOptions{}.longest_step_deg)),
         reference_(mechanism, plan_, campaign.criterion()) {}
 
   solver::Verdict judge(std::uint64_t draw) {
-    return reference_.judge(base_.sheet.vertices_mm + shifts_of_draw(campaign_, draw));
-  }
-  /// The same with a start that its shifts have grown to.
-  solver::Verdict judge_grown(std::uint64_t draw) const {
-    const solver::FlatVertices& base_mm = base_.sheet.vertices_mm;
-    const solver::FlatVertices vertices_mm = base_mm + shifts_of_draw(campaign_, draw);
-    const auto is_start = [](const solver::Station& station) {
-      return station.sample > 0 || station.pilot_deg >= kLeastStart_deg;
-    };
-    solver::PathPlan plan{{std::ranges::find_if(plan_.stations, is_start), plan_.stations.end()},
-                          plan_.start};
-    const solver::GrownStart start = solver::grow_start(
-        mechanism_,
-        solver::base_state(mechanism_, base_.folding, base_mm, plan.stations.front().pilot),
-        base_mm, vertices_mm);
-    if (start.end != solver::PathEnd::end_reached) {
-      const bool turns = start.end == solver::PathEnd::fold_limit;
-      return {0, turns ? solver::Fault::fold_limit : solver::Fault::undecided, -1, start.end};
-    }
-    plan.start = start.state;
-    return solver::Reference(mechanism_, plan, campaign_.criterion()).judge(vertices_mm);
+    return reference_.judge(campaign_.pattern.base.sheet.vertices_mm +
+                            shifts_of_draw(campaign_, draw));
   }
   const solver::PathResult& path() const { return reference_.path(); }
 
  private:
   const schema::Campaign& campaign_;
-  const solver::Mechanism& mechanism_;
-  const solver::PerforatedSheet& base_;
   const solver::PathPlan plan_;
   solver::Reference reference_;
 };
+
+/// One draw in steps of that length, with a start that its shifts have grown to.
+inline solver::Verdict judge_carefully(const schema::Campaign& campaign,
+                                       const solver::Mechanism& mechanism, double longest_step_deg,
+                                       std::uint64_t draw) {
+  const solver::PerforatedSheet& base = campaign.pattern.base;
+  const solver::FlatVertices& base_mm = base.sheet.vertices_mm;
+  const solver::FlatVertices vertices_mm = base_mm + shifts_of_draw(campaign, draw);
+  solver::PathPlan plan = reference_plan(campaign, mechanism, longest_step_deg);
+  plan.stations.erase(plan.stations.begin(),
+                      std::ranges::find_if(plan.stations, [](const auto& station) {
+                        return station.sample > 0 || station.pilot_deg >= kLeastStart_deg;
+                      }));
+  const solver::GrownStart start = solver::grow_start(
+      mechanism, solver::base_state(mechanism, base.folding, base_mm, plan.stations.front().pilot),
+      base_mm, vertices_mm);
+  if (start.end != solver::PathEnd::end_reached) {
+    const bool turns = start.end == solver::PathEnd::fold_limit;
+    return {0, turns ? solver::Fault::fold_limit : solver::Fault::undecided, -1, start.end};
+  }
+  plan.start = start.state;
+  return solver::Reference(mechanism, plan, campaign.criterion()).judge(vertices_mm);
+}
 
 }  // namespace misalign::search
