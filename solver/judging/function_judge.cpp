@@ -172,16 +172,15 @@ std::optional<double> FunctionJudge::find_where_goes_back(const Station& station
   if (!criterion_.scores || samples_ == 0) return 0;
   const int d = bumps_->where();
   if (!judge_.goes_back(d, rate) || last_rad_ < function.pilot_at_oldest()) return std::nullopt;
-  const double last_deg = last_rad_ / kRadPerDeg, step_deg = station.pilot_deg - last_deg;
+  const double last_deg = last_rad_ / kRadPerDeg;
   const double from_deg =
       goes_back_from_deg(function, d, judge_.direction(d), last_deg, station.pilot_deg);
   // Rates fall to that at the sample on no more than the whole step, at half their mean or faster.
   const double x = function.locate(from_deg * kRadPerDeg);
   const double rate_error = bumps_->look(x, again_.slopes) + function.node_error();
-  LeastPart part;
-  part.add((from_deg - last_deg) / step_deg,
-           2 * rate_error / std::abs(rate) + function.pilot_error(x) / (step_deg * kRadPerDeg));
-  return part.is_certain() ? std::optional(from_deg) : std::nullopt;
+  const double step_rad = station.pilot_deg * kRadPerDeg - last_rad_;
+  const double error_rad = 2 * rate_error / std::abs(rate) * step_rad + function.pilot_error(x);
+  return judge_.part_at(from_deg, error_rad).is_certain() ? std::optional(from_deg) : std::nullopt;
 }
 
 // Whether the stop that is asked for is as stiff, if that is certain.

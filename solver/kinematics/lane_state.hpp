@@ -72,7 +72,7 @@ void put_lane(const SheetGeometry<double>& from, SheetGeometry<T>& to, int i) {
   }
 }
 
-/// A sheet in every lane, as `place` has it; of its edges the creases only.
+/// A sheet's vertices in every lane, as `place` has them; axes are turned where it is shifted.
 template <class T>
 SheetGeometry<T> in_all_lanes(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
   SheetGeometry<T> sheet = lane_geometry<T>(mechanism);
@@ -84,7 +84,6 @@ SheetGeometry<T> in_all_lanes(const Mechanism& mechanism, const FlatVertices& ve
     sheet.x[v] = widths(mm[2 * v] - mm[0]);
     sheet.y[v] = widths(mm[2 * v + 1] - mm[1]);
   }
-  turn_axes(mechanism, sheet);
   return sheet;
 }
 

@@ -53,9 +53,8 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
 
 void Judge::end_between(int where, double rate, double from_deg) {
   assert(where >= 0 && where < mechanism_.diagonal_count());
-  const double part =
-      samples_in_order_ > 0 ? (from_deg - last_pilot_deg_) * kRadPerDeg / sample_rad() : 0;
-  end(goes_back(where, rate) ? Fault::reverses_between : Fault::bump, where, part);
+  end(goes_back(where, rate) ? Fault::reverses_between : Fault::bump, where,
+      part_at(from_deg).value());
   if (fault_ != Fault::bump) return;
   between_.bump_where = where;
   between_.bump_deg = from_deg;
@@ -151,15 +150,19 @@ int Judge::score(const PathResult& path) const {
   return kScoresPerSample * samples_in_order_ + scores_of(part);
 }
 
-LeastPart Judge::limit_part(const PathResult& path, double error_rad) const {
+LeastPart Judge::part_at(double pilot_deg, double error_rad) const {
   LeastPart part;
-  if (path.end != PathEnd::fold_limit || samples_in_order_ == 0) {
+  if (samples_in_order_ == 0) {
     part.add(0);
   } else {
-    part.add((path.fold_limit_deg - last_pilot_deg_) * kRadPerDeg / sample_rad(),
-             error_rad / sample_rad());
+    part.add((pilot_deg - last_pilot_deg_) * kRadPerDeg / sample_rad(), error_rad / sample_rad());
   }
   return part;
+}
+
+LeastPart Judge::limit_part(const PathResult& path, double error_rad) const {
+  return path.end == PathEnd::fold_limit ? part_at(path.fold_limit_deg, error_rad)
+                                         : part_at(last_pilot_deg_);
 }
 
 Between Judge::seen_between(const Station& station, const std::vector<double>& lengths,

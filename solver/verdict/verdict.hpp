@@ -90,6 +90,9 @@ class Judge {
   LeastPart missed_part(const FoldState<double>* state, const std::vector<double>& lengths,
                         const std::vector<double>* step_errors = nullptr,
                         double crease_error = 0) const;
+  /// The same of a fault at this pilot angle between D and the next sample; 0 where no sample was
+  /// in order.
+  LeastPart part_at(double pilot_deg, double error_rad = 0) const;
   /// The same where the path ends in a fold limit before the next sample; 0 where it does not.
   LeastPart limit_part(const PathResult& path, double error_rad = 0) const;
   /// The verdict, once the path has ended or `see` has said false.
