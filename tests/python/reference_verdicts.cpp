@@ -1,5 +1,6 @@
 // reference_verdicts CAMPAIGN FIRST COUNT [STEP_DEG]: what the frozen reference says of these
-// draws, a line for each: D in samples, first fault, crease or diagonal.
+// draws, a line for each: D in samples, first fault, crease or diagonal. With STEP_DEG as a
+// careful run says it.
 #include <cstdio>
 #include <cstdlib>
 
@@ -13,12 +14,13 @@ int main(int count, char** arguments) {
   const schema::Campaign campaign = schema::read_campaign_file(arguments[1]);
   const solver::PerforatedSheet& base = campaign.pattern.base;
   const solver::Mechanism mechanism = solver::build_mechanism(base);
-  const double step_deg = count > 4 ? std::atof(arguments[4]) : 1;
-  search::ReferenceRun reference(campaign, mechanism, step_deg);
+  search::ReferenceRun reference(campaign, mechanism);
   const std::uint64_t first = std::strtoull(arguments[2], nullptr, 10);
   for (std::uint64_t draw = first; draw < first + std::strtoull(arguments[3], nullptr, 10);
        ++draw) {
-    const solver::Verdict verdict = reference.judge(draw);
+    const solver::Verdict verdict =
+        count > 4 ? search::judge_carefully(campaign, mechanism, std::atof(arguments[4]), draw)
+                  : reference.judge(draw);
     std::printf("%d %s %d\n", verdict.deploys_from_sample, solver::fault_name(verdict.first_fault),
                 verdict.where);
   }
