@@ -4,6 +4,7 @@
 // sheets.
 #pragma once
 
+#include <cstring>
 #include <memory>
 
 #include "solver/lanes/level_solver.hpp"
@@ -14,7 +15,7 @@
 
 namespace misalign::solver {
 
-// Whose shares are measured; and so many that a vertex's part of the tables is worth loading.
+// Whose shares are measured; and so many that a part of the tables is worth loading.
 constexpr int kSampleSheets = 1024, kSheetsAtOnce = 1024;
 // Of tables, in a rank's memory.
 constexpr std::size_t kMostTableBytes = 16 << 20;
@@ -56,14 +57,12 @@ class ExpansionTest {
   using Shorts [[gnu::vector_size(kBytes), gnu::aligned(2), gnu::may_alias]] = Short;
   static constexpr int kPieces = kRow * static_cast<int>(sizeof(Short)) / kBytes;
 
-  double make_ready(const Model& model, SecondOrder form, double late_deg);
+  double make_ready(const Model& model, double late_deg);
   double calibrate(const ShiftSample& sample);
   void find_gradients(const Model& model, const ShiftPlaces& places, ShiftGradients& gradients);
   void find_sample(const Model& model, const ShiftPlaces& places, ShiftSample& sample);
   void look_at(const ShiftBlock& block, int first, int count);
   void add_up(int group);
-  void add_singles(int group);
-  void add_pairs(int group, int vertex);
 
   static int sign_of(double shift) { return (shift > 0) - (shift < 0); }
 
@@ -71,7 +70,7 @@ class ExpansionTest {
   const double amplitude_mm_;
   double late_deg_ = 0, turned_away_ = 0;
   int late_sample_ = 0;
-  ProductSums products_;
+  ProductSums products_{sizeof(T)};
   // Of some sheets: those still asked, by number, and their sums; of each vertex its row, by its
   // place; of each coordinate its sign.
   std::vector<int> asked_;
@@ -83,14 +82,13 @@ class ExpansionTest {
 
 template <class T, class Single>
 ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(model.ternary_mm()) {
-  const SecondOrder form =
-      sizeof(T) == 64 && ProductSums::are_fast() ? SecondOrder::by_products : SecondOrder::by_pairs;
+  const int vertices = static_cast<int>(model.shifted().size());
   // With springs beside the vertices unshifted sheets elongate too: expansions have no such term.
-  if (model.ternary_mm() <= 0 || model.shifted().empty() || model.tests().empty() ||
+  if (model.ternary_mm() <= 0 || vertices == 0 || model.tests().empty() ||
       !model.mechanism().springs.at_vertices() ||
       model.sample_deg() > kRejection.longest_sample_for_slopes_deg ||
-      ShiftExpansion::bytes(form, static_cast<int>(model.shifted().size()),
-                            model.mechanism().diagonal_count()) > kMostTableBytes) {
+      2 * vertices > ProductTable::kMostCoordinates ||
+      ShiftExpansion::bytes(vertices, model.mechanism().diagonal_count()) > kMostTableBytes) {
     return;
   }
   const double farthest_deg = model.tests()[0].pilot_deg;
@@ -98,7 +96,7 @@ ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(mode
   for (const double wanted_deg : kLate_deg) {
     const double deg = std::min(wanted_deg / 180 * model.base().folding.end_deg(), farthest_deg);
     if (deg == made_deg || turned_away_ >= kEnoughTurnedAway) continue;
-    const double turned_away = make_ready(model, form, made_deg = deg);
+    const double turned_away = make_ready(model, made_deg = deg);
     if (turned_away < std::max(turned_away_, kLeastTurnedAway)) continue;
     turned_away_ = turned_away;
     late_deg_ = deg;
@@ -106,18 +104,18 @@ ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(mode
   if (late_deg_ == 0) {
     expansion_.reset();
   } else if (late_deg_ != made_deg) {
-    make_ready(model, form, late_deg_);
+    make_ready(model, late_deg_);
   }
   late_sample_ = static_cast<int>(late_deg_ / model.sample_deg());
 }
 
 // Returns the share of a sample's sheets that it turns away.
 template <class T, class Single>
-double ExpansionTest<T, Single>::make_ready(const Model& model, SecondOrder form, double late_deg) {
+double ExpansionTest<T, Single>::make_ready(const Model& model, double late_deg) {
   const ShiftPlaces places(model, kEarlyShare * late_deg, late_deg);
   ShiftGradients gradients(model);
   find_gradients(model, places, gradients);
-  expansion_ = std::make_unique<ShiftExpansion>(gradients, form);
+  expansion_ = std::make_unique<ShiftExpansion>(gradients);
   ShiftSample sample(model, kSampleSheets);
   find_sample(model, places, sample);
   const auto known = static_cast<double>(std::ranges::count(sample.is_known, 1));
@@ -242,7 +240,7 @@ void ExpansionTest<T, Single>::run(const ShiftBlock& block, Rules& rules) {
 template <class T, class Single>
 void ExpansionTest<T, Single>::look_at(const ShiftBlock& block, int first, int count) {
   const int vertices = expansion_->vertices();
-  const std::size_t stride = static_cast<std::size_t>(2 * vertices + ProductSums::kPadding);
+  const std::size_t stride = static_cast<std::size_t>(2 * vertices + ProductTable::kPadding);
   asked_.clear();
   rows_.resize(static_cast<std::size_t>(count * vertices));
   signs_.resize(static_cast<std::size_t>(count) * stride);
@@ -267,56 +265,21 @@ void ExpansionTest<T, Single>::look_at(const ShiftBlock& block, int first, int c
 template <class T, class Single>
 void ExpansionTest<T, Single>::add_up(int group) {
   sums_.resize(asked_.size() * kSums);
-  add_singles(group);
-  if (expansion_->form() == SecondOrder::by_products) {
-    products_.find(expansion_->products(), group, signs_.data(), asked_, sums_.data() + kRow,
-                   kSums);
-  } else {
-    for (int vertex = 0; vertex < expansion_->vertices(); ++vertex) add_pairs(group, vertex);
-  }
-}
-
-template <class T, class Single>
-void ExpansionTest<T, Single>::add_singles(int group) {
-  const int vertices = expansion_->vertices();
-  const int pieces = expansion_->form() == SecondOrder::by_pairs ? 2 * kPieces : kPieces;
-  Shorts* sums = reinterpret_cast<Shorts*>(sums_.data());
+  Short* sums = sums_.data();
   for (const int sheet : asked_) {
-    const std::uint16_t* const rows = rows_.data() + sheet * vertices;
-    for (int k = 0; k < pieces; ++k) {
-      const Short* of_vertex = expansion_->single(group, 0, 0) + k * kRow / kPieces;
-      Shorts sum = {};
-      for (int vertex = 0; vertex < vertices; ++vertex) {
-        sum += *reinterpret_cast<const Shorts*>(of_vertex + 2 * rows[vertex]);
-        of_vertex += ShiftExpansion::kPlaces * kSums;
-      }
-      sums[k] = sum;
-    }
-    sums += 2 * kPieces;
-  }
-}
-
-// What a vertex adds together with those after it, of all these sheets: its part of the tables
-// stays in the cache.
-template <class T, class Single>
-void ExpansionTest<T, Single>::add_pairs(int group, int vertex) {
-  const int vertices = expansion_->vertices();
-  Shorts* second = reinterpret_cast<Shorts*>(sums_.data()) + kPieces;
-  for (const int sheet : asked_) {
-    const std::uint16_t* const rows = rows_.data() + sheet * vertices + vertex;
-    const Short* of_next = expansion_->pair(group, vertex, *rows / kRow);
-    Shorts sum[kPieces];
-    for (int k = 0; k < kPieces; ++k) sum[k] = second[k];
-#pragma GCC unroll 8
-    for (int next = 1; next < vertices - vertex; ++next) {
-      const Shorts* const row = reinterpret_cast<const Shorts*>(of_next + rows[next]);
+    const std::uint16_t* const rows = rows_.data() + sheet * expansion_->vertices();
+    const Short* of_vertex = expansion_->single(group, 0, 0);
+    Shorts sum[kPieces] = {};
+    for (int vertex = 0; vertex < expansion_->vertices(); ++vertex) {
+      const Shorts* const row = reinterpret_cast<const Shorts*>(of_vertex + rows[vertex]);
 #pragma GCC unroll 8
       for (int k = 0; k < kPieces; ++k) sum[k] += row[k];
-      of_next += ShiftExpansion::kPlaces * kRow;
+      of_vertex += ShiftExpansion::kPlaces * kRow;
     }
-    for (int k = 0; k < kPieces; ++k) second[k] = sum[k];
-    second += 2 * kPieces;
+    std::memcpy(sums, sum, sizeof sum);
+    sums += kSums;
   }
+  products_.find(expansion_->products(), group, signs_.data(), asked_, sums_.data() + kRow, kSums);
 }
 
 }  // namespace misalign::solver

@@ -8,7 +8,7 @@
 namespace misalign::solver {
 namespace {
 
-// The largest sum there can be is this many units; a pair's rounding is half a unit.
+// The largest sum there can be is this many units.
 constexpr double kLargestSum = 32000;
 constexpr double kLargestByte = 127;
 // Of the largest share that was left out on the sheets that were measured. Among 30,000 sheets of
@@ -20,66 +20,35 @@ constexpr float kLeastShare = 0.5F;
 // The second order of a sheet counts as at least this part of the median's: where it is small by
 // accident, what is left out is not.
 constexpr float kLeastOrder = 0.5F;
-
-// Shifts of a vertex in its place, in amplitudes.
-struct TernaryShift {
-  explicit TernaryShift(int place) : x(place / 3 - 1), y(place % 3 - 1) {}  // NOLINT: whole
-  double x, y;
-};
-
-ShiftExpansion::Short rounded(double value, double unit) {
-  assert(std::abs(value) <= 32767 * unit);  // the bound of all sums fits
-  return static_cast<ShiftExpansion::Short>(std::lround(value / unit));
-}
+// Of a shift, in squares of its amplitude.
+constexpr double kMeanSquare = 2.0 / 3;
 
 }  // namespace
 
-// One quantity as a polynomial in the levels of all coordinates.
+// One quantity as a polynomial in the shifts of all coordinates, in amplitudes.
 class ShiftExpansion::Polynomial {
  public:
   Polynomial(const ShiftGradients& gradients, ShiftedQuantity quantity, int diagonal)
       : g_(gradients), q_(quantity), d_(diagonal) {}
 
-  /// Alone: the mean of its slope over the step, by Simpson's rule, and what is even.
-  double odd(int i) const { return (forth(i, i) + back(i, i) + 4 * g_.none(q_, d_, i)) / 6; }
-  double even(int i) const { return (forth(i, i) - back(i, i)) / 4; }
-  /// Of two coordinates: x_i x_j, and what the third order has of two only, x_i^2 x_j.
-  double mixed(int i, int j) const {
-    return (forth(i, j) - back(i, j) + forth(j, i) - back(j, i)) / 4;
-  }
-  double squared(int i, int j) const { return (forth(i, j) + back(i, j)) / 2 - g_.none(q_, d_, j); }
-
-  double first(int vertex, const TernaryShift& at) const {
-    return odd(2 * vertex) * at.x + odd(2 * vertex + 1) * at.y;
-  }
-  double second(int vertex, const TernaryShift& at) const {
-    return even(2 * vertex) * at.x * at.x + even(2 * vertex + 1) * at.y * at.y +
-           of_two(2 * vertex, at.x, 2 * vertex + 1, at.y);
-  }
-  double of_vertices(int g, const TernaryShift& at_g, int h, const TernaryShift& at_h) const {
-    return of_two(2 * g, at_g.x, 2 * h, at_h.x) + of_two(2 * g, at_g.x, 2 * h + 1, at_h.y) +
-           of_two(2 * g + 1, at_g.y, 2 * h, at_h.x) + of_two(2 * g + 1, at_g.y, 2 * h + 1, at_h.y);
-  }
-  /// Of the product of two coordinates, or of the square of one.
-  double of_product(int i, int j) const { return i == j ? even(i) : mixed(i, j); }
-  /// No sum is larger.
-  double bound() const {
-    double sum = 0;
+  /// Of x_j: the mean of its slope over the step, by Simpson's rule, and what x_i^2 x_j come to in
+  /// the mean.
+  double linear(int j) const {
+    const double none = g_.none(q_, d_, j);
+    double sum = (forth(j, j) + back(j, j) + 4 * none) / 6;
     for (int i = 0; i < g_.coordinates(); ++i) {
-      sum += std::abs(odd(i)) + std::abs(even(i));
-      for (int j = 0; j < i; ++j) {
-        sum += std::abs(mixed(i, j)) + std::abs(squared(i, j)) + std::abs(squared(j, i));
-      }
+      if (i != j) sum += kMeanSquare * ((forth(i, j) + back(i, j)) / 2 - none);
     }
     return sum;
+  }
+  /// Of x_i x_j.
+  double product(int i, int j) const {
+    return (forth(i, j) - back(i, j) + (i == j ? 0 : forth(j, i) - back(j, i))) / 4;
   }
 
  private:
   double forth(int i, int j) const { return g_.forth(q_, d_, i, j); }
   double back(int i, int j) const { return g_.back(q_, d_, i, j); }
-  double of_two(int i, double x, int j, double y) const {
-    return mixed(i, j) * x * y + squared(i, j) * x * x * y + squared(j, i) * y * y * x;
-  }
 
   const ShiftGradients& g_;
   const ShiftedQuantity q_;
@@ -141,99 +110,85 @@ ShiftSample::~ShiftSample() = default;
 
 int ProductTable::all_quads() const {
   int all = 0;
-  for (int i = 0; i < coordinates; ++i) all += quads(i);
+  for (int i = 0; i < coordinates; ++i) all += quads_from(i);
   return all;
 }
 
-ShiftExpansion::ShiftExpansion(const ShiftGradients& gradients, SecondOrder form)
-    : form_(form),
-      vertices_(gradients.coordinates() / 2),
+ShiftExpansion::ShiftExpansion(const ShiftGradients& gradients)
+    : vertices_(gradients.coordinates() / 2),
       diagonals_(gradients.diagonals()),
       groups_((diagonals_ + kDiagonals - 1) / kDiagonals),
-      singles_(static_cast<std::size_t>(groups_ * vertices_) * kPlaces * kSums),
+      singles_(static_cast<std::size_t>(groups_ * vertices_) * kPlaces * kRow),
       products_(gradients.coordinates()) {
-  const std::size_t size = bytes(form, vertices_, diagonals_);
-  if (form == SecondOrder::by_pairs) {
-    pairs_.resize(size / sizeof(Short));
-  } else {
-    products_.entries.resize(size);
-    products_.totals.resize(static_cast<std::size_t>(groups_) * kRow);
-  }
+  products_.entries.resize(bytes(vertices_, diagonals_));
+  products_.totals.resize(static_cast<std::size_t>(groups_) * kRow);
   for (const ShiftedQuantity quantity : {ShiftedQuantity::elongation, ShiftedQuantity::slope}) {
     Kind& kind = kinds_[static_cast<int>(quantity)];
     kind.unit.assign(static_cast<std::size_t>(groups_ * kDiagonals), 0);
     kind.share = kind.second_unit = kind.unit;
     kind.least.assign(static_cast<std::size_t>(groups_), 0);
-    for (int d = 0; d < diagonals_; ++d) fill(quantity, d, {gradients, quantity, d});
+    for (int d = 0; d < diagonals_; ++d) {
+      const Polynomial polynomial(gradients, quantity, d);
+      const int group = d / kDiagonals;
+      const int column = static_cast<int>(quantity) * kDiagonals + d % kDiagonals;
+      kind.unit[static_cast<std::size_t>(d)] = fill_singles(group, column, polynomial);
+      kind.second_unit[static_cast<std::size_t>(d)] = fill_products(group, column, polynomial);
+    }
   }
 }
 
 ShiftExpansion::~ShiftExpansion() = default;
 
-std::size_t ShiftExpansion::bytes(SecondOrder form, int vertices, int diagonals) {
+std::size_t ShiftExpansion::bytes(int vertices, int diagonals) {
   const std::size_t groups = static_cast<std::size_t>((diagonals + kDiagonals - 1) / kDiagonals);
-  const std::size_t pairs = static_cast<std::size_t>(vertices) * (vertices - 1) / 2;
-  if (form == SecondOrder::by_pairs) {
-    return groups * pairs * kPlaces * kPlaces * kRow * sizeof(Short);
-  }
   const std::size_t quads = static_cast<std::size_t>(ProductTable(2 * vertices).all_quads());
   return groups * quads * ProductTable::kQuad * kRow;
 }
 
-void ShiftExpansion::fill(ShiftedQuantity quantity, int diagonal, const Polynomial& q) {
-  Kind& kind = kinds_[static_cast<int>(quantity)];
-  const double unit = q.bound() / kLargestSum;
-  const std::size_t d = static_cast<std::size_t>(diagonal);
-  kind.unit[d] = kind.second_unit[d] = static_cast<float>(unit);
-  if (form_ == SecondOrder::by_products) {
-    kind.second_unit[d] = static_cast<float>(fill_products(quantity, diagonal, q));
+float ShiftExpansion::fill_singles(int group, int column, const Polynomial& polynomial) {
+  std::vector<double> linear;
+  double bound = 0;
+  for (int j = 0; j < products_.coordinates; ++j) {
+    linear.push_back(polynomial.linear(j));
+    bound += std::abs(linear.back());
   }
-  const int group = diagonal / kDiagonals;
-  const int column = static_cast<int>(quantity) * kDiagonals + diagonal % kDiagonals;
-  for (int g = 0; g < vertices_; ++g) {
-    for (int place = 0; place < kPlaces; ++place) {
-      const TernaryShift at(place);
-      Short* row = singles_.data() + at_single(group, g, place) + column;
-      row[0] = rounded(q.first(g, at), unit);
-      if (form_ == SecondOrder::by_products) continue;
-      row[kRow] = rounded(q.second(g, at), unit);
-      row = pairs_.data() + at_pair(group, g, place) + column;
-      for (int h = g + 1; h < vertices_; ++h) {
-        for (int other = 0; other < kPlaces; ++other, row += kRow) {
-          *row = rounded(q.of_vertices(g, at, h, TernaryShift(other)), unit);
-        }
+  const double unit = bound / kLargestSum;
+  for (int vertex = 0; vertex < vertices_; ++vertex) {
+    const double* const of = linear.data() + 2 * vertex;
+    for (const int x : {-1, 0, 1}) {
+      for (const int y : {-1, 0, 1}) {
+        singles_[at_single(group, vertex, place_of(x, y)) + static_cast<std::size_t>(column)] =
+            static_cast<Short>(std::lround((x * of[0] + y * of[1]) / unit));
       }
     }
   }
+  return static_cast<float>(unit);
 }
 
-// Returns their unit: the largest entry fits, and every sum.
-double ShiftExpansion::fill_products(ShiftedQuantity quantity, int diagonal, const Polynomial& q) {
+float ShiftExpansion::fill_products(int group, int column, const Polynomial& polynomial) {
   const int coordinates = products_.coordinates;
-  double largest = 0;
+  double largest = 0, bound = 0;
   for (int i = 0; i < coordinates; ++i) {
     for (int j = i; j < coordinates; ++j) {
-      largest = std::max(largest, std::abs(q.of_product(i, j)));
+      const double here = std::abs(polynomial.product(i, j));
+      largest = std::max(largest, here);
+      bound += here;
     }
   }
-  const double unit = std::max(largest / kLargestByte, q.bound() / kLargestSum);
-  const std::size_t group = static_cast<std::size_t>(diagonal / kDiagonals);
-  const std::size_t column =
-      static_cast<std::size_t>(static_cast<int>(quantity) * kDiagonals + diagonal % kDiagonals);
-  std::int32_t& total = products_.totals[group * kRow + column];
+  const double unit = std::max(largest / kLargestByte, bound / kLargestSum);
+  std::int32_t& total = products_.totals[static_cast<std::size_t>(group * kRow + column)];
   ProductTable::Byte* quad = products_.entries.data() +
-                             products_.entries.size() / static_cast<std::size_t>(groups_) * group +
-                             ProductTable::kQuad * column;
+                             ProductTable::kQuad * (products_.all_quads() * group * kRow + column);
   for (int i = 0; i < coordinates; ++i) {
     for (int j = i; j < coordinates; ++j) {
       ProductTable::Byte& entry = quad[(j - i) / ProductTable::kQuad * ProductTable::kQuad * kRow +
                                        (j - i) % ProductTable::kQuad];
-      entry = static_cast<ProductTable::Byte>(std::lround(q.of_product(i, j) / unit));
+      entry = static_cast<ProductTable::Byte>(std::lround(polynomial.product(i, j) / unit));
       total += entry;
     }
-    quad += products_.quads(i) * ProductTable::kQuad * kRow;
+    quad += products_.quads_from(i) * ProductTable::kQuad * kRow;
   }
-  return unit;
+  return static_cast<float>(unit);
 }
 
 void ShiftExpansion::calibrate(int group, const std::vector<Short>& sums,

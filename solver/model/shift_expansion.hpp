@@ -1,7 +1,7 @@
 // The diagonals as an expansion in the shifts, to second order, from tables. With ternary shifts a
-// vertex has nine places. What its place adds to a quantity, and what the places of two vertices
-// add together, are numbers known beforehand, so a draw costs one addition for each pair of
-// vertices: no residual, no solve. Quantities are each diagonal's elongation at an early angle and
+// vertex has nine places, and what its place adds to a quantity is known beforehand; so is what the
+// product of two coordinates adds, which is -1, 0 or 1 times a number. No residual, no solve.
+// Quantities are each diagonal's elongation at an early angle and
 // its slope at a late one, where the orders of the shifts still fall off quickly. On the base
 // folding both vanish. What is left out is bounded by a multiple of the draw's own second order,
 // and that multiple is measured on sheets of its own.
@@ -73,12 +73,16 @@ struct ShiftSample {
 };
 
 /// The second order of all quantities as quadratic forms of the coordinates, entries in bytes,
-/// which some machines multiply and add up four at a time (VNNI). With ternary shifts products are
-/// -1, 0 or 1.
+/// which machines multiply and add up side by side.
 struct ProductTable {
   using Byte = signed char;
   /// Products side by side that one multiplication adds up.
   static constexpr int kQuad = 4;
+  /// Signs of a sheet's coordinates are followed by this many zeros, so that they can be read a
+  /// register at once.
+  static constexpr int kPadding = 64;
+  /// Products of more coordinates are not found.
+  static constexpr int kMostCoordinates = 768;
 
   explicit ProductTable(int count) : coordinates(count) {}
 
@@ -89,13 +93,11 @@ struct ProductTable {
   /// Of each group, of each of its quantities: the sum of all entries.
   std::vector<std::int32_t> totals;
 
-  /// Of this coordinate and those after it.
-  int quads(int coordinate) const { return (coordinates - coordinate + kQuad - 1) / kQuad; }
+  /// That hold so many products; those of this coordinate with itself and those after it.
+  static int quads(int count) { return (count + kQuad - 1) / kQuad; }
+  int quads_from(int coordinate) const { return quads(coordinates - coordinate); }
   int all_quads() const;
 };
-
-/// How the second order is found: by a row for every two places of two vertices, or by products.
-enum class SecondOrder { by_pairs, by_products };
 
 class ShiftExpansion {
  public:
@@ -108,12 +110,11 @@ class ShiftExpansion {
   /// Of a sheet and a group: the first order, then the second.
   static constexpr int kSums = 2 * kRow;
 
-  ShiftExpansion(const ShiftGradients& gradients, SecondOrder form);
+  explicit ShiftExpansion(const ShiftGradients& gradients);
   ~ShiftExpansion();
-  /// Of its tables.
-  static std::size_t bytes(SecondOrder form, int vertices, int diagonals);
+  /// Of its products.
+  static std::size_t bytes(int vertices, int diagonals);
 
-  SecondOrder form() const { return form_; }
   int vertices() const { return vertices_; }
   int groups() const { return groups_; }
   int diagonals() const { return diagonals_; }
@@ -121,16 +122,11 @@ class ShiftExpansion {
   int diagonals_of(int group) const {
     return std::min(kDiagonals, diagonals_ - group * kDiagonals);
   }
-  /// By products: what they are multiplied with.
+  /// The second order: what products are multiplied with.
   const ProductTable& products() const { return products_; }
-  /// What a vertex in this place adds: to the first order, then, by pairs, to the second.
+  /// What a vertex in this place adds to the first order.
   const Short* single(int group, int vertex, int place) const {
     return singles_.data() + at_single(group, vertex, place);
-  }
-  /// By pairs: what it adds to the second order together with the next vertex, and each one after
-  /// that: of each, one row for each of its places.
-  const Short* pair(int group, int vertex, int place) const {
-    return pairs_.data() + at_pair(group, vertex, place);
   }
   /// The place of a vertex with shifts of these signs: -1, 0 or 1.
   static int place_of(int x, int y) { return 3 * (x + 1) + y + 1; }
@@ -155,26 +151,19 @@ class ShiftExpansion {
     std::vector<float> share;              // of the second order that may be left out
     std::vector<float> least;              // of a group: the second order is taken to be no smaller
   };
-  std::size_t pairs_before(int vertex) const {
-    return static_cast<std::size_t>(vertex) * (2 * vertices_ - vertex - 1) / 2;
-  }
   std::size_t at_single(int group, int vertex, int place) const {
     const std::size_t before = static_cast<std::size_t>(group) * vertices_ + vertex;
-    return (before * kPlaces + place) * kSums;
+    return (before * kPlaces + place) * kRow;
   }
-  std::size_t at_pair(int group, int vertex, int place) const {
-    const std::size_t pairs = group * pairs_before(vertices_) + pairs_before(vertex);
-    const std::size_t after = static_cast<std::size_t>(vertices_ - 1 - vertex);
-    return (pairs * kPlaces + place * after) * kPlaces * kRow;
-  }
-  void fill(ShiftedQuantity quantity, int diagonal, const Polynomial& q);
-  double fill_products(ShiftedQuantity quantity, int diagonal, const Polynomial& q);
+  // Of a quantity, whose column it is in its group. They return its unit: every entry fits, and
+  // every sum.
+  float fill_singles(int group, int column, const Polynomial& polynomial);
+  float fill_products(int group, int column, const Polynomial& polynomial);
   /// Largest second order of a kind.
   float second_order(int kind, int group, const Short* sums) const;
 
-  const SecondOrder form_;
   const int vertices_, diagonals_, groups_;
-  std::vector<Short, xsimd::aligned_allocator<Short, 64>> singles_, pairs_;
+  std::vector<Short, xsimd::aligned_allocator<Short, 64>> singles_;
   ProductTable products_;
   Kind kinds_[2];
 };

@@ -7,7 +7,8 @@ set -u
 failures=0
 # Of each file, by name: its set, what it is called for, and what is its own beside that.
 for row in 'lanes_avx2 make_avx2_batch xsimd::avx2' 'lanes_avx512 make_avx512_batch xsimd::avx512' \
-  'product_sums_vnni add_products_vnni' 'philox_avx2 philox_avx2'; do
+  'product_sums_ssse3 add_products_ssse3' \
+  'product_sums_avx2 add_products_avx2' 'product_sums_vnni add_products_vnni' 'philox_avx2 philox_avx2'; do
   read -r name makes own <<< "$row"
   object=
   for file in "$@"; do
