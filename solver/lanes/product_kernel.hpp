@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/model/shift_expansion.hpp"
+#include "solver/lanes/product_sums.hpp"
 
 namespace misalign::solver {
 
@@ -29,6 +29,7 @@ class ProductKernel {
   static constexpr int kRow = ShiftExpansion::kRow, kQuad = ProductTable::kQuad;
   static constexpr int kBytes = sizeof(Register), kRegisters = kRow * kQuad / kBytes;
   static constexpr std::size_t kSheets = Four::kSheets;
+  static_assert(kSheets <= ProductSums::kMoreRows);
   // Whose entries, and products of those sheets, stay in the nearest cache.
   static constexpr int kMostQuads = ProductTable::kMostCoordinates / kQuad;
 
@@ -114,7 +115,7 @@ class ProductKernel {
   alignas(64) signed char products_[kSheets][kMostQuads * kQuad + 2 * ProductTable::kPadding];
 };
 
-/// `rows` has room for one more kSheets of kRow than there are sheets.
+/// A ProductSums::Function.
 template <class Four>
 void add_products(const ProductTable& table, int group, const signed char* signs, const int* sheets,
                   std::size_t count, std::int32_t* rows, std::int16_t* sums, std::size_t stride) {

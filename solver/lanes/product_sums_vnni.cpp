@@ -2,7 +2,6 @@
 #include <immintrin.h>
 
 #include "solver/lanes/product_kernel.hpp"
-#include "solver/lanes/product_sums.hpp"
 
 namespace misalign::solver {
 namespace {
