@@ -123,6 +123,7 @@ void Catalogue::begin_run(const RunInfo& run, const Goal& goal, Builds builds) {
     run_ = database_->getLastInsertRowid();
     goal_end_ = end;
     cost_ = {};
+    log_->copy_into_file();
   });
 }
 
@@ -298,6 +299,8 @@ void Catalogue::end_run(const std::string& end) {
   });
   close();
 }
+
+void Catalogue::fold_in() { log_->copy_into_file(); }
 
 void Catalogue::close() {
   // A finished catalogue is one plain file, readable in a directory that nobody may write to. A

@@ -87,6 +87,9 @@ class Catalogue {
   void end_run(const std::string& end);
   /// Leaves one plain file: nothing else may follow.
   void close();
+  /// Copies what is in the log into the file, as far as readers let it: who copies the file alone
+  /// has that much. Waits for nobody.
+  void fold_in();
 
   /// Where the goal ends as far as is known, see GoalEnd.
   std::uint64_t goal_end() const { return goal_end_->value(); }
@@ -121,5 +124,9 @@ class Catalogue {
   std::int64_t run_ = 0;
   CommitCost cost_;
 };
+
+/// Whether the catalogue there holds all that a run of this campaign to this goal would write, so
+/// that there is nothing to write. Only reads; false where it cannot, too.
+bool holds_all(const std::string& path, const Campaign& campaign, const Goal& goal);
 
 }  // namespace misalign::schema

@@ -1,5 +1,8 @@
 // Opening a catalogue: a new one is laid out, one of an older schema is brought up to date.
+#include <filesystem>
+
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/catalogue/campaign_check.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
@@ -19,13 +22,12 @@ void Catalogue::open(Missing missing) {
     check_same_campaign();
     log_->fold_in();
     migrate();
+  } else {
+    create();  // before there is a log: the file alone names its campaign
   }
   database_->exec(storage_ == Storage::network ? "PRAGMA journal_mode = TRUNCATE"
                                                : "PRAGMA journal_mode = WAL");
-  if (is_new) {
-    create();
-    sync_directory_of(path_);
-  }
+  if (is_new) sync_directory_of(path_);
   writer_.emplace(*database_, campaign_, mechanism_);
   goal_end_.emplace(goal_);
 }
@@ -77,6 +79,28 @@ void Catalogue::create() {
   insert.bind(":end", stored(kEndOfDraws));
   insert.exec();
   transaction.commit();
+}
+
+bool holds_all(const std::string& path, const Campaign& campaign, const Goal& goal) {
+  std::error_code ignored;
+  for (const std::string& suffix : journal_suffixes()) {
+    if (std::filesystem::exists(path + suffix, ignored)) return false;  // somebody is not done
+  }
+  try {
+    const auto database = open_for_reading(path);
+    return reading(*database, [&] {
+      if (version_of(*database) != kSchemaVersion) return false;
+      Json held = stored_configuration(read_campaign_of(*database, path)),
+           wanted = stored_configuration(campaign);
+      for (Json* one : {&held, &wanted}) one->erase("stop");  // the goal is compared below
+      if (held != wanted) return false;
+      const CatalogueState state = read_state(*database);
+      return state.identity == identity(campaign) && state.goal == goal && state.gaps.empty() &&
+             !goal_fault(*database, state);
+    });
+  } catch (const UserError&) {  // opening it to write says what is wrong
+    return false;
+  }
 }
 
 }  // namespace misalign::schema

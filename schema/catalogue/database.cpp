@@ -7,6 +7,7 @@
 #include "schema/catalogue/catalogue_layout.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/older_schema.hpp"
+#include "schema/catalogue/recovery.hpp"
 #include "schema/files/file_name.hpp"
 
 namespace misalign::schema {
@@ -20,6 +21,15 @@ UserError not_a_catalogue(const std::string& path) {
   return UserError(Cause::bad_input, path +
                                          ": is no catalogue of misalign (another kind of file); "
                                          "name one that `misalign search` wrote");
+}
+
+UserError without_log(const std::string& path) {
+  return UserError(Cause::bad_input,
+                   path + ": its log, " + path +
+                       "-wal, is missing (this file was copied while a search was writing it, and "
+                       "most of it was in the log); copy both while nobody writes, or make the "
+                       "copy with misalign merge COPY.db " +
+                       path);
 }
 
 // Throws unless this is a catalogue that this program can read, laid out as one, which then may be
@@ -70,12 +80,15 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
   }
   try {
     auto database = connect(path, Access::read);
-    if (!check_kind(*database, path)) throw not_a_catalogue(path);
+    if (!check_kind(*database, path)) {
+      throw lacks_log(path) ? without_log(path) : not_a_catalogue(path);
+    }
     as_our_own(*database, [&] {
       show_as_of_today(*database, database->execAndGet("PRAGMA user_version").getInt());
     });
     return database;
   } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_CORRUPT && lacks_log(path)) throw without_log(path);
     throw storage_failure(path, error);
   }
 }

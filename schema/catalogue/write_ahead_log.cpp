@@ -32,6 +32,11 @@ void WriteAheadLog::fold_in() {
   }
 }
 
+// Where that fails, as on a full disk, the log keeps it all, and the next commit says why.
+void WriteAheadLog::copy_into_file() {
+  if (storage_ == Storage::local) database_.tryExec("PRAGMA wal_checkpoint(PASSIVE)");
+}
+
 // The log is written from its start again once no reader needs it, but with readers all the time
 // that moment never comes by itself.
 void WriteAheadLog::keep_small() {

@@ -18,7 +18,9 @@ class WriteAheadLog {
 
   /// Folds it into the file and empties it, unless a reader keeps it. Throws SQLite::Exception.
   void fold_in();
-  /// The same after a commit, once it has grown too large.
+  /// Copies into the file what no reader needs in the log, which stays.
+  void copy_into_file();
+  /// Folds it in after a commit, once it has grown too large.
   void keep_small();
 
  private:

@@ -95,7 +95,8 @@ UserError storage_failure(const std::string& written, const SQLite::Exception& e
         return {Cause::failure, path +
                                     ": a program that was killed has left a journal to roll back, "
                                     "which a reader may not do" +
-                                    what + kept + "the same search again does it"};
+                                    what + kept + "misalign status " + printable(path) + " " +
+                                    parameter("recover") + " does it"};
       }
       [[fallthrough]];
     case SQLITE_PERM:

@@ -26,6 +26,12 @@ if [ -e "$out" ]; then
   exit 1
 fi
 
+if ! command -v sbatch > /dev/null; then
+  echo "there is no sbatch in PATH (Slurm's); call this on a login node of the cluster, or without Slurm give each" \
+    "job a range of draws: search/manual/how-to/schedulers.md" >&2
+  exit 1
+fi
+
 # The first draws % tasks tasks do one draw more.
 list=${out%.db}.parts
 parts=()

@@ -15,6 +15,23 @@ void expect_one_layout(const std::vector<RankInfo>& ranks) {
   }
 }
 
+void say_nothing_began() {
+  spdlog::warn("stopped before anything was done; the same command begins again");
+}
+
+void expect_joined(const MpiSession& mpi) {
+  const auto tasks = launched_tasks();
+  if (!tasks || mpi.ranks() > 1 || tasks->count <= 1) return;
+  throw schema::UserError(
+      schema::Cause::bad_request,
+      fmt::format("{0} has started {1} tasks ({2}), and MPI says 1 rank in each of them (it knows "
+                  "nothing of {0}: no PMIx): all would make the same draws; start them with "
+                  "mpirun -n {1}, or srun --mpi=pmix where MPI has that, or give each task draws "
+                  "of its own with {3}, or say {4} where every task has a catalogue of its own",
+                  tasks->launcher, tasks->count, tasks->variable, schema::parameter("range"),
+                  schema::parameter("ranks", "1")));
+}
+
 std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& own) {
   std::vector<RankInfo> ranks;
   const auto hosts = mpi.gather(own.host), layouts = mpi.gather(own.layout),

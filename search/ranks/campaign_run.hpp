@@ -3,12 +3,14 @@
 #pragma once
 
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "schema/campaign/campaign_file.hpp"
+#include "search/ranks/departure.hpp"
 #include "search/ranks/heartbeat.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/rank_starter.hpp"
@@ -29,6 +31,16 @@ void expect_one_layout(const std::vector<RankInfo>& ranks);
 /// On rank 0 everyone's, in the order of the ranks, and of one layout; nothing elsewhere.
 std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& own);
 
+/// How long rank 0 waits for the others, see MpiSession::meet.
+inline constexpr double kMeet_s = 0.8;
+
+/// Where a signal came before a catalogue was there.
+void say_nothing_began();
+
+/// UserError (bad_request) if this process believes to be alone and is one of several tasks, which
+/// MPI does not join: each would make the same draws.
+void expect_joined(const MpiSession& mpi);
+
 /// The exit code of `work`, 0 if it throws nothing; what it throws is said.
 template <class Work>
 int exit_code_of(const Border& border, const Work& work) {
@@ -47,18 +59,31 @@ int exit_code_of(const Border& border, const Work& work) {
 template <class Zero, class Options>
 int run_rank_zero(const Options& options, MpiSession& mpi) {
   std::optional<Zero> zero;
-  Heartbeat heartbeat(mpi);
   const auto code_of = [&](auto work) { return exit_code_of(options.border, work); };
+  // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
+  const int leave_code = has_starter() ? kLeftWithStarter : EXIT_FAILURE;
+  Departure departure(
+      launched_by_mpi() ? kPatience_s : kPatienceAlone_s, LeftFrom::safe_places, [&] {
+        int exit_code = options.border.stopped;
+        const int failure =
+            code_of([&] { zero ? void(exit_code = zero->leave()) : say_nothing_began(); });
+        if (failure) return failure;
+        return mpi.ranks() > 1 ? leave_code : exit_code;
+      });
+  Heartbeat heartbeat(mpi);
   if (const int code = mpi.broadcast(code_of([&] { zero.emplace(options); }))) return code;
   mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
-  const RankInfo own = Zero::Workspace::info(options, zero->campaign());
-  if (const int code = mpi.broadcast(code_of([&] { zero->begin(gather_ranks(mpi, own)); })))
-    return code;
+  const auto wait_for_ranks = [&] {
+    const MayBeLeft waiting;
+    return gather_ranks(mpi, Zero::Workspace::info(options, zero->campaign()));
+  };
+  if (const int code = mpi.broadcast(code_of([&] { zero->begin(wait_for_ranks()); }))) return code;
   int exit_code = 0;
   const int failure = code_of([&] { exit_code = zero->run(mpi, heartbeat); });
+  departure.told();
   if (failure) exit_code = failure;
   if (mpi.ranks() > 1 && exit_code) mpi.abort(exit_code);
-  mpi.meet();
+  if (!mpi.meet(kMeet_s)) _exit(leave_code);
   return exit_code ? exit_code : zero->conclude();
 }
 
@@ -84,17 +109,20 @@ int run_other_rank(const Options& options, MpiSession& mpi) {
 /// `begin(ranks)` once all are ready; `run(mpi, heartbeat)`, whose exit code ends every rank at
 /// once if it is not 0; `conclude()` once all have met, with the exit code. Each other rank makes a
 /// `Zero::Workspace`(campaign, options) and does jobs in `work(mpi)`; `info(options, campaign)` is
-/// what it is. Rank 0 has `alone_s` to leave where it is alone, see watch_for_signals.
+/// what it is. Where rank 0 MayBeLeft and was asked to leave, `leave()` commits what waits, says so
+/// and returns the exit code, in another thread.
 template <class Zero, class Options>
-int run_campaign(const Options& options, double alone_s) {
+int run_campaign(const Options& options) {
   hold_signals();
   MpiSession mpi;
-  // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
-  const int leave_code = has_starter() ? kLeftWithStarter : EXIT_FAILURE;
-  const bool is_alone = mpi.ranks() == 1;
-  const double leave_s = is_alone ? alone_s : mpi.rank() == 0 ? kLeave_s : kRelease_s;
-  watch_for_signals(leave_s, is_alone ? 0 : leave_code);
-  if (mpi.rank() > 0) return run_other_rank<typename Zero::Workspace>(options, mpi);
+  watch_for_signals();
+  if (!options.alone_is_meant) {
+    if (const int code = exit_code_of(options.border, [&] { expect_joined(mpi); })) return code;
+  }
+  if (mpi.rank() > 0) {
+    const Departure departure(kRelease_s, LeftFrom::anywhere, [] { return EXIT_FAILURE; });
+    return run_other_rank<typename Zero::Workspace>(options, mpi);
+  }
   tell_starter();
   return run_rank_zero<Zero>(options, mpi);
 }

@@ -13,6 +13,7 @@
 #include "search/ranks/campaign_run.hpp"
 #include "search/ranks/certify_task.hpp"
 #include "search/ranks/coordinator.hpp"
+#include "search/ranks/departure.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
@@ -87,6 +88,7 @@ class CertifyZero {
       : options_(options),
         database_(schema::open_for_reading(options.path)),
         ready_(schema::read_campaign_of(*database_, options.path), options) {
+    const MayBeLeft reading;
     std::set<std::uint64_t> chosen;
     for (const std::uint64_t draw : options.choose(*database_)) {
       if (chosen.insert(draw).second) add(draw);
@@ -107,17 +109,27 @@ class CertifyZero {
 
   // Returns the exit code.
   int run(const MpiSession& mpi, const Heartbeat& heartbeat) {
-    CertifyTask task(ready_.certifier,
-                     {open_.size(), [&](std::size_t k) { return order_of(sheets_[open_[k]]); },
-                      [&](std::vector<CertifyList::Done> done) { keep(std::move(done)); }},
-                     mpi.ranks());
+    task_.emplace(
+        ready_.certifier,
+        CertifyList{open_.size(), [&](std::size_t k) { return order_of(sheets_[open_[k]]); },
+                    [&](std::vector<CertifyList::Done> done) { keep(std::move(done)); }},
+        mpi.ranks());
     const LongWork work("certify is under way", work_style(launched_by_mpi()),
                         spdlog::should_log(spdlog::level::debug));
-    const RunEnd end = run_coordinator(mpi, heartbeat, task, {{}, ProgressStyle::none});
+    const auto fold_in = [&] {
+      if (catalogue_) catalogue_->fold_in();
+    };
+    const RunEnd end = run_coordinator(mpi, heartbeat, *task_, {{}, ProgressStyle::none, fold_in});
     if (catalogue_) catalogue_->close();
     if (end == RunEnd::lost) return options_.border.exit_code(schema::Cause::failure);
     if (!gone_.empty()) say_what_is_gone();
     return 0;
+  }
+
+  int leave() {
+    if (task_) task_->commit_all();
+    if (catalogue_) catalogue_->close();
+    return conclude();
   }
 
   int conclude() {
@@ -229,14 +241,13 @@ class CertifyZero {
   std::vector<std::size_t> open_;  // of the sheets, those that are to be worked on
   std::size_t kept_ = 0;           // of these
   std::optional<schema::Catalogue> catalogue_;
+  std::optional<CertifyTask> task_;
   std::vector<std::uint64_t> gone_;
   CertifyReport report_;
 };
 
 }  // namespace
 
-int run_certify(const CertifyOptions& options) {
-  return run_campaign<CertifyZero>(options, kRelease_s);  // alone it may finish its sheet
-}
+int run_certify(const CertifyOptions& options) { return run_campaign<CertifyZero>(options); }
 
 }  // namespace misalign::search

@@ -27,6 +27,7 @@ struct CertifyOptions {
   std::optional<double> to_deg;  ///< instead of the design's angle of use, or each D
   bool contact = false;          ///< also that no panels meet
   bool again = false;            ///< those anew that have a certificate already
+  bool alone_is_meant = false;   ///< also where other tasks were started beside it
   bool check = false;            ///< none is made: those that there are, are checked
   std::function<void(const CertifyReport&)> show;  ///< is called on rank 0 once all is stored
 };

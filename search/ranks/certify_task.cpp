@@ -4,10 +4,13 @@
 #include <numeric>
 #include <utility>
 
+#include "search/ranks/departure.hpp"
+
 namespace misalign::search {
 namespace {
 
 CertifyResult certify_sheet(RowCertifier& certifier, const CertifyOrder& order) {
+  const MayBeLeft computing;
   if (order.stored) return {{}, certifier.check(order.shifts_mm, *order.stored)};
   return {certifier.certify(order.draw, order.shifts_mm, order.asked_deg), {}};
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "search/ranks/departure.hpp"
 #include "search/ranks/piece_messages.hpp"
 #include "search/splitting/origin.hpp"
 
@@ -89,7 +90,10 @@ bool ClimbTask::compute_one_block() {
     if (auto order = dispatcher_.assign(0)) own_work_.emplace(climber_.start(std::move(*order)));
   }
   if (!own_work_) return false;
-  own_work_->run_next_block();
+  {
+    const MayBeLeft computing;
+    own_work_->run_next_block();
+  }
   if (own_work_->finished()) hand_in_own();
   return true;
 }

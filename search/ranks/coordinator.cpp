@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "search/ranks/departure.hpp"
 #include "search/ranks/stop_signal.hpp"
+#include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {
 namespace {
+
+// Jobs are cut into blocks of less: the log is folded in once a minute at least.
+constexpr double kTidyEvery_s = 30;
 
 class Coordinator {
  public:
@@ -20,7 +25,7 @@ class Coordinator {
 
   RunEnd run() {
     for (int rank = 1; rank < mpi_.ranks(); ++rank) assign(rank);
-    std::optional<RunEnd> stop;
+    std::optional<RunEnd> stop = reason_to_stop();
     while (!stop && !task_.complete()) {
       const bool computed = compute_one_block();
       const bool received = receive_all();
@@ -31,11 +36,13 @@ class Coordinator {
       }
       if (progress_.due()) progress_.show(counts());
       if (status_request()) progress_.show_status(counts());
+      tidy_up();
       stop = reason_to_stop();
     }
+    tell_workers();
     task_.hand_in_own();
     task_.commit();
-    end_workers();
+    wait_for_workers();
     task_.commit_all();
     progress_.finish(counts());
     if (heartbeat_.lost()) return RunEnd::lost;
@@ -88,14 +95,27 @@ class Coordinator {
   }
 
   // Every worker gets one empty job: the idle leave, the others send what they have and leave.
-  void end_workers() {
+  void tell_workers() const {
     if (heartbeat_.lost()) return;
     for (int rank = 1; rank < mpi_.ranks(); ++rank) mpi_.send_job(rank, {});
+  }
+
+  // Where the signal leaves no time, what a worker has not sent by then is drawn again one day.
+  void wait_for_workers() {
+    const auto is_waited_for = [&](int rank) {
+      return task_.has_job(rank) && !heartbeat_.lost() && seconds_since_leave() < kPatience_s;
+    };
     for (int rank = 1; rank < mpi_.ranks(); ++rank) {
-      while (task_.has_job(rank) && !heartbeat_.lost()) {
+      while (is_waited_for(rank)) {
         if (!receive_all()) backoff_.wait();
       }
     }
+  }
+
+  void tidy_up() {
+    if (!options_.tidy_up || since_tidy_.seconds() < kTidyEvery_s) return;
+    options_.tidy_up();
+    since_tidy_ = Stopwatch();
   }
 
   ProgressCounts counts() const {
@@ -110,6 +130,7 @@ class Coordinator {
   const CoordinatorOptions& options_;
   Progress progress_;
   Backoff backoff_;
+  Stopwatch since_tidy_;
   std::vector<int> idle_;            // workers without a job
   bool worker_was_stopped_ = false;  // one of them saw a signal that rank 0 did not
 };

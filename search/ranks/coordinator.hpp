@@ -1,6 +1,7 @@
 // Rank 0: hands out jobs, alone writes the catalogue, and computes too if ranks are few.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "search/ranks/heartbeat.hpp"
@@ -20,6 +21,7 @@ inline constexpr std::size_t kMostRows = 20000;
 struct CoordinatorOptions {
   std::optional<double> max_time_s;
   ProgressStyle progress = ProgressStyle::plain;
+  std::function<void()> tidy_up = {};  ///< is called every half minute
 };
 
 enum class RunEnd {
@@ -32,7 +34,8 @@ enum class RunEnd {
 const char* run_end_name(RunEnd end);
 
 /// Runs the task until its goal or a stop; every job that was begun is committed as far as it was
-/// done, but for those of lost ranks. Ends the workers.
+/// done, but for those of lost ranks, and of ranks that take longer than kPatience_s to leave. Ends
+/// the workers.
 RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, RankTask& task,
                        const CoordinatorOptions& options);
 

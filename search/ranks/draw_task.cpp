@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "search/ranks/departure.hpp"
+
 namespace misalign::search {
 
 DrawTask::DrawTask(DrawEvaluator& evaluator, schema::Catalogue& catalogue, const schema::Goal& goal,
@@ -41,7 +43,10 @@ bool DrawTask::compute_one_block() {
       own_work_.emplace(evaluator_, *range, schema::FaultSampleRule(), options_.unit_bytes);
   }
   if (!own_work_) return false;
-  own_work_->run_next_block();
+  {
+    const MayBeLeft computing;
+    own_work_->run_next_block();
+  }
   if (own_work_->finished() || own_work_->is_full()) hand_in_own();
   return true;
 }

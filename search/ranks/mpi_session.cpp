@@ -7,6 +7,9 @@
 #include <cstdlib>
 #include <numeric>
 #include <thread>
+#include <utility>
+
+#include "search/ranks/stop_signal.hpp"
 
 namespace misalign::search {
 namespace {
@@ -68,12 +71,16 @@ std::vector<std::string> MpiSession::gather(const std::string& text) const {
   return texts;
 }
 
-void MpiSession::meet() const {
-  if (ranks_ == 1) return;
+bool MpiSession::meet(double patience_s) const {
+  if (ranks_ == 1) return true;
   MPI_Request request;
   MPI_Ibarrier(MPI_COMM_WORLD, &request);
   Backoff backoff;
-  for (int met = 0; MPI_Test(&request, &met, MPI_STATUS_IGNORE), !met;) backoff.wait();
+  for (int met = 0; MPI_Test(&request, &met, MPI_STATUS_IGNORE), !met;) {
+    if (seconds_since_leave() > patience_s) return false;
+    backoff.wait();
+  }
+  return true;
 }
 
 void MpiSession::send_result(const Bytes& result) const {
@@ -163,5 +170,17 @@ int launched_rank() {
 }
 
 bool launched_by_mpi() { return launched_rank_text() != nullptr; }
+
+// The innermost launcher first. SLURM_NTASKS says in a batch script what was allocated, where
+// SLURM_STEP_NUM_TASKS says what srun has started; Flux takes all of these out of its scripts.
+std::optional<LaunchedTasks> launched_tasks() {
+  for (const auto& [variable, launcher] : {std::pair{"OMPI_COMM_WORLD_SIZE", "mpirun"},
+                                           {"FLUX_JOB_SIZE", "flux"},
+                                           {"PMI_SIZE", "the launcher"},
+                                           {"SLURM_STEP_NUM_TASKS", "srun"}}) {
+    if (const char* count = std::getenv(variable)) return {{launcher, variable, std::atoi(count)}};
+  }
+  return std::nullopt;
+}
 
 }  // namespace misalign::search

@@ -1,6 +1,7 @@
 // The MPI calls that the program uses.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,8 +29,9 @@ class MpiSession {
   std::string broadcast(const std::string& text) const;
   /// On rank 0 everyone's text, in the order of the ranks; nothing elsewhere.
   std::vector<std::string> gather(const std::string& text) const;
-  /// Returns once every rank has called it; sleeps meanwhile.
-  void meet() const;
+  /// Returns once every rank has called it; sleeps meanwhile. False if that takes longer than so
+  /// long after a request to leave.
+  bool meet(double patience_s = std::numeric_limits<double>::infinity()) const;
 
   /// To rank 0: what was done of a job. UserError: see message_length.
   void send_result(const Bytes& result) const;
@@ -77,5 +79,13 @@ class Backoff {
 int launched_rank();
 /// Whether mpirun or the like started this process. To be asked before MPI begins.
 bool launched_by_mpi();
+
+/// How many tasks the launcher of this process has started, by a variable of the environment that
+/// it sets in each of them; nothing without one. A script within a larger allocation is no task.
+struct LaunchedTasks {
+  std::string launcher, variable;
+  int count;
+};
+std::optional<LaunchedTasks> launched_tasks();
 
 }  // namespace misalign::search

@@ -131,6 +131,9 @@ class Starter {
         break;
       case SIGINT:
       case SIGTERM:
+      case SIGHUP:
+      case SIGXCPU:
+      case SIGALRM:
         ask_to_leave(info.si_signo);
         break;
       case SIGUSR1:
@@ -164,9 +167,10 @@ class Starter {
   bool asked_twice_ = false;
 };
 
-int exit_code(int code, const Starter& starter, int ranks) {
+int exit_code(int code, const Starter& starter, int ranks, int stopped_exit) {
   if (starter.asked_twice()) return 128 + starter.asked_by();
-  if (starter.asked_by() && (code == 0 || code == kLeftWithStarter)) return 0;
+  if (starter.asked_by() && code == kLeftWithStarter) return stopped_exit;
+  if (code == stopped_exit) return code;
   if (!starter.ranks_began() && !starter.asked_by()) {
     const std::string count = std::to_string(ranks);
     throw UserError(schema::Cause::failure, "mpirun could not start " + count +
@@ -183,12 +187,16 @@ int exit_code(int code, const Starter& starter, int ranks) {
 
 }  // namespace
 
-int run_under_mpirun(int ranks, const std::vector<std::string>& words) {
+int run_under_mpirun(int ranks, const std::vector<std::string>& words, int stopped_exit) {
   sigset_t watched, before;
   sigemptyset(&watched);
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2, SIGCHLD, SIGTSTP, int{kHereIAm}}) {
+  for (const int signal :
+       {SIGTERM, SIGINT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2, SIGCHLD, SIGTSTP, int{kHereIAm}}) {
     sigaddset(&watched, signal);
   }
+  struct sigaction hang_up {};
+  sigaction(SIGHUP, nullptr, &hang_up);
+  if (hang_up.sa_handler != SIG_IGN) sigaddset(&watched, SIGHUP);  // else under nohup
   pthread_sigmask(SIG_BLOCK, &watched, &before);
   Pipe pipe;
   ChildProcess launcher(mpirun_words(ranks, words), [&, starter = getpid()] {
@@ -202,7 +210,7 @@ int run_under_mpirun(int ranks, const std::vector<std::string>& words) {
     starter.wait();
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return exit_code(launcher.exit_code(), starter, ranks);
+  return exit_code(launcher.exit_code(), starter, ranks, stopped_exit);
 }
 
 bool has_starter() { return std::getenv(kStarterVariable) != nullptr; }

@@ -11,10 +11,11 @@ namespace misalign::search {
 inline constexpr int kLeftWithStarter = 143;
 
 /// Runs this program with these words under mpirun, on this machine alone, and returns its exit
-/// code. SIGINT and SIGTERM go to rank 0, SIGUSR1 and SIGUSR2 to
-/// all, SIGTSTP (Ctrl-Z) to nobody, and if this process is killed, mpirun is asked to end.
+/// code: `stopped_exit` where a signal has ended it. SIGINT, SIGTERM, SIGHUP, SIGXCPU and SIGALRM
+/// go to rank 0 as SIGTERM, SIGUSR1 and SIGUSR2 to all, SIGTSTP (Ctrl-Z) to nobody, and if this
+/// process is killed, mpirun is asked to end.
 /// @throws UserError  there is no mpirun, or it could start nothing
-int run_under_mpirun(int ranks, const std::vector<std::string>& words);
+int run_under_mpirun(int ranks, const std::vector<std::string>& words, int stopped_exit);
 
 /// Whether a process as above waits for this one.
 bool has_starter();

@@ -19,7 +19,8 @@ class RankTask {
   /// What a worker has done of its job; the rest is open again. Waits for commit(). Whether the
   /// worker was stopped by a signal.
   virtual bool take_back(int worker, const Bytes& result) = 0;
-  /// Rank 0 does a part of a job of its own, about a tenth of a second; false if it has none.
+  /// Rank 0 does a part of a job of its own, about a tenth of a second; false if it has none. While
+  /// that is computed it MayBeLeft, and commit_all() may be called instead.
   virtual bool compute_one_block() = 0;
   /// Takes back what it has done of it.
   virtual void hand_in_own() = 0;

@@ -10,10 +10,12 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/files/file_name.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/golden_verdicts.hpp"
 #include "search/ranks/campaign_run.hpp"
 #include "search/ranks/climb_task.hpp"
+#include "search/ranks/departure.hpp"
 #include "search/ranks/draw_task.hpp"
 #include "search/ranks/piece_messages.hpp"
 #include "search/ranks/run_info.hpp"
@@ -158,12 +160,28 @@ void retry_undecided(DrawEvaluator& evaluator, schema::Catalogue& catalogue) {
   std::size_t decided = 0;
   for (const std::uint64_t draw : draws) {
     if (stop_request() != StopRequest::none) break;
-    const schema::UnitRecord unit = judge_again(evaluator, draw);
+    const schema::UnitRecord unit = [&] {
+      const MayBeLeft computing;
+      return judge_again(evaluator, draw);
+    }();
     if (!unit.undecided.empty()) continue;
     catalogue.settle(unit);
     ++decided;
   }
   spdlog::info("{} of {} undecided draws are decided now", decided, draws.size());
+}
+
+SearchWorkspace made_ready(const SearchOptions& options) {
+  const MayBeLeft computing;
+  return {resolved_campaign(options), options};
+}
+
+void warn_of_network(const std::string& path) {
+  spdlog::warn(
+      "{}: lies on a file system that machines share ({}), where a write-ahead log is not safe: a "
+      "rollback journal and an exclusive lock are used, and status and query have to wait until "
+      "this run ends",
+      path, schema::file_system_of(path).name);
 }
 
 // Private to rank 0 of a search: the catalogue, the coordinator and the progress.
@@ -173,69 +191,96 @@ class SearchZero {
 
   explicit SearchZero(const SearchOptions& options)
       : options_(options),
-        ready_(resolved_campaign(options), options),
-        catalogue_(place_of(options, campaign()), campaign(), ready_.mechanism(), options.storage) {
-    if (catalogue_.storage() == schema::Storage::network) {
-      spdlog::warn(
-          "{}: lies on a file system that machines share ({}), where a write-ahead log is not "
-          "safe: a rollback journal and an exclusive lock are used, and status and query have to "
-          "wait "
-          "until this run ends",
-          catalogue_.path(), schema::file_system_of(catalogue_.path()).name);
-    }
+        ready_(made_ready(options)),
+        path_(schema::end_of_links(place_of(options, campaign()))),
+        goal_(goal_of(options, campaign())) {
+    if (!options.retry_undecided && schema::holds_all(path_, campaign(), goal_)) return;
+    catalogue_.emplace(path_, campaign(), ready_.mechanism(), options.storage);
+    if (catalogue_->storage() == schema::Storage::network) warn_of_network(path_);
   }
 
   const schema::Campaign& campaign() const { return ready_.campaign; }
 
   void begin(const std::vector<RankInfo>& ranks) {
-    goal_ = goal_of(options_, campaign());
-    catalogue_.begin_run(
-        run_info(common_verdicts(ranks, options_.builds), static_cast<int>(ranks.size())), goal_,
-        options_.builds);
-    spdlog::info("campaign {} ({}), {}, catalogue {}", campaign().name,
-                 schema::identity(campaign()).substr(0, 8), count_text(ranks.size(), "rank"),
-                 catalogue_.path());
+    const std::string verdicts = common_verdicts(ranks, options_.builds);
+    if (catalogue_) {
+      catalogue_->begin_run(run_info(verdicts, static_cast<int>(ranks.size())), goal_,
+                            options_.builds);
+      has_begun_ = true;
+    }
+    spdlog::info("campaign {} ({}), {}, catalogue {}{}", campaign().name,
+                 schema::identity(campaign()).substr(0, 8), count_text(ranks.size(), "rank"), path_,
+                 catalogue_ ? "" : ": complete already, nothing is written");
+    if (!catalogue_) return;
     if (is_talkative() && !options_.command_for_all.empty()) {
       spdlog::info("one core of {} at work; all of them: {}", usable_threads(),
                    options_.command_for_all);
     }
     if (options_.retry_undecided && ready_.evaluator)
-      retry_undecided(*ready_.evaluator, catalogue_);
+      retry_undecided(*ready_.evaluator, *catalogue_);
   }
 
   // Returns the exit code.
   int run(const MpiSession& mpi, const Heartbeat& heartbeat) {
+    if (!catalogue_) {
+      for (int rank = 1; rank < mpi.ranks(); ++rank) mpi.send_job(rank, {});
+      print_summary(end_);
+      return 0;
+    }
     CoordinatorOptions settings;
     settings.max_time_s = campaign().stop.wall_s;
     settings.progress = options_.progress;
-    const std::unique_ptr<RankTask> task = make_task(mpi.ranks());
-    const RunEnd end = run_coordinator(mpi, heartbeat, *task, settings);
-    catalogue_.end_run(run_end_name(end));
-    const schema::CommitCost& cost = catalogue_.cost();
-    spdlog::debug("{} commits in {:.3f} s, the longest {:.3f} s", cost.commits, cost.seconds,
-                  cost.longest_s);
-    print_summary(end);
-    return end == RunEnd::lost ? options_.border.exit_code(schema::Cause::failure) : 0;
+    settings.tidy_up = [&] { catalogue_->fold_in(); };
+    task_ = make_task(mpi.ranks());
+    end_ = run_coordinator(mpi, heartbeat, *task_, settings);
+    end_run();
+    return end_ == RunEnd::lost ? options_.border.exit_code(schema::Cause::failure) : 0;
   }
 
-  int conclude() const { return 0; }
+  int conclude() const {
+    const bool is_early = end_ == RunEnd::stopped || end_ == RunEnd::max_time;
+    return is_early ? options_.border.stopped : 0;
+  }
+
+  int leave() {
+    if (!has_begun_) {
+      if (catalogue_) catalogue_->close();
+      say_nothing_began();
+      return options_.border.stopped;
+    }
+    spdlog::warn(
+        "stopped without the draws under way, for which there is no time; the same command makes "
+        "them again");
+    if (task_) task_->commit_all();
+    end_ = task_ && task_->complete() ? RunEnd::complete : RunEnd::stopped;
+    end_run();
+    return conclude();
+  }
 
  private:
   std::unique_ptr<RankTask> make_task(int ranks) {
     if (ready_.climber) {
-      return std::make_unique<ClimbTask>(*ready_.climber, catalogue_, goal_, ranks);
+      return std::make_unique<ClimbTask>(*ready_.climber, *catalogue_, goal_, ranks);
     }
     const DrawTaskOptions units{{options_.unit_draws}, options_.unit_bytes};
-    return std::make_unique<DrawTask>(*ready_.evaluator, catalogue_, goal_, ranks, units);
+    return std::make_unique<DrawTask>(*ready_.evaluator, *catalogue_, goal_, ranks, units);
+  }
+
+  void end_run() {
+    catalogue_->end_run(run_end_name(end_));
+    const schema::CommitCost& cost = catalogue_->cost();
+    spdlog::debug("{} commits in {:.3f} s, the longest {:.3f} s", cost.commits, cost.seconds,
+                  cost.longest_s);
+    print_summary(end_);
   }
 
   void print_summary(RunEnd end) const {
-    const auto database = schema::open_for_reading(catalogue_.path());
+    const auto database = schema::open_for_reading(path_);
     const schema::CatalogueState state = schema::read_state(*database);
     const double rate = state.draws > 0 ? 100.0 * static_cast<double>(state.accepted) /
                                               static_cast<double>(state.draws)
                                         : 0.0;
-    const std::string path = schema::printable(catalogue_.path());
+    const std::string path = schema::printable(path_);
     if (state.ladder) {
       put("{}: {}, {}, digest {}\n", path, run_end_name(end), ladder_summary(state), state.digest);
     } else {
@@ -250,7 +295,7 @@ class SearchZero {
     for (const std::string& sentence : nothing_found(database, state)) {
       spdlog::info("{}", sentence);
     }
-    spdlog::info("next: {}", next_step(state, catalogue_.path(), options_.campaign_path));
+    spdlog::info("next: {}", next_step(state, path_, options_.campaign_path));
   }
 
   bool is_talkative() const {
@@ -259,8 +304,12 @@ class SearchZero {
 
   const SearchOptions& options_;
   SearchWorkspace ready_;
-  schema::Catalogue catalogue_;
-  schema::Goal goal_;
+  const std::string path_;
+  const schema::Goal goal_;
+  std::optional<schema::Catalogue> catalogue_;  // none where it holds all already
+  bool has_begun_ = false;                      // its run has a row
+  std::unique_ptr<RankTask> task_;
+  RunEnd end_ = RunEnd::complete;
 };
 
 }  // namespace
@@ -273,7 +322,7 @@ int run_search(const SearchOptions& given) {
   SearchOptions options = given;
   options.progress =
       resolved(given.progress, is_terminal(STDERR_FILENO) && terminal_is_able(), launched_by_mpi());
-  return run_campaign<SearchZero>(options, kLeave_s);
+  return run_campaign<SearchZero>(options);
 }
 
 }  // namespace misalign::search

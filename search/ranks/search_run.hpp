@@ -23,6 +23,7 @@ struct SearchOptions {
   std::optional<schema::Storage> storage;  ///< instead of what the file system says
   schema::Builds builds = schema::Builds::same;
   bool retry_undecided = false;
+  bool alone_is_meant = false;  ///< also where other tasks were started beside it
   std::string command_for_all;  ///< what would use every core, if this does not
   solver::InstructionSet instruction_set = solver::available_instruction_sets().back();
 };

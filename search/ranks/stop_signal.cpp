@@ -3,10 +3,11 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include <cmath>
+#include <atomic>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
-#include <initializer_list>
 
 #include "schema/files/input.hpp"
 #include "search/terminal/progress.hpp"
@@ -14,27 +15,39 @@
 namespace misalign::search {
 namespace {
 
-volatile std::sig_atomic_t drain_seen = 0, leave_seen = 0, status_seen = 0;
-timer_t leave_timer;
-itimerspec leave_after{};
-int leave_code = 0;
+using Nanoseconds = std::chrono::nanoseconds;
+
+constexpr int kLeaveSignals[] = {SIGTERM, SIGINT, SIGHUP, SIGXCPU, SIGALRM};
+constexpr Nanoseconds kSameRequest = std::chrono::milliseconds(500);
+
+volatile std::sig_atomic_t drain_seen = 0, status_seen = 0;
+std::atomic<Nanoseconds::rep> leave_since = 0;  // 0: nobody has asked
+static_assert(std::atomic<Nanoseconds::rep>::is_always_lock_free);
+
+Nanoseconds now() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);  // a handler may call this
+  return std::chrono::seconds(time.tv_sec) + Nanoseconds(time.tv_nsec);
+}
 
 extern "C" {
 
 void note_drain(int) { drain_seen = 1; }
 void note_status(int) { status_seen = 1; }
-void end_here(int) {
-  leave_live_line();
-  _exit(leave_code);
-}
 
 void note_leave(int signal) {
-  if (leave_seen) {
-    leave_live_line();
-    _exit(128 + signal);
-  }
-  leave_seen = 1;
-  timer_settime(leave_timer, 0, &leave_after, nullptr);
+  static constexpr char kWhy[] =
+      "misalign: asked twice to stop, this ends at once; what was committed is good, and the same "
+      "command goes on from there\n";
+  const Nanoseconds time = now();
+  Nanoseconds::rep first = 0;
+  if (leave_since.compare_exchange_strong(first, time.count())) return;
+  // SIGXCPU comes again every second.
+  const bool is_insisting = signal == SIGTERM || signal == SIGINT;
+  if (!is_insisting || time - Nanoseconds(first) < kSameRequest) return;
+  leave_live_line();
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kWhy, sizeof kWhy - 1);
+  _exit(128 + signal);
 }
 
 // SQLite maps the index of its log, which another program may cut short. Nothing is half-written
@@ -59,7 +72,8 @@ void end_for_lost_page(int signal, siginfo_t* info, void*) {
 sigset_t watched_signals() {
   sigset_t set;
   sigemptyset(&set);
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2}) sigaddset(&set, signal);
+  for (const int signal : kLeaveSignals) sigaddset(&set, signal);
+  for (const int signal : {SIGUSR1, SIGUSR2}) sigaddset(&set, signal);
   return set;
 }
 
@@ -77,18 +91,13 @@ void hold_signals() {
   pthread_sigmask(SIG_BLOCK, &watched, nullptr);
 }
 
-void watch_for_signals(double leave_s, int code) {
-  leave_code = code;
-  double whole_s = 0;
-  const double part_s = std::modf(leave_s, &whole_s);
-  leave_after.it_value = {static_cast<time_t>(whole_s), static_cast<long>(part_s * 1e9)};
-  sigevent event{};
-  event.sigev_notify = SIGEV_SIGNAL;
-  event.sigev_signo = SIGALRM;
-  timer_create(CLOCK_MONOTONIC, &event, &leave_timer);
-  std::signal(SIGALRM, end_here);
-  std::signal(SIGTERM, note_leave);
-  std::signal(SIGINT, note_leave);
+void watch_for_signals() {
+  for (const int signal : kLeaveSignals) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    const bool is_asked = signal == SIGTERM || signal == SIGINT;  // by whoever sends it
+    if (is_asked || before.sa_handler != SIG_IGN) std::signal(signal, note_leave);
+  }
   std::signal(SIGUSR1, note_drain);
   std::signal(SIGUSR2, note_status);
   const sigset_t watched = watched_signals();
@@ -96,8 +105,13 @@ void watch_for_signals(double leave_s, int code) {
 }
 
 StopRequest stop_request() {
-  if (leave_seen) return StopRequest::leave;
+  if (leave_since != 0) return StopRequest::leave;
   return drain_seen ? StopRequest::drain : StopRequest::none;
+}
+
+double seconds_since_leave() {
+  const Nanoseconds::rep since = leave_since;
+  return since == 0 ? -1 : std::chrono::duration<double>(now() - Nanoseconds(since)).count();
 }
 
 bool status_request() {

@@ -1,5 +1,5 @@
 // Signals that ask this rank to stop, or for a status line, or say that a file was cut short.
-// Handlers only set flags, except for three last resorts.
+// Handlers only set flags, except for two last resorts.
 #pragma once
 
 namespace misalign::search {
@@ -7,12 +7,8 @@ namespace misalign::search {
 enum class StopRequest {
   none,
   drain,  ///< SIGUSR1: cut the units under way short and commit all of them, however long it takes
-  leave   ///< SIGTERM, SIGINT: the same in kLeave_s, then without what is not there yet
+  leave   ///< SIGTERM, SIGINT, SIGHUP, SIGXCPU, SIGALRM: the same without what takes too long
 };
-
-/// How long rank 0 may take to leave: mpirun kills its ranks a second after it was asked to stop.
-/// The others leave when rank 0 lets them go, or soon after if it does not.
-inline constexpr double kLeave_s = 0.4, kRelease_s = 3;
 
 /// From now on a file that is cut short where it is mapped ends the process with a sentence and
 /// EXIT_FAILURE. Before MPI begins, which would have a handler of its own.
@@ -22,11 +18,15 @@ void watch_for_lost_pages();
 /// is starting.
 void hold_signals();
 
-/// From now on the signals mean this. A second SIGTERM or SIGINT ends the process at once; whatever
-/// is left `leave_s` after the first is ended too, with `leave_code`.
-void watch_for_signals(double leave_s, int leave_code);
+/// From now on the signals mean this; SIGHUP, SIGXCPU and SIGALRM nothing where the parent ignores
+/// them (nohup). A second SIGTERM or SIGINT ends the process at once, with a sentence; within half
+/// a second it is the first one again, which mpirun and a batch system both pass on.
+void watch_for_signals();
 
 StopRequest stop_request();
+
+/// Since the first request to leave; negative if there was none.
+double seconds_since_leave();
 
 /// Whether SIGUSR2 has asked for a status line since this was last called.
 bool status_request();

@@ -15,6 +15,7 @@ schema::UserError failure_of(const std::exception& error);
 struct Border {
   schema::NameParameter name_parameter;
   int (*exit_code)(schema::Cause cause);
+  int stopped = 0;  ///< the exit code where work remains after a signal or the run's time
 };
 
 }  // namespace misalign::search

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/recovery.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/certify_json.hpp"
 #include "schema/files/features.hpp"
@@ -60,6 +61,7 @@ bool has_few_holes(const std::string& catalogue) {
 int run_on_catalogue(CertifyCall& call, const Words& typed) {
   CertifyOptions& options = call.options;
   options.border = kCommandLine;
+  if (!options.check && !call.closed_form) schema::recover_before_writing(options.path);
   const bool is_in_closed_form = call.closed_form || has_few_holes(options.path);
   if (is_in_closed_form) check_closed_form(call);
   if (!call.choice.chooses() && !call.all && !options.check) {
@@ -70,8 +72,9 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
   if (is_in_closed_form) return prove_in_closed_form(call);
   if (options.check) schema::need("FLINT");  // before other ranks are started
   if (const int count = ranks_wanted(call.ranks); count > 1) {
-    return run_on_ranks(count, typed, false);
+    return run_on_ranks(count, typed, false, 0);
   }
+  options.alone_is_meant = options.check || !call.ranks.empty();
   options.choose = [&call](SQLite::Database& database) {
     add_study_functions(database, call.options.path);
     return chosen_draws(database, call.choice);

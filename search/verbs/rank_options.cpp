@@ -51,7 +51,10 @@ void add_ranks(CLI::App& verb, std::string& ranks) {
 
 int ranks_wanted(const std::string& ranks) {
   if (ranks.empty()) return 1;
-  if (launched_by_mpi()) {
+  // One of several tasks that MPI may not join, see expect_joined, may be meant to be alone.
+  const auto tasks = launched_tasks();
+  const bool is_alone = ranks == "1" && tasks && tasks->launcher != "mpirun";
+  if (launched_by_mpi() && !is_alone) {
     throw schema::UserError(schema::Cause::bad_request,
                             "--ranks " + ranks +
                                 " has no meaning under mpirun (which has started the ranks); take "
@@ -60,8 +63,8 @@ int ranks_wanted(const std::string& ranks) {
   return ranks == "all" ? usable_threads() : std::stoi(ranks);
 }
 
-int run_on_ranks(int ranks, const Words& typed, bool with_bar) {
-  return run_under_mpirun(ranks, words_of_a_rank(typed, with_bar));
+int run_on_ranks(int ranks, const Words& typed, bool with_bar, int stopped_exit) {
+  return run_under_mpirun(ranks, words_of_a_rank(typed, with_bar), stopped_exit);
 }
 
 }  // namespace misalign::search

@@ -15,7 +15,7 @@ void add_ranks(CLI::App& verb, std::string& ranks);
 int ranks_wanted(const std::string& ranks);
 
 /// Runs the command that was typed on so many ranks of this machine, with a bar of progress where
-/// `with_bar`, and returns its exit code.
-int run_on_ranks(int ranks, const Words& typed, bool with_bar);
+/// `with_bar`, and returns its exit code: `stopped_exit` where a signal has ended it.
+int run_on_ranks(int ranks, const Words& typed, bool with_bar, int stopped_exit);
 
 }  // namespace misalign::search

@@ -22,6 +22,7 @@ using schema::UserError;
 struct SearchCall {
   SearchOptions options;
   std::string range, ranks;  // as typed; empty where they were not
+  int stopped_exit = 0;
 };
 
 CLI::Validator instruction_set_of_this_machine() {
@@ -49,7 +50,8 @@ schema::DrawRange parse_range(const std::string& text) {
 }
 
 // What is wanted, and of which draws.
-void add_goals(CLI::App& verb, SearchOptions& options) {
+void add_goals(CLI::App& verb, SearchCall& call) {
+  SearchOptions& options = call.options;
   const auto draw_count = a_draw();
   verb.add_option(
           "--draws", options.draws,
@@ -74,6 +76,12 @@ void add_goals(CLI::App& verb, SearchOptions& options) {
                   "end this run after so many seconds; the next one goes on")
       ->check(within(0, 1e9))
       ->type_name("SECONDS");
+  verb.add_option(
+          "--stopped-exit", call.stopped_exit,
+          "exit code where a signal or --max-time ends it and work remains; a scheduler may "
+          "have one that has it start again [0]")
+      ->check(counted(0, 255))
+      ->type_name("N");
   verb.add_option("--seed", options.seed, "use this seed instead of the campaign's")
       ->check(draw_count)
       ->type_name("SEED");
@@ -90,12 +98,14 @@ std::string command_for_all(const Words& typed) {
 int start_search(const SearchCall& call, const Words& typed) {
   SearchOptions options = call.options;
   options.border = kCommandLine;
+  options.border.stopped = call.stopped_exit;
   if (!call.range.empty()) options.range = parse_range(call.range);
   if (const int count = ranks_wanted(call.ranks); count > 1) {
     const bool with_bar = options.progress == ProgressStyle::automatic &&
                           is_terminal(STDERR_FILENO) && terminal_is_able();
-    return run_on_ranks(count, typed, with_bar);
+    return run_on_ranks(count, typed, with_bar, call.stopped_exit);
   }
+  options.alone_is_meant = options.range || !call.ranks.empty();
   if (call.ranks.empty()) options.command_for_all = command_for_all(typed);
   return run_search(options);
 }
@@ -118,9 +128,10 @@ Action search_verb(CLI::App& verb, const Words& typed) {
       "A splitting search (search.method in the campaign) counts populations instead of\n"
       "draws, with --populations and in --range. Its levels are found once, at the first\n"
       "start; a kill costs some seconds, not the population that was under way.\n\n"
-      "Signals, to mpirun or to the program alone: SIGINT and SIGTERM end it within\n"
-      "half a second, a second one at once; SIGUSR1 ends it once all that is under\n"
-      "way is committed; SIGUSR2 prints a status line.\n\n"
+      "Signals, to mpirun or to the program alone: SIGINT, SIGTERM, SIGHUP, SIGXCPU and\n"
+      "SIGALRM end it within a second (alone: two), a second SIGINT or SIGTERM at once;\n"
+      "SIGUSR1 ends it once all that is under way is committed; SIGUSR2 prints a status\n"
+      "line. What is done is kept, and one sentence says how far it is.\n\n"
       "--ranks starts the ranks on this machine, through mpirun (Open MPI). To use several\n"
       "machines, or options of mpirun, call mpirun yourself.\n\n"
       "Examples:\n"
@@ -134,7 +145,7 @@ Action search_verb(CLI::App& verb, const Words& typed) {
   verb.add_option("--catalogue", options.catalogue_path,
                   "catalogue file [results/NAME-<8 hex digits>.db]")
       ->type_name("CATALOGUE");
-  add_goals(verb, options);
+  add_goals(verb, *call);
   verb.add_option("--range", call->range, "only the draws, or populations, from LO to HI - 1")
       ->type_name("LO:HI");
   add_ranks(verb, call->ranks);

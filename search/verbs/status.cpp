@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include "schema/catalogue/campaign_check.hpp"
+#include "schema/catalogue/recovery.hpp"
 #include "search/terminal/nothing_found.hpp"
+#include "search/terminal/shell_word.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/border.hpp"
@@ -14,11 +16,21 @@ namespace {
 
 struct StatusCall {
   std::string path;
-  bool json = false, check = false;
+  bool json = false, check = false, recover = false;
   std::optional<double> at_deg;
 };
 
+// A run that was ended, or killed beside its log, is told from one that goes on elsewhere.
+bool last_run_has_no_end(SQLite::Database& database) {
+  return schema::reading(database, [&] {
+    SQLite::Statement run(database, "SELECT ended_at IS NULL FROM run ORDER BY id DESC LIMIT 1");
+    return run.executeStep() && run.getColumn(0).getInt() == 1;
+  });
+}
+
 int show_status(const StatusCall& call) {
+  if (call.recover) schema::recover(call.path);
+  const bool lacks_log = schema::lacks_log(call.path);
   const auto database = schema::open_for_reading(call.path);
   std::optional<SQLite::Transaction> moment;
   schema::reading(*database, [&] { moment.emplace(*database); });
@@ -43,6 +55,15 @@ int show_status(const StatusCall& call) {
     }
     std::fflush(stdout);
     if (!call.check) spdlog::info("next: {}", next_step(state, call.path, ""));
+  }
+  if (lacks_log && last_run_has_no_end(*database)) {
+    const std::string path = shell_word(call.path);
+    spdlog::warn(
+        "{0}: its last run has no end, and its log, {0}-wal, is missing; if this is a copy that "
+        "was "
+        "made while a search was writing, it lacks what was in the log: copy again with misalign "
+        "merge COPY.db ORIGINAL.db",
+        path);
   }
   if (goal_fault) {
     spdlog::error(
@@ -70,6 +91,8 @@ Action status_verb(CLI::App& verb) {
   verb.add_flag("--json", call->json, "as JSON");
   verb.add_flag("--check", call->check,
                 "exit code 75 while work remains, 0 when complete, 6 if the goal's end is none");
+  verb.add_flag("--recover", call->recover,
+                "first roll back, or fold in, what a killed program has left beside the file");
   verb.add_option("--at", call->at_deg,
                   "also count the candidates that deploy from this angle, degrees")
       ->type_name("DEG");

@@ -10,6 +10,7 @@
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/stress_json.hpp"
 #include "schema/files/text_file.hpp"
+#include "search/ranks/departure.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/sheets/calculix_run.hpp"
 #include "search/sheets/chosen_sheet.hpp"
@@ -132,7 +133,11 @@ void show_stress(StressCall& call) {
   {
     // What was reached is read and written within that time, or the program ends anyway.
     constexpr double kToReadAndWrite_s = 120;
-    watch_for_signals(kToReadAndWrite_s, exit_code_of(schema::Cause::failure));
+    watch_for_signals();
+    const Departure departure(kToReadAndWrite_s, LeftFrom::anywhere, [] {
+      spdlog::error("stopped before what CalculiX reached was read; ask it for less at once");
+      return exit_code_of(schema::Cause::failure);
+    });
     StressProgress progress(call.options.deck.end_s);
     study = study_stress(released, call.options, call.directory, job, [&](const ElasticRow& row) {
       progress.show(row);

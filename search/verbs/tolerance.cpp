@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/recovery.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/tolerance_json.hpp"
 #include "schema/pattern/perforation_check.hpp"
@@ -119,6 +120,7 @@ int run(ToleranceCall call) {
   call.study.jobs = call.jobs.value_or(usable_threads());
   std::optional<ChosenSheet> file;
   if (is_pattern_file(call.path)) file = sheet_of_pattern_file(call.path);
+  if (!file && call.keep) schema::recover_before_writing(call.path);
   // Closes the catalogue again, before the writer's lock: see WriterLock.
   const ToleranceTargets sheets = file ? chosen_sheet(call, *file) : choose_sheets(call);
   take_subject(sheets.design, call);

@@ -55,7 +55,7 @@ Balance sleep_through_ranges(const MpiSession& mpi, const Speed& speed) {
 
 int run(const std::string& folder, const Speed& speed, double seconds) {
   MpiSession mpi;
-  search::watch_for_signals(search::kLeave_s, 0);
+  search::watch_for_signals();
   search::Heartbeat heartbeat(mpi);
   Balance balance;
   if (mpi.rank() > 0) {

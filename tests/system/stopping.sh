@@ -24,9 +24,7 @@ kept() {  # SIGNAL: whether the draws that were under way are
   echo "$signal to mpirun: ended after $(($(now_ms) - start)) ms"
   # mpirun itself reports a TERM or INT that it was sent; its ranks must have ended by themselves.
   [ $signal != USR1 ] || [ $code = 0 ] || fail "USR1: exit $code"
-  sqlite3 stopped-$signal.db 'SELECT count(*) FROM unit' > /dev/null  # folds in the log, if there was no time to
-  end=$(sql stopped-$signal.db 'SELECT end FROM run')
-  [ "$end" = stopped ] || [ "$signal$end" = TERM ] || [ "$signal$end" = INT ] || fail "$signal: the run was not ended"
+  [ "$(sql stopped-$signal.db 'SELECT end FROM run')" = stopped ] || fail "$signal: the run was not ended"
   sound_so_far stopped-$signal.db
   gives_1 stopped-$signal.db 'SELECT sum(draws) > 0 FROM unit'
 }
@@ -84,18 +82,102 @@ sleep 0.02
 kill -TERM $search 2> /dev/null
 wait $search
 code=$?
-[ $code = 143 ] || [ $code = 0 ] || fail "two TERMs: exit $code"
+[ $code = 0 ] || fail "a TERM passed on twice: exit $code"
+sound_so_far slow.db
+"$program" search slow.json --catalogue slow.db --progress none > /dev/null 2> err &
+search=$!
+begun slow.db run 3
+kill -TERM $search
+sleep 0.7
+kill -TERM $search 2> /dev/null
+wait $search
+code=$?
+[ $code = 143 ] && grep -q "same command goes on" err || [ $code = 0 ] || fail "two TERMs: exit $code: $(cat err)"
 sound_so_far slow.db
 
 before=$(sql slow.db 'SELECT coalesce(sum(draws), 0) FROM unit')
 "$program" search slow.json --catalogue slow.db --progress none > /dev/null 2>&1 &
 search=$!
-begun slow.db run 3
+begun slow.db run 4
 sleep 0.3
 kill -USR1 $search
 wait $search || fail "USR1 among slow draws: exit $?"
 [ "$(sql slow.db 'SELECT sum(draws) FROM unit')" -gt "$before" ] || fail "USR1 did not wait for the draws"
 [ "$(sql slow.db 'SELECT end FROM run ORDER BY id DESC LIMIT 1')" = stopped ] || fail "USR1: the run's end"
+
+# Every signal by which something ends a job, and the exit code that was asked for. A shell that ignores SIGHUP
+# (nohup) hands that on.
+stopped_by() {  # SIGNAL CODE WORDS...: what ends the search of these words, and with which exit code
+  "$program" search rare.json --catalogue signals.db --draws 1000000000 --progress none "${@:3}" > out 2> err &
+  search=$!
+  begun signals.db run $((++starts))
+  kill -"$1" $search
+  wait $search
+  code=$?
+  [ $code = "$2" ] && grep -q "^signals.db: stopped, " out || fail "$1 ${*:3}: exit $code: $(cat out err)"
+  [ ! -e signals.db-wal ] && [ "$(stat -c %s signals.db)" -gt 4096 ] || fail "$1: $(ls -l signals.db*)"
+}
+starts=0
+for signal in HUP XCPU ALRM; do stopped_by $signal 0; done
+stopped_by INT 85 --stopped-exit 85
+stopped_by USR1 200 --stopped-exit 200 --ranks 2
+stopped_by TERM 143 --stopped-exit 143 --ranks 2
+"$program" search rare.json --catalogue signals.db --stopped-exit 85 --max-time 0.2 --progress none > /dev/null 2>&1
+[ $? = 85 ] || fail "--max-time and --stopped-exit"
+"$program" search $campaign --catalogue ended.db --stopped-exit 85 --draws 500 --progress none > /dev/null 2>&1 ||
+  fail "--stopped-exit of a search that is complete: exit $?"
+(trap '' HUP && exec "$program" search rare.json --catalogue nohup.db --draws 1000000000 --progress none) > out 2> err &
+search=$!
+begun nohup.db
+kill -HUP $search
+sleep 0.2
+kill -TERM $search
+wait $search || fail "nohup: exit $?"
+
+# Beside eight loops: one sentence, one file, one run that was ended.
+busy=()
+for ((k = 0; k < 8; ++k)); do
+  while :; do :; done &
+  busy+=($!)
+done
+trap 'kill "${busy[@]}" 2> /dev/null; rm -rf "$work"' EXIT
+for signal in TERM INT; do stopped_by $signal 0; done
+busy_ranks() {  # whether two ranks of mpirun leave as one process does
+  rm -f busy.db*
+  "${ranks[@]}" 2 "$program" search rare.json --catalogue busy.db --draws 1000000000 --progress none > out 2> err &
+  launcher=$!
+  begun busy.db
+  kill -TERM $launcher
+  wait $launcher
+  grep -q "^busy.db: stopped, " out && [ ! -e busy.db-wal ] && [ "$(stat -c %s busy.db)" -gt 4096 ]
+}
+eventually "two ranks on a busy machine" busy_ranks
+sound_so_far busy.db
+kill "${busy[@]}"
+
+# Tasks of srun or flux that MPI does not join would make the same draws each: said before anything is written. A
+# script in a larger allocation is no task, a daemon of mpirun is one of others, and who says so is meant.
+task() { env SLURM_JOB_ID=1 SLURM_NTASKS=4 SLURM_PROCID=1 "$@" --catalogue task.db --draws 200 --progress none; }
+search_as() { task "$@" > out 2> err; }
+for sizes in "SLURM_STEP_ID=0 SLURM_STEP_NUM_TASKS=4" "FLUX_JOB_SIZE=4 FLUX_TASK_RANK=1" "PMI_SIZE=4"; do
+  # shellcheck disable=SC2086
+  search_as $sizes "$program" search $campaign
+  [ $? = 2 ] && grep -q "has started 4 tasks (.*), and MPI says 1 rank" err || fail "$sizes: $(cat err)"
+  [ ! -e task.db ] || fail "$sizes: a catalogue"
+done
+step=(SLURM_STEP_ID=0 SLURM_STEP_NUM_TASKS=4)
+for meant in "" "${step[*]} --range 0:100" "${step[*]} --ranks 1" "SLURM_STEP_NUM_TASKS=1"; do
+  read -ra words <<< "$meant"
+  mapfile -t variables < <(printf '%s\n' "${words[@]}" | grep =)
+  mapfile -t options < <(printf '%s\n' "${words[@]}" | grep -v =)
+  search_as ${variables[0]:+"${variables[@]}"} "$program" search $campaign ${options[0]:+"${options[@]}"} ||
+    fail "$meant: $(cat err)"
+  rm -f task.db*
+done
+for n in 1 2; do
+  search_as "${step[@]}" "${ranks[@]}" $n "$program" search $campaign || fail "mpirun -n $n in a step: $(cat err)"
+done
+[ "$(sql task.db 'SELECT group_concat(ranks) FROM run')" = 1 ] || fail "a complete search begins a run"
 
 # A second search is refused at once; when the first one is killed, its catalogue is free at once.
 "$program" search $campaign --catalogue held.db --draws 1000000000 --progress none > /dev/null 2>&1 &

@@ -97,6 +97,62 @@ done
 grep -q "rollback journal and an exclusive lock" err || fail "--storage network: no sentence"
 [ "$(digest_of shared.db)" = "$expected" ] || fail "--storage network: another digest"
 
+# A search that is complete is asked for again: it has nothing to do, and its file keeps its bytes and its time.
+mark() { md5sum < calm.db && stat -c %y calm.db; }
+before=$(mark)
+sleep 0.1
+for n in 1 2; do
+  "${ranks[@]}" $n "$program" search $campaign --catalogue calm.db --draws 10000 --progress none > out 2> err ||
+    fail "complete: $(cat err)"
+  grep -q "^calm.db: complete, 10000 draws, .* $expected$" out || fail "complete: $(cat out)"
+  [ "$(mark)" = "$before" ] && [ -z "$(ls calm.db-* 2> /dev/null)" ] || fail "a complete search writes: $(ls calm.db*)"
+done
+"$program" search $campaign --catalogue calm.db --draws 10001 --progress none > /dev/null 2>&1 || fail "one draw more"
+[ "$(mark)" != "$before" ] || fail "one draw more: nothing was written"
+
+# A transaction that was killed half-way: readers refuse, and name what mends it; so do the verbs that write.
+half_done() {  # FILE: a copy of the catalogue before, with a journal to roll back
+  cp calm.db "$1"
+  sqlite3 "$1" "PRAGMA cache_size = 1" "BEGIN" "UPDATE candidate SET stroke_max = 0" ".shell kill -KILL \$PPID" \
+    > /dev/null 2>&1
+  [ -s "$1-journal" ] || fail "no journal"
+}
+strokes() { sqlite3 -readonly "$1" 'SELECT total(stroke_max) FROM candidate'; }
+half_done half.db 2> /dev/null
+"$program" status half.db > out 2> err
+stopped "a journal to roll back" "misalign status half.db --recover does it"
+"$program" status half.db --recover > out 2> err || fail "--recover: $(cat err)"
+[ "$(strokes half.db)" = "$(strokes calm.db)" ] && [ "$(ls half.db*)" = half.db ] || fail "--recover: $(ls half.db*)"
+half_done tolerated.db 2> /dev/null
+"$program" tolerance tolerated.db --best 1 --amplitude 0.001 --trials 10 > out 2> err || fail "tolerance: $(cat err)"
+[ "$(sql tolerated.db 'SELECT count(*) FROM yield')" = 1 ] || fail "tolerance: no yield: $(cat err)"
+half_done certified.db 2> /dev/null
+"$program" certify certified.db --best 1 --to 5 > out 2> err || fail "certify: $(cat err)"
+[ "$(strokes certified.db)" = "$(strokes calm.db)" ] || fail "certify: not rolled back"
+
+# A copy of the file alone while a search writes: a catalogue, and what it lacks is said. One of a newborn file, which
+# an older program began with its log, is no catalogue yet.
+"$program" search $campaign --catalogue live.db --draws 100000000 --unit-draws 100 --progress none > /dev/null 2>&1 &
+search=$!
+begun live.db unit
+cp live.db copy.db
+"$program" merge backup.db live.db > /dev/null 2> err || fail "a backup: $(cat err)"
+kill -TERM $search
+wait $search
+for k in 1 2; do
+  "$program" status copy.db > out 2> err || fail "a copy: $(cat err)"
+  grep -q "copy.db-wal, is missing" err || fail "a copy without its log, time $k: $(cat err)"
+done
+[ "$("$program" status copy.db --json 2> /dev/null | grep -c draws_in_ledger)" = 1 ] || fail "a copy: its ledger"
+gives_1 backup.db 'SELECT count(*) > 0 FROM unit' || fail "a backup: no unit"
+for file in live.db backup.db; do
+  "$program" status $file 2>&1 | grep -q "is missing" && fail "$file: its log is not missing"
+done
+sqlite3 newborn.db "PRAGMA journal_mode = WAL" "VACUUM" > /dev/null
+rm -f newborn.db-*
+"$program" status newborn.db > out 2> err
+[ $? = 3 ] && grep -q "newborn.db-wal, is missing" err || fail "a newborn copy: $(cat err)"
+
 # Eight readers, a query a second each: no commit waits for them, and the log stays small.
 "$program" search $campaign --catalogue read.db --draws 100000000 --unit-draws 1000 --max-time 5 --progress none > /dev/null 2>&1 &
 search=$!

@@ -1,0 +1,22 @@
+// What a program that was killed, or a copy that was made of one file of two, has left of a
+// catalogue.
+#pragma once
+
+#include <string>
+
+namespace misalign::schema {
+
+/// Leaves one plain file: what a killed program has left half done is rolled back, and what is in
+/// its log folded in. UserError as from Catalogue's constructor, whatever campaign it holds.
+void recover(const std::string& path);
+
+/// The same where a journal to roll back lies beside the file, which a reader may not do: before a
+/// verb reads what it will write. Waits while another process writes there.
+void recover_before_writing(const std::string& path);
+
+/// Whether the file's log is missing: it says that it has one, and nobody writes it. A copy that
+/// was made while a search was writing is such a file; so is one whose log another program folded
+/// in. Not while this process reads the file: see is_being_written.
+bool lacks_log(const std::string& path);
+
+}  // namespace misalign::schema
