@@ -24,10 +24,11 @@ void expect_joined(const MpiSession& mpi) {
   if (!tasks || mpi.ranks() > 1 || tasks->count <= 1) return;
   throw schema::UserError(
       schema::Cause::bad_request,
-      fmt::format("{0} has started {1} tasks ({2}), and MPI says 1 rank in each of them (it knows "
-                  "nothing of {0}: no PMIx): all would make the same draws; start them with "
-                  "mpirun -n {1}, or srun --mpi=pmix where MPI has that, or give each task draws "
-                  "of its own with {3}, or say {4} where every task has a catalogue of its own",
+      fmt::format("{0} has started {1} tasks ({2}), and MPI says 1 rank in each of them (it "
+                  "knows nothing of the others: no PMIx), so that all would make the same draws; "
+                  "start them with the mpirun of its MPI, or with srun --mpi=pmix where that MPI "
+                  "has PMIx, or give each task draws of its own with {3}, or say {4} where every "
+                  "task has a catalogue of its own",
                   tasks->launcher, tasks->count, tasks->variable, schema::parameter("range"),
                   schema::parameter("ranks", "1")));
 }

@@ -20,7 +20,7 @@ struct StatusCall {
   std::optional<double> at_deg;
 };
 
-// A run that was ended, or killed beside its log, is told from one that goes on elsewhere.
+// It goes on elsewhere, or was killed.
 bool last_run_has_no_end(SQLite::Database& database) {
   return schema::reading(database, [&] {
     SQLite::Statement run(database, "SELECT ended_at IS NULL FROM run ORDER BY id DESC LIMIT 1");
@@ -59,10 +59,9 @@ int show_status(const StatusCall& call) {
   if (lacks_log && last_run_has_no_end(*database)) {
     const std::string path = shell_word(call.path);
     spdlog::warn(
-        "{0}: its last run has no end, and its log, {0}-wal, is missing; if this is a copy that "
-        "was "
-        "made while a search was writing, it lacks what was in the log: copy again with misalign "
-        "merge COPY.db ORIGINAL.db",
+        "{0}: its last run has no end, and its log, {0}-wal, is missing; a copy that was made of "
+        "the file alone while a search was writing lacks what was in the log: copy again with "
+        "misalign merge COPY.db ORIGINAL.db",
         path);
   }
   if (goal_fault) {

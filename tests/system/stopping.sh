@@ -124,6 +124,7 @@ stopped_by USR1 200 --stopped-exit 200 --ranks 2
 stopped_by TERM 143 --stopped-exit 143 --ranks 2
 "$program" search rare.json --catalogue signals.db --stopped-exit 85 --max-time 0.2 --progress none > /dev/null 2>&1
 [ $? = 85 ] || fail "--max-time and --stopped-exit"
+starts=$((starts + 1))
 "$program" search $campaign --catalogue ended.db --stopped-exit 85 --draws 500 --progress none > /dev/null 2>&1 ||
   fail "--stopped-exit of a search that is complete: exit $?"
 (trap '' HUP && exec "$program" search rare.json --catalogue nohup.db --draws 1000000000 --progress none) > out 2> err &
