@@ -109,6 +109,10 @@ esac
 in_result theirs "j ->> 'outcome' = 'time_limit' AND json_array_length(j, '\$.motion.time_s') = 4 AND
   json_array_length(j, '\$.stress.time_s') = 3 AND j ->> '\$.largest_anywhere_mesh_dependent.stress_mpa' = 13"
 shown theirs
+# What warns of an angle beyond D is no part of the result.
+FAKE=good PATH=$PWD/fake:$PATH "$program" stress "$table1" --from 156.3 --json --output beyond > out 2> err ||
+  fail "beyond D: $(cat err)"
+json_test out "json_valid(j)" && grep -q "^misalign: .*beyond D = 156 deg" err || fail "beyond D: $(head -c 200 out; cat err)"
 
 # What is no number ends the motion; what was before it is the result, which a report takes.
 faked nan nan || fail "NaN: $(cat err)"

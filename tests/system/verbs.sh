@@ -114,4 +114,56 @@ sed 's/"between_samples": true/"between_samples": "exact"/' bumps.json > exact.j
 "$program" bench exact.json --agree 20 > agreement ||
   fail "another verdict between the samples than the reference's: $(cat agreement)"
 
+# Every verb that writes JSON writes nothing else on standard output, with all that there is to warn of on the other one:
+# an angle beyond D, a certificate that is not what it proves, a yield that is not kept since another program writes there.
+cp "$file" other.db
+"$program" certify other.db "$draw" > /dev/null || fail "certify"
+sqlite3 other.db "UPDATE certificate SET certified_deg = certified_deg - 1" || fail "no certificate to spoil"
+cat > locked.py << 'END'
+import fcntl, subprocess, sys
+with open(sys.argv[1], "r+b") as catalogue:
+    fcntl.lockf(catalogue, fcntl.LOCK_EX, 1, 1 << 62)
+    sys.exit(subprocess.run(sys.argv[2:]).returncode)
+END
+cat > json-calls << END
+status $file
+fold $source_dir/search/patterns/table1.json --to 20
+perforations p.json
+construct $source_dir/search/patterns/table1.json --amplitude 1
+optimise $file $draw --steps 1
+replay $file $draw
+query $file best
+verify $file --sample 2
+certify other.db $draw
+tolerance $file $draw --amplitude 0.05 --trials 5
+doctor
+actuators $file $draw
+contact $file $draw
+deploy $source_dir/search/patterns/table1.json --from 156.3
+card $file $draw --from 60
+bench --agree 5
+END
+for verb in $("$program" --help | sed -n 's/^  \([a-z]*\)  .*/\1/p'); do
+  "$program" "$verb" --help | grep -q -- "^  --json" || continue
+  case $verb in stress) continue ;; esac  # needs another program: tests/system/stress.sh
+  grep -q "^$verb\b" json-calls || fail "$verb --json: is called nowhere here"
+done
+said() {  # LEVEL WORD...
+  local level=$1 lock=()
+  shift
+  [ "$1" != tolerance ] || lock=(python3 locked.py "$file")
+  "${lock[@]}" "$program" "$@" --json --log-level "$level" > out.json 2> err || fail "$* --json: $(cat err)"
+  json_test out.json "json_valid(j)" || fail "$* --json: $(head -c 200 out.json)"
+}
+while read -r -a words; do
+  said debug "${words[@]}"
+  case ${words[0]} in
+    deploy) grep -q "^misalign: .*beyond D = 156 deg" err ;;
+    certify) grep -q "^misalign: .*its certificate is made again" err ;;
+    tolerance) grep -q "^misalign: this is not kept in the catalogue" err ;;
+  esac || fail "no warning of ${words[*]}: $(cat err)"
+  said off "${words[@]}"
+  [ ! -s err ] || fail "${words[*]} --log-level off: $(cat err)"
+done < json-calls
+
 finish
