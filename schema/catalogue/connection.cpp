@@ -154,6 +154,8 @@ void make_safe(SQLite::Database& database, Access access) {
   set(SQLITE_DBCONFIG_ENABLE_FTS3_TOKENIZER, 0);
   set(SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0);
   set(SQLITE_DBCONFIG_DEFENSIVE, 1);
+  set(SQLITE_DBCONFIG_DQS_DML, 0);  // a misspelt column is an error, not a text
+  set(SQLITE_DBCONFIG_DQS_DDL, 0);
   set(SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0);
   if (access == Access::write) {
     trust_schema(database);  // or SQLite 3.40 could not even load the checks of a catalogue

@@ -59,14 +59,16 @@ class StudyFunctions {
   StudyFunctions& operator=(const StudyFunctions&) = delete;
 
   std::optional<double> number(std::size_t function, const Call& call) {
-    StudyNumbers& answers = answers_[call];
-    if (!answers.is_found[function]) {
-      if (is_looking_ahead_) {
-        expect(function, call);
-        return {};
+    if (is_looking_ahead_) {
+      const auto known = answers_.find(call);
+      if (known != answers_.end() && known->second.is_found[function]) {
+        return known->second.numbers[function];
       }
-      find_some(function, call);
+      expect(function, call);
+      return {};
     }
+    StudyNumbers& answers = answers_[call];
+    if (!answers.is_found[function]) find_some(function, call);
     return answers.numbers[function];
   }
 
@@ -81,6 +83,9 @@ class StudyFunctions {
  private:
   // Of longer queries so many at a time.
   static constexpr std::size_t kMostExpected = 100000;
+  // A query that passes over more rows, or never ends, is looked at no farther than so many turns
+  // of so many instructions of SQLite's machine: some seconds.
+  static constexpr int kTurn = 1000, kMostTurns = 300'000;
   // So many sheets at once and thread: little is lost where a LIMIT ends the query.
   static constexpr std::size_t kAtOnce = 8;
 
@@ -114,13 +119,20 @@ class StudyFunctions {
     expected_.clear();
     place_.clear();
     is_looking_ahead_ = true;
+    turns_ = 0;
+    const auto is_enough = [](void* self) {
+      auto& its = *static_cast<StudyFunctions*>(self);
+      return static_cast<int>(its.expected_.size() >= kMostExpected || ++its.turns_ > kMostTurns);
+    };
+    sqlite3_progress_handler(connection_, kTurn, is_enough, this);
     try {
       SQLite::Statement statement(database_, sql);
-      while (expected_.size() < kMostExpected && statement.executeStep()) {
+      while (statement.executeStep()) {
       }
     } catch (const SQLite::Exception&) {
-      // The statement itself will say why.
+      // That was enough, or the statement itself will say why not.
     }
+    sqlite3_progress_handler(connection_, 0, nullptr, nullptr);
     is_looking_ahead_ = false;
   }
 
@@ -246,6 +258,7 @@ class StudyFunctions {
   std::vector<std::unique_ptr<FoldingModel>> models_;  // one for each thread
   std::map<Call, StudyNumbers> answers_;
   bool is_looking_ahead_ = false;
+  int turns_ = 0;                   // of looking ahead
   std::vector<Expected> expected_;  // in their order
   std::map<Call, std::size_t> place_;
   std::size_t sheets_ = 0;
@@ -273,6 +286,8 @@ void call(sqlite3_context* context, int count, sqlite3_value** values) {
         one.which, {static_cast<std::uint64_t>(sqlite3_value_int64(values[0])),
                     has_angle ? std::optional(from_deg) : std::nullopt});
     number ? sqlite3_result_double(context, *number) : sqlite3_result_null(context);
+  } catch (const std::bad_alloc&) {
+    sqlite3_result_error_nomem(context);
   } catch (const std::exception& error) {
     sqlite3_result_error(context, error.what(), -1);
   }

@@ -148,6 +148,29 @@ TEST_F(FunctionsOfSheets, AreTheSameAheadOfAQuery) {
   EXPECT_EQ(alone.size(), 20u);
 }
 
+// Looked at ahead, no row passes such a condition, or all rows are one.
+TEST_F(FunctionsOfSheets, EndAheadOfAQueryThatDoesNot) {
+  constexpr const char* kForEver =
+      "WITH RECURSIVE n (k) AS (VALUES (3) UNION ALL SELECT k + 1 FROM n) ";
+  const auto first =
+      numbers(std::string("SELECT energy_n_mm(draw) FROM candidates WHERE draw = 3"));
+  const std::string where = kForEver + std::string(
+                                           "SELECT energy_n_mm(k) FROM n WHERE "
+                                           "energy_n_mm(k) IS NOT NULL LIMIT 1");
+  look_ahead(*database_, where);
+  EXPECT_EQ(numbers(where), first);
+  look_ahead(*database_, kForEver + std::string("SELECT max(energy_n_mm(k)) FROM n LIMIT 1"));
+}
+
+// Double quotes are of names alone: a text there would be larger than any number.
+TEST_F(FunctionsOfSheets, AQuotedNameIsNoText) {
+  Choice choice;
+  choice.where = R"("D" > 999)";
+  EXPECT_THROW(chosen_draws(*database_, choice), schema::UserError);
+  choice.where = R"("deploys_from_deg" > 999)";
+  EXPECT_TRUE(chosen_draws(*database_, choice).empty());
+}
+
 TEST_F(FunctionsOfSheets, NearNamesAreNamed) {
   const auto said = [&](const Choice& choice) -> std::string {
     try {
