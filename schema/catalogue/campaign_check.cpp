@@ -108,14 +108,51 @@ void check_screened(SQLite::Database& database, const Campaign& campaign,
 void check_ascents(SQLite::Database& database, const Campaign& campaign,
                    std::vector<Finding>& findings) {
   if (!campaign.search.optimisation) return;
-  SQLite::Statement row(database,
-                        "SELECT candidate.draw, ascent.draw IS NULL FROM candidate LEFT JOIN "
-                        "ascent USING (draw) WHERE ascent.draw IS NULL OR start_value > end_value");
+  const Optimisation& asked = *campaign.search.optimisation;
+  // Each column beside what it can be: kept as it is drawn, or gone on from there.
+  struct Rule {
+    const char* column;
+    const char* can_be;
+    std::string holds;
+  };
+  const std::string kept = "ended IN ('breaks_a_limit', 'has_no_value')";
+  const Rule rules[] = {
+      {"start_value", "a value, or none where it is kept as it is",
+       "iif(" + kept + ", start_value IS NULL, start_value > 0)"},
+      {"end_value", "more than at the start after a step, and the same without one",
+       "iif(" + kept +
+           ", end_value IS NULL, iif(steps = 0, end_value = start_value, "
+           "end_value > start_value AND end_value < 9e999))"},
+      {"steps", "as many as its end says",
+       fmt::format("iif({0}, steps = 0, steps >= 0 AND iif(ended = 'most_steps', steps = {1}, "
+                   "steps < {1}))",
+                   kept, asked.most_steps)},
+      {"sheets_folded", "one a step at least",
+       "iif(" + kept + ", sheets_folded = 0, sheets_folded >= steps)"},
+      {"ended", "one of the table's", "ended IN ('no_step_is_better', 'most_steps') OR " + kept},
+      {"limited_by", "none",
+       fmt::format("limited_by IS NULL OR NOT ({} OR {:d})", kept, asked.ternary)}};
+  std::string columns;
+  for (const Rule& rule : rules) {
+    columns += fmt::format(", {}, coalesce({}, 0)", rule.column, rule.holds);
+  }
+  SQLite::Statement row(database, "SELECT candidate.draw, ascent.draw IS NULL" + columns +
+                                      " FROM candidate LEFT JOIN ascent USING (draw)");
   while (row.executeStep()) {
     const std::string where = "draw " + std::to_string(draw_of(row.getColumn(0)));
-    const bool is_missing = row.getColumn(1).getInt() != 0;
-    findings.push_back(differs(where, "ascent", is_missing ? "none" : "less at its end",
-                               is_missing ? "one" : "no less"));
+    if (row.getColumn(1).getInt() != 0) {
+      findings.push_back(differs(where, "ascent", "none", "one"));
+      continue;
+    }
+    int column = 2;
+    for (const Rule& rule : rules) {
+      if (row.getColumn(column + 1).getInt() == 0) {
+        const SQLite::Column stored = row.getColumn(column);
+        findings.push_back(differs(where, std::string("ascent.") + rule.column,
+                                   stored.isNull() ? Json() : Json(text_of(stored)), rule.can_be));
+      }
+      column += 2;
+    }
   }
 }
 

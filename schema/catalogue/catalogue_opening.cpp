@@ -49,14 +49,16 @@ void Catalogue::check_same_campaign() const {
 void Catalogue::migrate() {
   const int version = version_of(*database_);
   if (version == kSchemaVersion) return;
-  const std::string backup = path_ + ".version-" + std::to_string(version);
-  if (!is_taken(backup)) {
-    OutputFile file = OutputFile::database(backup, {path_});
+  const std::string name = path_ + ".version-" + std::to_string(version);
+  std::string backup = name;
+  for (int k = 2; is_taken(backup); ++k) backup = name + "-" + std::to_string(k);
+  OutputFile file = OutputFile::database(backup, {path_});
+  {
     SQLite::Statement copy(*database_, "VACUUM INTO ?");
     copy.bind(1, plain_file_name(file.path()));
     copy.exec();
-    file.publish();
   }
+  file.publish();
   SQLite::Transaction transaction(*database_);
   for (int next = version + 1; next <= kSchemaVersion; ++next) {
     database_->exec(carried_text("schema/migrations/" + std::to_string(next) + ".sql"));

@@ -21,6 +21,14 @@ double angle_of(double score, double sample_deg) {
   return score * sample_deg / solver::kScoresPerSample;
 }
 
+constexpr std::size_t kHash_bytes = sizeof(XXH128_canonical_t);
+
+std::string hash_bytes_of(const std::string& text) {
+  XXH128_canonical_t bytes;
+  XXH128_canonicalFromHash(&bytes, hash_of(text));
+  return {reinterpret_cast<const char*>(bytes.digest), kHash_bytes};
+}
+
 // Whether a row of a population can follow those before it: the table's checks, at which SQLite
 // looks only when it writes, and what a population's way is. Columns as in read_population.
 bool adds_up(SQLite::Statement& row, const std::vector<LevelCount>& before) {
@@ -186,13 +194,29 @@ std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string&
   return pieces;
 }
 
+namespace {
+
+// XXH3-128 of all that a row holds, which its result ends with.
+std::string piece_hash(const PieceRow& piece) {
+  return hash_bytes_of(fmt::format("{} {} {} {} {}\n{}", piece.population, piece.level, piece.lo,
+                                   piece.hi, piece.layout, piece.result));
+}
+
+}  // namespace
+
 std::string read_result(SQLite::Database& database, const PieceRow& piece) {
   SQLite::Statement row(database,
                         "SELECT result FROM piece WHERE population = ? AND level = ? AND lo = ?");
   row.bind(1, piece.population);
   row.bind(2, piece.level);
   row.bind(3, piece.lo);
-  return row.executeStep() ? row.getColumn(0).getString() : "";
+  if (!row.executeStep()) return "";
+  PieceRow read = piece;
+  read.result = row.getColumn(0).getString();
+  const std::size_t end = read.result.size() - std::min(read.result.size(), kHash_bytes);
+  const std::string hash = read.result.substr(end);
+  read.result.resize(end);
+  return hash == piece_hash(read) ? read.result : "";
 }
 
 void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& pieces) {
@@ -207,7 +231,8 @@ void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& piece
     insert.bind(3, piece.lo);
     insert.bind(4, piece.hi);
     insert.bind(5, piece.layout);
-    insert.bind(6, piece.result.data(), static_cast<int>(piece.result.size()));
+    const std::string hashed = piece.result + piece_hash(piece);
+    insert.bind(6, hashed.data(), static_cast<int>(hashed.size()));
     insert.exec();
   }
 }
@@ -219,9 +244,7 @@ void drop_pieces(SQLite::Database& database, std::uint32_t population) {
 }
 
 std::string sheet_hash(const std::string& displacements_mm) {
-  XXH128_canonical_t bytes;
-  XXH128_canonicalFromHash(&bytes, hash_of(displacements_mm));
-  return {reinterpret_cast<const char*>(bytes.digest), sizeof bytes.digest};
+  return hash_bytes_of(displacements_mm);
 }
 
 CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& levels) {

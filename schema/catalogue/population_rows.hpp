@@ -36,9 +36,10 @@ void each_population(
     SQLite::Database& database,
     const std::function<void(const DrawRange& numbers, const std::vector<LevelCount>&)>& see);
 /// All whose result has this layout, in the order in which they were done, without these results,
-/// which may be large; and the result of one.
+/// which may be large; and the result of one, empty if its row is not as it was written.
 std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout);
 std::string read_result(SQLite::Database& database, const PieceRow& piece);
+/// Each result with a hash of its row behind it.
 void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& pieces);
 void drop_pieces(SQLite::Database& database, std::uint32_t population);
 

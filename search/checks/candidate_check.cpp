@@ -10,16 +10,54 @@
 #include "search/draws/models.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/optimised_draw.hpp"
+#include "solver/design/ascent.hpp"
 #include "solver/design/worth.hpp"
 #include "solver/model/miscut_margin.hpp"
 
 namespace misalign::search {
 using schema::Json;
 
-bool is_stored(const Json& stored, const std::optional<double>& worth) {
-  constexpr double kAgree = 1e-6;
-  if (!worth || !stored.is_number()) return !worth && stored.is_null();
-  return std::abs(*worth - stored.get<double>()) <= kAgree * std::abs(*worth);
+namespace {
+
+// Values and prices of limits, by another build.
+bool agrees(const Json& a, const Json& b) {
+  constexpr double kAgree = 1e-6, kNothing = 1e-12;
+  if (a.is_number() && b.is_number()) {
+    const double x = a.get<double>(), y = b.get<double>();
+    return std::abs(x - y) <= kAgree * std::max(std::abs(x), std::abs(y)) + kNothing;
+  }
+  if (a.is_array() && b.is_array()) return std::ranges::equal(a, b, agrees);
+  if (!a.is_object() || !b.is_object()) return a == b;
+  for (const auto& [key, value] : a.items()) {
+    if (!b.contains(key) || !agrees(value, b.at(key))) return false;
+  }
+  return a.size() == b.size();
+}
+
+}  // namespace
+
+Json ascent_row(const schema::AscentRecord& ascent) {
+  return {{"start_value", schema::or_null(ascent.start_value)},
+          {"end_value", schema::or_null(ascent.end_value)},
+          {"steps", ascent.steps},
+          {"sheets_folded", ascent.sheets_folded},
+          {"ended", ascent.ended},
+          {"limited_by", schema::or_null(ascent.limited_by)}};
+}
+
+void compare_ascents(
+    const Json& stored, const Json& other,
+    const std::function<void(const std::string&, const Json&, const Json&)>& differ) {
+  static const Json kColumns = ascent_row({});
+  for (const auto& [column, nothing] : kColumns.items()) {
+    const auto cell = [&](const Json& row) {
+      const Json value = row.is_object() ? row.value(column, Json()) : Json();
+      return column == "limited_by" && value.is_string() ? schema::json_of(value) : value;
+    };
+    if (!agrees(cell(stored), cell(other))) {
+      differ("ascent." + column, cell(stored), cell(other));
+    }
+  }
 }
 
 CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
@@ -89,16 +127,13 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
         schema::differs("draw " + std::to_string(draw), column, stored, recomputed));
   };
   solver::SheetSolver solver(*model_);
-  const auto compare = [&](const char* column, const std::optional<double>& worth) {
+  const auto compare = [&](const char* column, const Json& recomputed) {
     const Json stored = ascent.value(column, Json());
-    if (stored.is_null() || is_stored(stored, worth)) return;
-    differs(std::string("ascent.") + column, stored, schema::or_null(worth));
+    if (!agrees(stored, recomputed)) differs(std::string("ascent.") + column, stored, recomputed);
   };
   const solver::Sheet end(solver, *shifts_mm);
   const bool is_as_drawn = ascent.value("steps", Json()) == 0;
-  // Of a start from which no step was found less is asked.
-  compare("end_value",
-          is_as_drawn ? solver::value_by(asked_->goal, end, *asked_) : solver::worth(end, *asked_));
+  if (!is_as_drawn) compare("end_value", schema::or_null(solver::worth(end, *asked_)));
   if (campaign_.search.splitting) return;  // its start would have to be found again: see --units
   if (!campaign_.accepts(verdict(draw))) differs("verdict of the draw", "accepted", "rejected");
   const solver::Sheet start(solver, shifts_of_draw(campaign_, draw));
@@ -108,7 +143,10 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
     differs("displacements_mm", row.at("displacements_mm"),
             schema::displacements_json(start.shifts_mm()).dump());
   }
-  compare("start_value", solver::value_by(asked_->goal, start, *asked_));
+  const auto fitted = solver::fitted_start(start, *asked_);
+  const Json value = fitted.study ? Json(fitted.study->value) : Json();
+  compare("start_value", value);
+  if (is_as_drawn) compare("end_value", value);
 }
 
 void CandidateCheck::check_metrics(const Json& row, int metrics_version,

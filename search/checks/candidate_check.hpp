@@ -2,17 +2,23 @@
 // and the folded shapes by their coordinates.
 #pragma once
 
+#include <functional>
 #include <memory>
 
+#include "schema/records/ascent_record.hpp"
 #include "search/checks/folded_check.hpp"
 #include "solver/design/optimise.hpp"
 #include "solver/records/metrics.hpp"
 
 namespace misalign::search {
 
-/// Whether a value of an ascent is stored, but for its last digits, which differ between machines;
-/// or none of both.
-bool is_stored(const schema::Json& stored, const std::optional<double>& worth);
+/// A row of table `ascent`, but for its draw.
+schema::Json ascent_row(const schema::AscentRecord& ascent);
+/// Calls `differ` for each column of such a row that another one has not, but for the last digits
+/// of values, which differ between machines. Rows may hold a draw, too.
+void compare_ascents(const schema::Json& stored, const schema::Json& other,
+                     const std::function<void(const std::string& column, const schema::Json& stored,
+                                              const schema::Json& other)>& differ);
 
 struct CandidateReport : ShapeReport {
   /// Columns that differ, but were measured by another definition.
@@ -30,8 +36,9 @@ class CandidateCheck {
   CandidateReport check(const schema::Json& row,
                         int metrics_version = solver::kMetricsVersion) const;
 
-  /// Of an optimising search also how it came from its draw: that this is accepted, that the end
-  /// keeps what is asked, and what both are worth. Of a population's sheets the end alone.
+  /// Of an optimising search also how it came from its draw: that this is accepted, whether it can
+  /// go on from there, that the end keeps what is asked, and what both are worth. Of a population's
+  /// sheets the end alone.
   void check_ascent(const schema::Json& row, const schema::Json& ascent,
                     CandidateReport& report) const;
 

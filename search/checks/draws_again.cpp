@@ -87,6 +87,18 @@ std::uint64_t compare(const Accepted& stored, const Accepted& again,
   return in_one_only;
 }
 
+// How a candidate of an optimising search came from its start.
+void compare_ways(SQLite::Database& database, const schema::Candidate& again, std::uint64_t draw,
+                  std::vector<schema::Finding>& findings) {
+  const Json row = schema::read_ascent(database, draw);
+  if (!row.is_object()) return;  // which was found before
+  compare_ascents(row, ascent_row(*again.ascent),
+                  [&](const std::string& column, const Json& stored, const Json& recomputed) {
+                    findings.push_back(schema::differs("draw " + std::to_string(draw), column,
+                                                       stored, recomputed));
+                  });
+}
+
 // Of a candidate that is stored, too, the sheet at which its draw ended.
 void compare_end(SQLite::Database& database, const schema::Candidate& again,
                  std::vector<schema::Finding>& findings) {
@@ -142,7 +154,9 @@ std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluat
   Accepted again;
   for (const schema::Candidate& c : record.candidates) {
     again[c.draw] = c.metrics.deploys_from_sample;
-    if (evaluator.campaign().search.optimisation) compare_end(database, c, findings);
+    if (!evaluator.campaign().search.optimisation) continue;
+    compare_end(database, c, findings);
+    if (c.ascent) compare_ways(database, c, c.draw, findings);
   }
   for (const schema::DrawVerdict& d : record.undecided) again[d.draw] = 0;
   const std::uint64_t in_one_only = compare(stored, again, findings);
@@ -166,18 +180,6 @@ std::optional<std::uint64_t> kept_number(SQLite::Database& database, const std::
   row.bind(1, hash.data(), static_cast<int>(hash.size()));
   row.bind(2, schema::stored(draw));
   return row.executeStep() ? std::optional(schema::draw_of(row.getColumn(0))) : std::nullopt;
-}
-
-// What the start of a stored ascent was worth.
-void compare_start(SQLite::Database& database, const schema::Candidate& again, std::uint64_t draw,
-                   std::vector<schema::Finding>& findings) {
-  const Json row = schema::read_ascent(database, draw);
-  if (!row.is_object()) return;  // which was found before
-  const Json stored = row.value("start_value", Json());
-  const std::optional<double>& value = again.ascent->start_value;
-  if (is_stored(stored, value)) return;
-  findings.push_back(schema::differs("draw " + std::to_string(draw), "ascent.start_value", stored,
-                                     schema::or_null(value)));
 }
 
 // Above the last one that is kept, where only so many are: above all.
@@ -224,7 +226,7 @@ void make_population_again(SQLite::Database& database, Climber& climber, std::ui
           findings.push_back(schema::differs("draw " + std::to_string(draw), "deploys_from_sample",
                                              at->second, sample));
         }
-        if (ascent) compare_start(database, found.candidate, draw, findings);
+        if (ascent) compare_ways(database, found.candidate, draw, findings);
         stored.erase(at);
       }
     }

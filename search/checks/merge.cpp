@@ -5,6 +5,7 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/ends_state.hpp"
 #include "schema/catalogue/merge_plan.hpp"
 #include "schema/catalogue/population_rows.hpp"
 #include "schema/files/output_file.hpp"
@@ -176,7 +177,7 @@ class Merge {
   }
 
   // Which of its sheets a population has depends on the others: another has them if it met them
-  // first. What became of it at its levels is its own.
+  // first. What became of it at its levels is its own, and so are the ends of its starts.
   void compare_populations(SQLite::Database& merged, const Input& input, const DrawRange& range) {
     const auto levels_of = [&](SQLite::Database& database) {
       return schema::reading(database, [&] { return schema::read_population(database, range.lo); });
@@ -187,6 +188,11 @@ class Merge {
                             [&](const std::string& count, const Json& theirs, const Json& mine) {
                               differ(input, where, count, theirs, mine);
                             });
+    if (!evaluator_->campaign().search.optimisation) return;
+    const auto theirs = schema::draws_of(*input.database, "candidate", range);
+    for (const std::uint64_t draw : schema::draws_of(merged, "candidate", range)) {
+      if (std::ranges::binary_search(theirs, draw)) compare_candidates(merged, input, draw);
+    }
   }
 
   // Of what a splitting campaign keeps at most, the least that was asked for in any of them: of
@@ -214,6 +220,11 @@ class Merge {
       const Json other = theirs.value(column, Json());
       if (!tolerances.agree(column, other, value)) differ(input, draw, column, other, value);
     }
+    if (!evaluator_->campaign().search.optimisation) return;
+    compare_ascents(schema::read_ascent(*input.database, draw), schema::read_ascent(merged, draw),
+                    [&](const std::string& column, const Json& other, const Json& value) {
+                      differ(input, draw, column, other, value);
+                    });
   }
 
   // Rows that the rules of both units keep: that each unit has those of its own, check_ledger sees.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/certificate_table.hpp"
 #include "schema/files/features.hpp"
 #include "search/checks/draws_again.hpp"
@@ -63,9 +64,12 @@ class Verifier {
     v_.findings.insert(v_.findings.end(), certificates.findings.begin(),
                        certificates.findings.end());
     units_ = at_random(units, options_.units, options_.seed);
+    is_of_its_campaign_ = checked.state->identity == schema::identity(campaign_);
   }
 
+  // Nothing of another campaign's sheets, which may take long: that it is another has been found.
   void compute() {
+    if (!is_of_its_campaign_) return;
     const CandidateCheck check(campaign_);
     for (const std::uint64_t draw : candidates_) {
       show_work("candidates computed again", v_.checked.size(), candidates_.size());
@@ -128,6 +132,7 @@ class Verifier {
   Verification& v_;
   std::vector<std::uint64_t> candidates_, fault_samples_;
   std::vector<schema::DrawRange> units_;
+  bool is_of_its_campaign_ = true;
 };
 
 std::string units_text(const Verification& v) {

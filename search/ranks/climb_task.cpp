@@ -1,5 +1,7 @@
 #include "search/ranks/climb_task.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <utility>
 
 #include "search/ranks/departure.hpp"
@@ -48,7 +50,14 @@ void ClimbTask::restore() {
                               climber_.moves().code(), climber_.mechanism());
     const bool is_row = result && result->population == row.population &&
                         result->level == row.level && result->lo == row.lo && result->hi == row.hi;
-    if (is_row) dispatcher_.restore(std::move(*result));
+    if (is_row) {
+      dispatcher_.restore(std::move(*result));
+    } else {
+      spdlog::warn(
+          "population {}: particles {} to {} at level {} are not as they were stored; they are "
+          "made again",
+          row.population, row.lo, row.hi, row.level);
+    }
     if (dispatcher_.take_news_of_levels()) write_levels();
   }
   commit();

@@ -58,7 +58,7 @@ void result_fields(Wire& wire, Result& result) {
 
 }  // namespace
 
-std::string piece_layout() { return "piece 2 " + candidate_layout(); }
+std::string piece_layout() { return "piece 3 " + candidate_layout(); }
 
 Bytes pack(const PieceOrder& order) {
   Writer wire;
