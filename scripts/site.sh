@@ -13,8 +13,15 @@ MISALIGN_SITE=$(realpath -m "${2:-build/site}")
 [ -d "$build/python" ] || { echo "$build has no Python package: cmake -DMISALIGN_PYTHON=ON" >&2; exit 1; }
 begun_s=$SECONDS
 
+# Only what this script has made is removed.
+mark=$MISALIGN_SITE/made-by-site.sh
+if [ -n "$(ls -A "$MISALIGN_SITE" 2> /dev/null)" ] && [ ! -e "$mark" ]; then
+  echo "$MISALIGN_SITE is there, and no site that this script made; remove it, or name another folder" >&2
+  exit 2
+fi
 rm -rf "$MISALIGN_SITE"
 mkdir -p "$MISALIGN_SITE"
+touch "$mark"
 export PATH="$build:$PATH" PYTHONPATH="$build/python" PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg LC_ALL=C.UTF-8
 /usr/bin/python3 scripts/site/stage.py "$build/misalign" "$MISALIGN_SITE"
 /usr/bin/python3 -m sphinx -q -W --keep-going -j auto -c scripts/site -d "$MISALIGN_SITE/doctrees" \

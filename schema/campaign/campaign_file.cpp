@@ -8,6 +8,7 @@
 #include "schema/campaign/misalignment.hpp"
 #include "schema/files/hash.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/design_check.hpp"
 #include "schema/pattern/perforation_check.hpp"
 
 namespace misalign::schema {
@@ -234,7 +235,9 @@ Campaign read_campaign_file(const std::string& path) {
                         ": is a pattern, not a campaign; `misalign fold` folds it, "
                         "and a campaign has it under \"pattern\"");
   }
-  return read_campaign(document, path, std::filesystem::path(path).parent_path());
+  Campaign campaign = read_campaign(document, path, std::filesystem::path(path).parent_path());
+  check_names(campaign.design, campaign.pattern.base, path);
+  return campaign;
 }
 
 Campaign default_campaign() {

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "schema/files/input.hpp"
+#include "schema/files/kept_inputs.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -66,6 +67,7 @@ std::string read_file(const std::string& path, std::size_t most_bytes, FileKind 
   if (kind == FileKind::regular && !S_ISREG(file.status().st_mode)) {
     refuse("is no regular file (and nothing else is read because a file names it)");
   }
+  note_input(file.status());
   constexpr std::size_t kPart_bytes = 1 << 16;
   std::string text;
   for (std::string part = file.part(kPart_bytes); !part.empty(); part = file.part(kPart_bytes)) {

@@ -14,6 +14,7 @@
 #include "schema/files/file_bytes.hpp"
 #include "schema/files/hexadecimal.hpp"
 #include "schema/files/input.hpp"
+#include "schema/files/kept_inputs.hpp"
 #include "schema/files/storage.hpp"
 
 namespace misalign::schema {
@@ -230,6 +231,11 @@ OutputFile OutputFile::text(const std::string& output) {
                                         ": cannot be written (it is there, and no file); choose "
                                         "another " +
                                         parameter("output"));
+  }
+  if (found && is_input(*found)) {
+    throw UserError(Cause::bad_request,
+                    output + ": is what this is made of (it would be lost); name another " +
+                        parameter("output"));
   }
   refuse_database(file.target_, output);
   file.make_unnamed();

@@ -27,8 +27,8 @@ class OutputFile {
   static OutputFile database(const std::string& output, const std::vector<std::string>& originals);
   /// A file of bytes, in place of an older one, whose permissions it keeps, and its owner where the
   /// system lets it; what a link points to is replaced instead of the link. UserError: bad_request
-  /// that is a database, or belongs to one; failure it cannot be read, so that it may be one, or
-  /// not be written.
+  /// that is a database, or belongs to one, or is an input (keep_inputs); failure it cannot be
+  /// read, so that it may be one, or not be written.
   static OutputFile text(const std::string& output);
 
   OutputFile(OutputFile&& other) noexcept;

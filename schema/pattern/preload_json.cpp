@@ -54,9 +54,8 @@ Json preloads_json(const std::vector<Preload::OfOne>& preloads) {
   return json;
 }
 
-void check_preloads(const std::vector<Preload::OfOne>& preloads,
-                    const solver::Mechanism& mechanism) {
-  InputFaults faults;
+void find_preload_faults(const std::vector<Preload::OfOne>& preloads,
+                         const solver::Mechanism& mechanism, InputFaults& faults) {
   for (const Preload::OfOne& one : preloads) {
     const std::string name = "springs.preloads_n." + solver::line_label(one.from, one.to);
     const auto on_one = [&](const auto& diagonal) { return one.is_on(diagonal); };
@@ -70,6 +69,12 @@ void check_preloads(const std::vector<Preload::OfOne>& preloads,
       faults.add(name, "is named twice, once by its vertices in the other order", "name it once");
     }
   }
+}
+
+void check_preloads(const std::vector<Preload::OfOne>& preloads,
+                    const solver::Mechanism& mechanism) {
+  InputFaults faults;
+  find_preload_faults(preloads, mechanism, faults);
   faults.refuse("design");
 }
 

@@ -15,7 +15,10 @@ void read_preloads(ObjectReader& reader, std::vector<solver::Preload::OfOne>& pr
 /// Null for none.
 Json preloads_json(const std::vector<solver::Preload::OfOne>& preloads);
 
-/// UserError where one names no diagonal of the sheet, or two the same.
+/// Adds one for each that names no diagonal of the sheet, or one that another names, too.
+void find_preload_faults(const std::vector<solver::Preload::OfOne>& preloads,
+                         const solver::Mechanism& mechanism, InputFaults& faults);
+/// UserError where there is one.
 void check_preloads(const std::vector<solver::Preload::OfOne>& preloads,
                     const solver::Mechanism& mechanism);
 

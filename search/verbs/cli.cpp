@@ -14,6 +14,7 @@
 
 #include "schema/files/features.hpp"
 #include "schema/files/input.hpp"
+#include "schema/files/kept_inputs.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/long_work.hpp"
@@ -124,12 +125,14 @@ int run_command_line(int argc, char** argv, std::vector<Verb> (*verbs)(const Wor
   const Words words(argv + std::min(argc, 1), argv + argc);
   try {
     app.parse(argc, argv);
-    const std::string sentence = too_many_files(*chosen_verb(app), words);
+    std::string sentence = too_many_files(*chosen_verb(app), words);
+    if (sentence.empty()) sentence = output_among_inputs(*chosen_verb(app));
     if (!sentence.empty())
       throw CLI::ParseError(sentence, exit_code_of(schema::Cause::bad_request));
   } catch (const CLI::ParseError& error) {
     return usage_error(app, error, words);
   }
+  schema::keep_inputs();
   set_color_mode(color);
   set_up_log(level, color);
   try {

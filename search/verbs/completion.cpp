@@ -77,6 +77,11 @@ _misalign_offer() {
       mapfile -t COMPREPLY < <(compgen -d -- "$2"; compgen -f -X "!*.${1#files }" -- "$2") ;;
     directories) compopt -o filenames 2> /dev/null; mapfile -t COMPREPLY < <(compgen -d -- "$2") ;;
   esac
+  [[ $1 == 'words '* ]] && return
+  local i
+  for i in "${!COMPREPLY[@]}"; do  # a name with a line feed came as two that are none
+    [[ -e ${COMPREPLY[i]/#\~\//$HOME/} ]] || unset "COMPREPLY[i]"
+  done
 }
 
 _misalign() {

@@ -66,6 +66,14 @@ void keep_input(const StressCall& call, const std::string& job) {
   };
   std::for_each(std::begin(kJobEndings), std::end(kJobEndings), check);
   check("-stress.json");
+  const std::string result = job_file(call.directory, job, "-stress.json");
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(result, ignored)) {
+    throw schema::UserError(schema::Cause::bad_request,
+                            result +
+                                ": is a link, which is not followed (nobody typed its name); "
+                                "remove it, or name another directory");
+  }
 }
 
 // How far it is: a live line where somebody watches, else a line now and then.

@@ -59,6 +59,25 @@ std::string too_many_files(const CLI::App& verb, const Words& words) {
          (files > kShown ? ", ..." : "") + ") and " + verb.get_name() + " takes one; name one";
 }
 
+std::string output_among_inputs(const CLI::App& verb) {
+  const CLI::Option* const output = verb.get_option_no_throw("--output");
+  if (!output || output->count() == 0) return "";
+  const std::string path = output->results().front();
+  for (const CLI::Option* option : verb.get_options()) {
+    const bool is_file = option->get_positional() || value_name(*option) == "FILE";
+    if (option == output || !is_file) continue;
+    for (const std::string& input : option->results()) {
+      std::error_code ignored;  // what is not there is not replaced
+      if (std::filesystem::is_regular_file(input, ignored) &&
+          std::filesystem::equivalent(input, path, ignored)) {
+        return "--output " + path + " is " + input +
+               ", which is read (it would be lost); name another file";
+      }
+    }
+  }
+  return "";
+}
+
 std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
   const CLI::App* const verb = chosen_verb(app);
   for (const std::string& word : app.remaining(/*recurse=*/true)) {

@@ -15,6 +15,9 @@ const CLI::App* chosen_verb(const CLI::App& app);
 /// the program's name. Empty if there is nothing to say.
 std::string too_many_files(const CLI::App& verb, const Words& words);
 
+/// A file that is read under one name and would be replaced under --output. Empty if there is none.
+std::string output_among_inputs(const CLI::App& verb);
+
 /// What was typed and is unknown, and what may have been meant; else `otherwise`, CLI11's sentence.
 std::string usage_sentence(const CLI::App& app, const std::string& otherwise);
 

@@ -31,7 +31,11 @@ CLI::Validator within(double least, double most) {
   return CLI::Validator(
       [=](std::string& text) -> std::string {
         double value = 0;
-        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return "";
+        const bool is_decimal = text.find_first_not_of("0123456789+-.eE") == std::string::npos;
+        if (is_decimal && CLI::detail::lexical_cast(text, value) && value >= least &&
+            value <= most) {
+          return "";
+        }
         return text + " is not a number from " + schema::shown_number(least) + " to " +
                schema::shown_number(most);
       },

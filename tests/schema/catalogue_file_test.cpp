@@ -1,4 +1,6 @@
 // The catalogue's file: whose it is, who may write it, and of which version it is.
+#include <fstream>
+
 #include "catalogue_fixture.hpp"
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/ledger_check.hpp"
@@ -154,6 +156,9 @@ TEST_F(CatalogueFile, OlderSchemasAreBroughtUpToDate) {
     const std::string name = "catalogue-" + std::to_string(version) + ".db";
     const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/" + name;
     std::filesystem::copy_file(old, path(name));
+    // Whatever has the name of its copy, there is one.
+    const std::string copy = path(name) + ".version-" + std::to_string(version);
+    std::ofstream(copy) << "somebody's";
     EXPECT_EQ(open_for_reading(old)->execAndGet("PRAGMA user_version").getInt(), version);
     const std::string before = rows(old, columns);
     const CatalogueState state_before = read_state(*open_for_reading(old));
@@ -168,8 +173,10 @@ TEST_F(CatalogueFile, OlderSchemasAreBroughtUpToDate) {
     EXPECT_EQ(layout(path(name)), layout(path("fresh.db")));
     EXPECT_TRUE(check_ledger(*database, campaign).empty());
     // The file as it was is kept, once.
-    EXPECT_EQ(rows(path(name) + ".version-" + std::to_string(version), "*"), rows(old, "*"));
+    EXPECT_EQ(rows(copy + "-2", "*"), rows(old, "*"));
+    EXPECT_EQ(bytes_of(copy), "somebody's");
     { Catalogue again(path(name), campaign, mechanism); }
+    EXPECT_FALSE(std::filesystem::exists(copy + "-3"));
   }
   EXPECT_EQ(count("candidates WHERE bump_deg IS NULL", "catalogue-1.db"),
             count("candidate", "catalogue-1.db"));

@@ -9,6 +9,8 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/text_file.hpp"
+#include "solver/kinematics/mechanism.hpp"
+#include "solver/pattern/crease_pattern.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::schema {
@@ -52,6 +54,53 @@ TEST(Design, IsWrittenAsItIsRead) {
     const Json one = Json({{at, value}}).unflatten();
     EXPECT_EQ(said_design_json(read(one)), one);
   }
+}
+
+// A name goes into comments of decks, where a line feed would begin a keyword.
+TEST(Design, NamesAreOfOneLineAndPrintable) {
+  for (const char* name : {"steel\n*INCLUDE, INPUT=stolen.txt", "a\rb", "\x1b[2J", "\u202etxt",
+                           "\u2028x", "\x7f", "\xc2\x9b"}) {
+    Json block = full();
+    block["material"]["name"] = name;
+    InputFaults faults;
+    read_design(block, "design", faults);
+    ASSERT_EQ(faults.count(), 1u) << name;
+    EXPECT_NE(faults.sentences().front().find("design.material.name"), std::string::npos);
+  }
+  Json block = full();
+  block["material"]["name"] = "\u6298\u308a\u7d19, 0.1 mm";
+  EXPECT_EQ(read(block).material->name, "\u6298\u308a\u7d19, 0.1 mm");
+}
+
+// Diagonals A9-A15 and so forth, and a hole in row 1, column 2 of a sheet of 4 x 4.
+TEST(Design, NamesWhatTheSheetHas) {
+  const auto said = [](const Json& design) -> std::string {
+    const Folder folder("design");
+    const Json campaign = {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
+                           {"accept", {{"deploys_from_deg", 150}}},
+                           {"design", design}};
+    try {
+      read_campaign_file(folder.file("campaign.json", campaign.dump()));
+    } catch (const UserError& error) {
+      EXPECT_EQ(error.cause(), Cause::bad_input);
+      return error.what();
+    }
+    return "";
+  };
+  const solver::PerforatedSheet base =
+      read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}}}, "test")
+          .pattern.base;
+  ASSERT_FALSE(base.holes.empty());
+  const auto& hole = base.sheet.places[static_cast<std::size_t>(base.holes.front())];
+  EXPECT_EQ(said({{"hold", {0, 0}}}), "");
+  EXPECT_NE(said({{"hold", {hole[0], hole[1]}}}).find("is no panel"), std::string::npos);
+  EXPECT_NE(said({{"hold", {0, 4}}}).find("is no panel"), std::string::npos);
+  // Corners of the sheet are of no hole.
+  EXPECT_NE(said({{"springs", {{"preloads_n", {{"A1-A2", 2}}}}}}).find("is no diagonal"),
+            std::string::npos);
+  const solver::Diagonal diagonal = solver::build_mechanism(base).diagonals.front();
+  const std::string label = solver::line_label(diagonal.from, diagonal.to);
+  EXPECT_EQ(said({{"springs", {{"preloads_n", {{label, 2}}}}}}), "");
 }
 
 TEST(Design, SaysWhatStudiesTake) {

@@ -124,6 +124,27 @@ echo '{ "e_gpa": -1, "poison": 0.3 }' > ../material.json
 refused 3 "e_gpa = -1" export "$table1" --format inp --material ../material.json --output o
 grep -q "poison (is not a key here)" ../err || fail "a key of a material: $(cat ../err)"
 
+# An output that is an input: under its name, another, through a link, in a directory.
+cp "$table1" ../t1.json
+ln -s t1.json ../link.json
+mkdir ../o
+for typed in "card ../t1.json --output ../t1.json" "construct ../t1.json --output ../link.json" \
+  "optimise ../link.json --goal deploys_from_deg --output ../o/../t1.json" "export ../t1.json --format json --output .."; do
+  # shellcheck disable=SC2086
+  refused 2 "it would be lost" $typed
+  cmp -s "$table1" ../t1.json || fail "its input was replaced: $typed"
+done
+refused 2 "is not a number from" bench --seconds 0x10
+
+# A design that names what the sheet has not.
+campaign 's/"hold": null/"hold": [1, 2]/'
+for verb in "config --check" search; do
+  # shellcheck disable=SC2086
+  refused 3 "hold = \[1, 2\] (is no panel" $verb ../campaign.json
+done
+campaign 's/"preloads_n": null/"preloads_n": {"A1-A2": 2}/'
+refused 3 "preloads_n.A1-A2 (is no diagonal" config --check ../campaign.json
+
 # Catalogues.
 "$program" search "$source_dir/search/campaigns/miura-4x4.json" --draws 50 --catalogue ../held.db \
   --progress none > /dev/null 2>&1 || fail "a catalogue to hold"

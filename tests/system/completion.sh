@@ -50,6 +50,11 @@ expect in_bash "doctor" "folder"
 expect in_bash "query found.db" "best" b
 expect in_bash "config --check" "campaign.json folder"
 expect in_bash "completion" "bash zsh"
+mkdir lines && cd lines || exit 1
+cp ../misalign.bash .
+touch 'plain.json' $'a\nb.json'
+expect in_bash "fold" "plain.json"
+cd .. || exit 1
 for query in "$source_dir"/schema/queries/*.sql; do
   in_bash query found.db '' | grep -qx "$(basename "$query" .sql)" || fail "bash: $query"
 done

@@ -35,6 +35,20 @@ done
 "$program" export a.db --where "draw < 100 -- the first (few" --format json --output exported > out 2> err ||
   fail "a condition with a comment"
 
+# A quoted name that is no column is no text, which would be larger than any number.
+refused 2 '"D"' "$program" export a.db --where '"D" > 999' --format json --output exported
+# Functions of sheets that are asked for without an end, with 200 MB more than the program needs.
+n="WITH RECURSIVE n (k) AS (VALUES (1) UNION ALL SELECT k + 1 FROM n)"
+rm -rf exported
+(ulimit -v 1500000
+ timeout $patience_s "$program" query a.db "$n SELECT k FROM n WHERE energy_n_mm(k) > 0 LIMIT 1" --csv > out 2> err) ||
+  fail "a query whose functions say nothing ahead: $(cat err)"
+(ulimit -v 1500000
+ timeout $patience_s "$program" export a.db --format json --output exported --where \
+   "draw < 20 AND ($n SELECT k FROM n WHERE energy_n_mm(k) > 0 LIMIT 1) > 0" > out 2> err) ||
+  fail "a condition whose functions say nothing ahead: $(cat err)"
+rm -rf exported
+
 # A name is a name.
 for name in :memory: 'file:x?mode=memory'; do
   search --catalogue "$name" --draws 500 || { fail "--catalogue $name"; cat err; }
@@ -53,6 +67,12 @@ for verb in verify "replay DRAW" "report --output x.html"; do
   read -r name rest <<< "$verb"
   refused 3 'no other file is opened' "$program" "$name" pipe.db ${rest/DRAW/1}
 done
+
+# Another sheet than that of the rows: large, and it is said instead of folded.
+cp a.db large.db
+sqlite3 large.db "UPDATE campaign SET configuration = json_set(configuration, '\$.pattern.rows', 40, '\$.pattern.columns', 40)"
+timeout $patience_s "$program" verify large.db > out 2> err
+[ $? = 6 ] && grep -q "campaign: identity" out && grep -q "candidates   0 of" out || fail "another sheet: $(cat out err)"
 
 # A million rows through 60 MB more than the program needs to start with.
 rows="WITH RECURSIVE n (k) AS (VALUES (1) UNION ALL SELECT k + 1 FROM n WHERE k < 1000000)
