@@ -159,14 +159,18 @@ std::string ObjectReader::shown(const std::string& key) const {
          shortened(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60);
 }
 
-Json read_json_file(const std::string& path, FileKind kind) {
-  const std::string text = read_file(path, kLargest_bytes, kind);
+std::string read_input_file(const std::string& path, FileKind kind) {
+  std::string text = read_file(path, kLargest_bytes, kind);
   if (text.starts_with(kDatabaseHeader)) {
     throw UserError(Cause::bad_input, path +
                                           ": is a catalogue, not JSON; `misalign status` and "
                                           "`misalign replay` read those");
   }
-  return parse_json(text, path);
+  return text;
+}
+
+Json read_json_file(const std::string& path, FileKind kind) {
+  return parse_json(read_input_file(path, kind), path);
 }
 
 Json parse_json(const std::string& text, const std::string& source) {

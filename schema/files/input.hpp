@@ -65,8 +65,11 @@ class ObjectReader {
   std::vector<std::string> known_;
 };
 
-/// The JSON in a file; UserError (bad_input) if it is missing, unreadable, of another kind, too
-/// large or not JSON, (failure) if the disk fails.
+/// The text of a file; UserError (bad_input) if it is missing, unreadable, of another kind, too
+/// large or a catalogue, (failure) if the disk fails.
+std::string read_input_file(const std::string& path, FileKind kind = FileKind::any);
+
+/// The JSON in a file; UserError (bad_input) also if it is none.
 Json read_json_file(const std::string& path, FileKind kind = FileKind::any);
 
 /// The JSON in a text that came from `source`; UserError (bad_input) if it is none.

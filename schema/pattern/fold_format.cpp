@@ -1,32 +1,45 @@
 #include "schema/pattern/fold_format.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
-#include <optional>
 
+#include "schema/pattern/fold_frames.hpp"
 #include "schema/pattern/plane_mesh.hpp"
+#include "schema/pattern/sheet_places.hpp"
+#include "schema/pattern/sheet_plane.hpp"
 
 namespace misalign::schema {
 namespace {
 
 constexpr double kMostCoordinate_mm = 1e6;
-
-using Point = Eigen::Vector2d;
+// The largest distance from the plane, in median edges: coordinates of 80 mm panels in steps of 0.1
+// mm keep to it, and laid flat no such edge gets shorter by more than 8e-6 of itself.
+constexpr double kOffPlane = 2e-3;
+// A sheet no larger than the unit square with room for its zigzags has no scale.
+constexpr double kUnitSheet = 2;
 
 // Reads in stages; a stage that finds faults is the last.
 class Reader {
  public:
-  Reader(const Json& value, std::string where, double mm_per_unit, InputFaults& faults)
-      : value_(value), mm_per_unit_(mm_per_unit), faults_(std::move(where), faults) {}
+  Reader(const Json& value, std::string where, std::optional<double> mm_per_unit,
+         InputFaults& faults)
+      : frame_(crease_pattern_frame(value)),
+        value_(frame_ ? frame_->frame : value),
+        mm_per_unit_(mm_per_unit.value_or(1)),
+        has_unit_(mm_per_unit.has_value()),
+        faults_(std::move(where), faults) {}
 
   FoldMesh read() {
     if (!value_.is_object()) {
       add("the mesh", "must be a FOLD object", "write {\"vertices_coords\": ...}");
       return {};
     }
+    if (frame_) say("the crease pattern is frame {} of file_frames", frame_->number);
     using Stage = void (Reader::*)();
-    for (const Stage stage :
-         {&Reader::read_unit, &Reader::read_vertices, &Reader::read_edges, &Reader::read_faces}) {
+    for (const Stage stage : {&Reader::read_unit, &Reader::read_vertices, &Reader::read_edges,
+                              &Reader::read_faces, &Reader::lay_flat, &Reader::check_scale}) {
       faults_.next_kind();
       (this->*stage)();
       if (faults_.any()) return {};
@@ -39,14 +52,18 @@ class Reader {
   void add(const std::string& problem, const std::string& why, const std::string& suggestion) {
     faults_.add(problem, why, suggestion);
   }
+  template <class... Values>
+  void say(fmt::format_string<Values...> sentence, Values&&... values) {
+    reading_.push_back(fmt::format(sentence, std::forward<Values>(values)...));
+  }
   static std::string label(int v) { return solver::vertex_label(v); }
-  int vertex_count() const { return static_cast<int>(mesh_.points_mm.size()); }
+  int vertex_count() const { return static_cast<int>(points_mm_.size()); }
 
   const Json* list(const char* key) {
     const auto at = value_.find(key);
     if (at != value_.end() && at->is_array() && !at->empty()) return &*at;
     add(key, at == value_.end() ? "is missing" : "must be a list that is not empty",
-        "write vertices_coords, edges_vertices and edges_assignment (faces_vertices may be left "
+        "write vertices_coords and edges_vertices (faces_vertices and edges_assignment may be left "
         "out)");
     return nullptr;
   }
@@ -66,16 +83,17 @@ class Reader {
 
   void read_unit() {
     static const std::map<std::string, double> kUnits = {
-        {"unit", 1},  {"mm", 1},    {"cm", 10},       {"m", 1000},
-        {"um", 1e-3}, {"in", 25.4}, {"pt", 25.4 / 72}};
+        {"unit", 1},  {"mm", 1},    {"cm", 10},   {"m", 1000},
+        {"um", 1e-3}, {"nm", 1e-6}, {"in", 25.4}, {"pt", 25.4 / 72}};
     const auto at = value_.find("frame_unit");
     if (at == value_.end()) return;
     const auto unit = at->is_string() ? kUnits.find(at->get<std::string>()) : kUnits.end();
     if (unit == kUnits.end()) {
       add("frame_unit = " + at->dump(), "is no unit of length known here",
-          "use mm, cm, m, um, in, pt or unit");
+          "use mm, cm, m, um, nm, in, pt or unit");
     } else {
       mm_per_unit_ *= unit->second;
+      has_unit_ = has_unit_ || unit->first != "unit";
     }
   }
 
@@ -92,28 +110,30 @@ class Reader {
       const bool numbers =
           point.is_array() && (point.size() == 2 || point.size() == 3) &&
           std::all_of(point.begin(), point.end(), [](const Json& x) { return x.is_number(); });
-      mesh_.points_mm.emplace_back(0, 0);
+      Eigen::Vector3d& place_mm = points_mm_.emplace_back(0, 0, 0);
       if (!numbers) {
-        add(name + " = " + point.dump().substr(0, 40), "must be two numbers", "write [x, y]");
-      } else if (point.size() == 3 && point[2].get<double>() != 0) {
-        add(name + " has z = " + point[2].dump(), "the key frame must be the flat sheet",
-            "put folded states into file_frames");
-      } else {
-        mesh_.points_mm.back() =
-            mm_per_unit_ * Point(point[0].get<double>(), point[1].get<double>());
-        if (!(mesh_.points_mm.back().cwiseAbs().maxCoeff() <= kMostCoordinate_mm)) {
-          add(name + " = " + point.dump(),
-              "lies farther out than " + shown_number(kMostCoordinate_mm) + " mm",
-              "give coordinates in millimetres");
-        }
+        add(name + " = " + point.dump().substr(0, 40), "must be two or three numbers",
+            "write [x, y]");
+        continue;
+      }
+      for (std::size_t k = 0; k < point.size(); ++k) {
+        place_mm[static_cast<Eigen::Index>(k)] = mm_per_unit_ * point[k].get<double>();
+      }
+      if (!(place_mm.cwiseAbs().maxCoeff() <= kMostCoordinate_mm)) {
+        add(name + " = " + point.dump(),
+            "lies farther out than " + shown_number(kMostCoordinate_mm) + " mm",
+            "give coordinates in millimetres");
       }
     }
   }
 
   void read_edges() {
     const Json* vertices = list("edges_vertices");
-    const Json* assignments = list("edges_assignment");
-    if (!vertices || !assignments) return;
+    if (!vertices) return;
+    const Json none_assigned(vertices->size(), "U");
+    const Json* assignments =
+        value_.contains("edges_assignment") ? list("edges_assignment") : &none_assigned;
+    if (!assignments) return;
     if (vertices->size() != assignments->size()) {
       add("edges_assignment has " + std::to_string(assignments->size()) + " entries",
           "edges_vertices has " + std::to_string(vertices->size()), "write one for each edge");
@@ -151,17 +171,103 @@ class Reader {
         add("face " + std::to_string(f) + " = " + (*faces)[f].dump().substr(0, 60),
             "must be four vertices, 0 to " + std::to_string(vertex_count() - 1) +
                 ": the mesh must be one of quadrilaterals",
-            "give the corners in order");
+            (*faces)[f].size() == 3 ? "join the triangles of a panel"
+                                    : "give the corners in order");
         continue;
       }
       mesh_.faces.push_back({(*corners)[0], (*corners)[1], (*corners)[2], (*corners)[3]});
     }
   }
 
+  double median_edge_mm() const {
+    std::vector<double> lengths_mm;
+    for (const auto& [ends, assignment] : mesh_.edges) {
+      const auto [a, b] = ends;
+      lengths_mm.push_back((points_mm_[a] - points_mm_[b]).norm());
+    }
+    const auto middle = lengths_mm.begin() + static_cast<std::ptrdiff_t>(lengths_mm.size() / 2);
+    std::nth_element(lengths_mm.begin(), middle, lengths_mm.end());
+    return *middle;
+  }
+
+  // In its own plane. A sheet that lies across z keeps its x and y: where its faces are seen from
+  // below, so are its mountains and valleys.
+  void lay_flat() {
+    const double edge_mm = median_edge_mm(), within_mm = kOffPlane * edge_mm;
+    SheetPlane plane = plane_of(points_mm_, within_mm);
+    const auto farthest = std::ranges::max_element(
+        points_mm_, {}, [&](const Eigen::Vector3d& point) { return plane.off(point); });
+    const double off_mm = plane.off(*farthest);
+    const std::string name = "vertex " + label(static_cast<int>(farthest - points_mm_.begin()));
+    if (off_mm > within_mm) {
+      add(fmt::format("{} lies {:.3g} mm off the plane of the others", name, off_mm),
+          "a crease pattern is the flat sheet", "put folded states into file_frames");
+      return;
+    }
+    mesh_.points_mm = plane.flat(points_mm_);
+    if (run_clockwise()) {
+      if (plane.is_the_files()) {
+        letters_side_ = -1;
+        const bool has_letters = std::ranges::any_of(
+            mesh_.edges, [](const auto& edge) { return edge.second == "M" || edge.second == "V"; });
+        if (has_letters) {
+          say("its faces run clockwise, seen from below: mountains and valleys are exchanged, seen "
+              "from +z");
+        }
+      } else {
+        plane = plane.from_behind();
+        mesh_.points_mm = plane.flat(points_mm_);
+      }
+    }
+    if (!plane.is_the_files() || std::abs(plane.at) > within_mm) {
+      say("the mesh lies in {}", plane.name());
+    }
+    constexpr double kRounding = 1e-9;
+    if (off_mm > kRounding * edge_mm) say("{} is laid flat by {:.3g} mm", name, off_mm);
+  }
+
+  // Whether all faces do, in the plane. Mountains and valleys are those of one side: faults where
+  // some faces run one way and some the other. What is not convex runs in neither.
+  bool run_clockwise() {
+    std::vector<std::size_t> clockwise, others;
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      auto corners = mesh_.faces[f];
+      if (is_convex(mesh_.points_mm, corners)) others.push_back(f);
+      std::ranges::reverse(corners);
+      if (is_convex(mesh_.points_mm, corners)) clockwise.push_back(f);
+    }
+    if (clockwise.empty() || others.empty()) return !clockwise.empty();
+    const bool few = clockwise.size() <= others.size();
+    for (const std::size_t f : few ? clockwise : others) {
+      add(face_label(mesh_.faces[f]),
+          fmt::format(
+              "runs {}clockwise, others do not: mountains and valleys are those of the side "
+              "from which faces run counter-clockwise",
+              few ? "" : "counter-"),
+          "list the corners of all faces the same way round");
+    }
+    return false;
+  }
+
+  void check_scale() {
+    if (has_unit_) return;
+    Eigen::Vector2d least = mesh_.points_mm[0], most = least;
+    for (const Eigen::Vector2d& point : mesh_.points_mm) {
+      least = least.cwiseMin(point);
+      most = most.cwiseMax(point);
+    }
+    const Eigen::Vector2d size = most - least;
+    if (size.maxCoeff() > kUnitSheet) return;
+    add(fmt::format("the mesh is {:.4g} by {:.4g} units", size.x(), size.y()),
+        "nothing says how long a unit is",
+        "write frame_unit, such as \"cm\", into the FOLD file, or name the file in a pattern that "
+        "says mm_per_unit: {\"family\": \"fold\", \"file\": ..., \"mm_per_unit\": 500}");
+  }
+
   // With the mountains and valleys of its creases.
   FoldMesh assigned(solver::CreasePattern sheet) {
     const int faces = static_cast<int>(mesh_.faces.size());
-    FoldMesh mesh{std::move(sheet), {}, {}};
+    FoldMesh mesh{std::move(sheet), {}, {}, std::move(reading_)};
     mesh.assignment.assign(mesh.sheet.edges.size(), 0);
     faults_.next_kind();
     for (std::size_t e = 0; e < mesh.sheet.edges.size(); ++e) {
@@ -170,8 +276,8 @@ class Reader {
       const std::string& assignment = mesh_.edges.at({edge.a, edge.b});
       const bool at_hole = edge.left >= faces || edge.right >= faces;
       if (assignment == "M" || assignment == "V") {
-        mesh.assignment[e] = assignment == "V" ? 1 : -1;
-      } else if (!at_hole) {
+        mesh.assignment[e] = letters_side_ * (assignment == "V" ? 1 : -1);
+      } else if (!at_hole && assignment != "U") {
         add("crease " + solver::line_label(edge.a, edge.b) +
                 (assignment.empty() ? "" : " is \"" + assignment.substr(0, 8) + "\""),
             "must be a mountain or a valley", "write \"M\" or \"V\" into edges_assignment");
@@ -181,15 +287,20 @@ class Reader {
     return mesh;
   }
 
+  const std::optional<FoldFrame> frame_;
   const Json& value_;
   double mm_per_unit_;
+  bool has_unit_;
   MeshFaults faults_;
+  SpacePoints points_mm_;
   PlaneMesh mesh_;
+  int letters_side_ = 1;  // -1: mountains and valleys are those seen from -z of the sheet
+  std::vector<std::string> reading_;
 };
 
 }  // namespace
 
-FoldMesh read_fold(const Json& value, const std::string& where, double mm_per_unit,
+FoldMesh read_fold(const Json& value, const std::string& where, std::optional<double> mm_per_unit,
                    InputFaults& faults) {
   return Reader(value, where, mm_per_unit, faults).read();
 }

@@ -51,6 +51,17 @@ std::string advice(const solver::CreasePattern& sheet,
                      fmt::join(ones, " or "), instead);
 }
 
+// What the file must say so that one way is left.
+std::string ambiguity_advice(const solver::CreasePattern& sheet, const std::vector<int>& assignment,
+                             int edge) {
+  if (std::ranges::all_of(assignment, [](int sign) { return sign == 0; })) {
+    return "say which creases are mountains and valleys: M and V in edges_assignment of FOLD, in "
+           "OBJ lines (l) in groups (g) named mountain and valley";
+  }
+  return edge < 0 ? "give the edges of holes an assignment, M or V"
+                  : "give " + edge_label(sheet, edge) + " an assignment, M or V";
+}
+
 }  // namespace
 
 void add_folding_fault(const std::string& place, const solver::CreasePattern& sheet,
@@ -81,8 +92,7 @@ void add_folding_fault(const std::string& place, const solver::CreasePattern& sh
       break;
     case solver::NoBaseFolding::Cause::ambiguous:
       faults.add(where, vertex + " can fold in two ways that agree with all assignments known",
-                 none.edge < 0 ? "give the edges of holes an assignment, M or V"
-                               : "give " + edge_label(sheet, none.edge) + " an assignment, M or V");
+                 ambiguity_advice(sheet, assignment, none.edge));
       break;
     case solver::NoBaseFolding::Cause::unconnected:
       faults.add(where, vertex + " is not reached from the pilot over inner creases",

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "schema/pattern/fold_format.hpp"
+#include "schema/pattern/pattern_document.hpp"
 #include "solver/pattern/miura.hpp"
 
 namespace misalign::schema {
@@ -90,7 +91,7 @@ FamilyMesh read_miura(ObjectReader& reader) {
   return mesh;
 }
 
-// A FOLD file, or its contents as "mesh": what a catalogue keeps.
+// A file in FOLD or OBJ, or its contents as "mesh": what a catalogue keeps.
 FamilyMesh read_fold_mesh(ObjectReader& reader,
                           const std::optional<std::filesystem::path>& directory) {
   const Json* file = reader.find("file");
@@ -100,11 +101,11 @@ FamilyMesh read_fold_mesh(ObjectReader& reader,
   if ((file == nullptr) == (inline_mesh == nullptr)) {
     reader.faults().add(file ? reader.name("mesh") : reader.name("file"),
                         file ? "is there beside a file" : "is missing",
-                        "name the FOLD file with the mesh in \"file\"");
+                        "name the FOLD or OBJ file with the mesh in \"file\"");
     return {};
   }
   if (file && !file->is_string()) {
-    reader.faults().add(reader.shown("file"), "must be a text", "name a FOLD file");
+    reader.faults().add(reader.shown("file"), "must be a text", "name a FOLD or OBJ file");
     return {};
   }
   if (file && !directory) {
@@ -117,16 +118,16 @@ FamilyMesh read_fold_mesh(ObjectReader& reader,
   const std::size_t before = reader.faults().count();
   const std::string name = file ? file->get<std::string>() : "";
   const Json document =
-      file ? read_json_file((*directory / name).string(), FileKind::regular) : *inline_mesh;
+      file ? read_pattern_document((*directory / name).string(), FileKind::regular) : *inline_mesh;
   const std::string at = reader.name("mesh");
   const std::string place = file ? name : at == "mesh" ? "" : at;
-  FoldMesh fold = read_fold(document, place, mm_per_unit, reader.faults());
+  FoldMesh fold = read_fold(document, place,
+                            reader.find("mm_per_unit") ? std::optional(mm_per_unit) : std::nullopt,
+                            reader.faults());
   if (reader.faults().count() > before) return {};
-  return {{{"family", "fold"}},
-          place,
-          std::move(fold.sheet),
-          std::move(fold.assignment),
-          std::move(fold.missing)};
+  return {{{"family", "fold"}},    place,
+          std::move(fold.sheet),   std::move(fold.assignment),
+          std::move(fold.missing), std::move(fold.reading)};
 }
 
 }  // namespace

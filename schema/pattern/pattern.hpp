@@ -1,6 +1,9 @@
 // A pattern, the perforated sheet it stands for, and where its path is looked at.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "schema/files/input.hpp"
 #include "solver/pattern/perforation.hpp"
 #include "solver/verdict/between.hpp"
@@ -10,7 +13,8 @@ namespace misalign::schema {
 struct Pattern {
   Json family;  ///< "family" and the keys of that family, resolved: no default, no file left
   solver::PerforatedSheet base;
-  Eigen::Matrix2Xd shifts_mm;  ///< the file's displacements, one column per vertex
+  Eigen::Matrix2Xd shifts_mm;          ///< the file's displacements, one column per vertex
+  std::vector<std::string> reading{};  ///< sentences: how a mesh was taken that leaves a choice
 
   solver::FlatVertices vertices_mm() const { return base.sheet.vertices_mm + shifts_mm; }
 };

@@ -32,6 +32,21 @@ void check_member(const std::string& where, const std::string& constraints, cons
              "`misalign construct` shifts vertices so that the sheet folds");
 }
 
+// What to do about a sheet without a hole.
+std::string hole_advice(const solver::CreasePattern& sheet) {
+  const int count = solver::holes_that_count_to_one(sheet);
+  const auto inner = static_cast<int>(solver::inner_facets(sheet).size());
+  if (inner == 0) {
+    return "give a sheet of more panels: only those away from its border can be taken out";
+  }
+  if (count < 1 || count > inner) {
+    return "give another sheet: by counting (2.1) no number of its holes leaves one degree of "
+           "freedom";
+  }
+  return "take out " + std::to_string(count) + (count == 1 ? " inner panel" : " inner panels") +
+         "; `misalign perforations` lists which";
+}
+
 }  // namespace
 
 bool has_spare_equations(const solver::PerforatedSheet& base) {
@@ -43,10 +58,9 @@ bool has_spare_equations(const solver::PerforatedSheet& base) {
 void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,
                        InputFaults& faults) {
   const solver::PerforatedSheet& base = pattern.base;
-  const int inner = static_cast<int>(solver::inner_facets(base.sheet).size());
   if (base.holes.empty()) {
     faults.add(where, "there is no hole, so there is no diagonal to measure",
-               "take out " + std::to_string(inner / 2) + " inner panels");
+               hole_advice(base.sheet));
     return;
   }
   const int counted = solver::counted_mobility(base.sheet, base.holes);

@@ -90,7 +90,7 @@ class MeshReader {
     for (const auto& [a, b] : found.contradictions) {
       add("edge " + solver::line_label(a, b) + " is \"" + edges_.at({a, b}).substr(0, 8) + "\"",
           "faces_vertices is missing, and the other edges do not agree with it on what is a face: "
-          "\"B\" borders one face, any other edge joins two",
+          "\"B\" and \"C\" border one face, any other edge joins two",
           "correct the assignment, or give faces_vertices");
     }
     for (const std::vector<int>& loop : found.not_four_sided) {

@@ -28,6 +28,9 @@ std::vector<std::vector<int>> rings_of(const PlanePoints& points, const PlaneEdg
 
 enum class Kind { unknown, face, hole };
 
+// Border or cut: one of its sides is no face.
+bool is_open(const std::string& assignment) { return assignment == "B" || assignment == "C"; }
+
 // Tells faces from holes: first over the edges that are no borders, then over one border, and so
 // on. One letter that is wrong is then at odds with the rest, and not the rest with it.
 class Telling {
@@ -65,7 +68,7 @@ class Telling {
     for (const auto& [ends, assignment] : edges_) {
       const std::size_t r = left_of_.at(ends), over = left_of_.at({ends.second, ends.first});
       if (!regions_[r].bounded() || !regions_[over].bounded() || r == over) continue;
-      if ((assignment == "B") == (kinds_[r] == kinds_[over])) found.push_back(ends);
+      if (is_open(assignment) == (kinds_[r] == kinds_[over])) found.push_back(ends);
     }
     return found;
   }
@@ -77,7 +80,7 @@ class Telling {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const int a = loop[k], b = loop[(k + 1) % loop.size()];
       const Side ends = std::minmax(a, b);
-      see(ends, left_of_.at({b, a}), edges_.at(ends) == "B");
+      see(ends, left_of_.at({b, a}), is_open(edges_.at(ends)));
     }
   }
 

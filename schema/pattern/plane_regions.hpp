@@ -22,13 +22,14 @@ struct PlaneRegion {
 std::vector<PlaneRegion> regions_of(const PlanePoints& points, const PlaneEdges& edges,
                                     const std::function<bool(const std::pair<int, int>&)>& starts);
 
-/// Which regions of a FOLD file without faces are faces. An edge "B" is a border: one of its sides
-/// is a face, the other a hole or the outside. Any other edge has faces on both sides, or holes;
-/// what touches the outside is a face.
+/// Which regions of a FOLD file without faces are faces. An edge "B" is a border, "C" a cut: one of
+/// its sides is a face, the other a hole or the outside. Any other edge has faces on both sides, or
+/// holes; what touches the outside is a face.
 struct FacesOfRegions {
   std::vector<std::array<int, 4>> faces;  ///< from their least vertex on, in order
   std::vector<std::vector<int>> not_four_sided;
-  /// Edges "B" with faces on both sides by what the others say, or holes; others with one of each.
+  /// Edges "B" or "C" with faces on both sides by what the others say, or holes; others with one of
+  /// each.
   std::vector<std::pair<int, int>> contradictions;
 };
 FacesOfRegions faces_of_edges(const PlanePoints& points, const PlaneEdges& edges);

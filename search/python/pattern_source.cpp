@@ -4,6 +4,7 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/text_file.hpp"
+#include "schema/pattern/pattern_document.hpp"
 #include "solver/design/tolerance.hpp"
 
 namespace misalign::search::python {
@@ -59,7 +60,7 @@ std::shared_ptr<PatternSource> read_source(const std::string& path) {
                                 ": is a catalogue, which holds many sheets; open it with "
                                 "misalign.Catalogue");
   }
-  if (schema::is_campaign(schema::read_json_file(path, schema::FileKind::regular))) {
+  if (schema::is_campaign(schema::read_pattern_document(path, schema::FileKind::regular))) {
     return source_of(schema::read_campaign_file(path));
   }
   return source_of_pattern(sheet_of_pattern_file(path, schema::Perforations::of_one_path));

@@ -72,7 +72,7 @@ py::dict describe(const PatternSource& source) {
       "end_deg"_a = source.sheet.sampling.end_deg,
       "between_samples"_a = bumps.is_string() ? py::object(py::str("exact"))
                                               : py::object(py::bool_(bumps.get<bool>())),
-      "exported"_a = source.sheet.exported.dump(),
+      "exported"_a = source.sheet.exported.dump(), "reading"_a = base.reading,
       "design"_a = schema::design_json(source.sheet.design).dump(),
       "campaign"_a =
           source.campaign ? py::object(campaign_of(*source.campaign)) : py::object(py::none()));

@@ -211,6 +211,9 @@ class SearchZero {
     spdlog::info("campaign {} ({}), {}, catalogue {}{}", campaign().name,
                  schema::identity(campaign()).substr(0, 8), count_text(ranks.size(), "rank"), path_,
                  catalogue_ ? "" : ": complete already, nothing is written");
+    for (const std::string& sentence : campaign().pattern.reading) {
+      spdlog::info("{}: {}", options_.campaign_path, sentence);
+    }
     if (!catalogue_) return;
     if (is_talkative() && !options_.command_for_all.empty()) {
       spdlog::info("one core of {} at work; all of them: {}", usable_threads(),

@@ -9,6 +9,8 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/hash.hpp"
+#include "schema/pattern/obj_format.hpp"
+#include "schema/pattern/pattern_document.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "solver/design/angle_of_use.hpp"
 
@@ -56,17 +58,22 @@ bool is_pattern_file(const std::string& path) {
            kind == std::filesystem::file_type::character;
   }
   std::ifstream file(path, std::ios::binary);
-  std::string start(1024, '\0');
+  std::string start(std::size_t{1} << 16, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
   if (start.starts_with("\xEF\xBB\xBF")) start.erase(0, 3);
   const std::size_t first = start.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && (start[first] == '{' || start[first] == '[');
+  return first != std::string::npos &&
+         (start[first] == '{' || start[first] == '[' || schema::is_obj(start));
+}
+
+void say_reading(const std::string& source, const schema::Pattern& pattern) {
+  for (const std::string& sentence : pattern.reading) spdlog::info("{}: {}", source, sentence);
 }
 
 ChosenSheet sheet_of_pattern_file(const std::string& path, schema::Perforations perforations) {
   const std::filesystem::path file(path);
-  return sheet_of_pattern_document(schema::read_json_file(path), path, file.parent_path(),
+  return sheet_of_pattern_document(schema::read_pattern_document(path), path, file.parent_path(),
                                    schema::printable(schema::utf8(file.stem().string())),
                                    perforations);
 }
@@ -92,7 +99,9 @@ Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
                      const schema::Design& options) {
   if (is_pattern_file(path)) {
     if (draw) throw only_of_a_catalogue(path, "the draw " + std::to_string(*draw));
-    return {sheet_of_pattern_file(path), options};
+    ChosenSheet chosen = sheet_of_pattern_file(path);
+    say_reading(path, chosen.base);
+    return {std::move(chosen), options};
   }
   const auto database = schema::open_for_reading(path);
   if (!draw) {

@@ -46,12 +46,15 @@ struct ChosenSheet {
   std::string name() const { return key().name() + (drawn ? " of " + drawn->campaign.name : ""); }
 };
 
-/// Whether a file holds JSON, and so a pattern, instead of a catalogue. False also for what cannot
-/// be read: whoever opens it as a catalogue says why.
+/// Whether a file holds JSON or OBJ, and so a pattern, instead of a catalogue. False also for what
+/// cannot be read: whoever opens it as a catalogue says why.
 bool is_pattern_file(const std::string& path);
 
-/// A pattern, an exported candidate or a FOLD file, sampled as `misalign fold` does, with its
-/// design. UserError (bad_input) with every fault.
+/// Messages of how its mesh was taken where the file leaves a choice.
+void say_reading(const std::string& source, const schema::Pattern& pattern);
+
+/// A pattern, an exported candidate, a FOLD or an OBJ file, sampled as `misalign fold` does, with
+/// its design. UserError (bad_input) with every fault.
 ChosenSheet sheet_of_pattern_file(
     const std::string& path, schema::Perforations perforations = schema::Perforations::of_one_path);
 

@@ -4,6 +4,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/key_list.hpp"
 #include "search/ranks/search_run.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -22,6 +23,7 @@ void show_config(const ConfigCall& call) {
     put(schema::campaign_keys_markdown());
   } else {
     const schema::Campaign campaign = schema::read_campaign_file(call.checked);
+    say_reading(call.checked, campaign.pattern);
     put("{}: good; catalogue {}\n", schema::printable(call.checked),
         default_catalogue_path(campaign));
   }

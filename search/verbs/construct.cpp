@@ -3,6 +3,7 @@
 
 #include "schema/exchange/construct_json.hpp"
 #include "schema/files/text_file.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/construct_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
@@ -29,6 +30,7 @@ void construct_sheet(ConstructCall& call) {
   const schema::PatternFile read =
       schema::read_sampled_pattern_file(call.pattern_path, schema::Perforations::any);
   const schema::Pattern& base = read.pattern;
+  say_reading(call.pattern_path, base);
   call.options.signs = signs_of(call.signs);
   const solver::ConstructStudy study = constructed(base, call.pattern_path, call.rim, call.options);
   if (!call.output_path.empty()) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "schema/pattern/pattern_file.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/folding_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
@@ -20,6 +21,7 @@ struct FoldCall {
 void fold(const FoldCall& call) {
   const auto [pattern, sampling, design, exported] =
       schema::read_sampled_pattern_file(call.pattern_path, schema::Perforations::of_one_path);
+  say_reading(call.pattern_path, pattern);
   solver::PathPlanOptions path;
   path.sample_deg = sampling.sample_deg;
   path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg), pattern.base.folding.end_deg());
@@ -47,7 +49,7 @@ Action fold_verb(CLI::App& verb) {
       "  misalign fold search/patterns/table1.json --json > table1-folding.json");
   auto call = std::make_shared<FoldCall>();
   verb.add_option("PATTERN", call->pattern_path,
-                  "pattern file (JSON), exported candidate or FOLD file")
+                  "pattern file (JSON), exported candidate, FOLD file, or flat mesh in OBJ")
       ->required();
   verb.add_option("--to", call->to_deg,
                   "follow the path to this pilot angle, degrees [180, or the campaign's]")

@@ -10,7 +10,8 @@
 namespace misalign::search {
 
 void add_catalogue_or_pattern(CLI::App& verb, std::string& path) {
-  verb.add_option("FILE", path, "catalogue, or a pattern: JSON, exported candidate or FOLD file")
+  verb.add_option("FILE", path,
+                  "catalogue, or a pattern: JSON, exported candidate, FOLD or OBJ file")
       ->required();
 }
 

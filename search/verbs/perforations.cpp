@@ -4,6 +4,7 @@
 #include <map>
 
 #include "schema/pattern/pattern_file.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -90,6 +91,7 @@ void print_perforations(const Json& one, const Json& others) {
 void list_perforations(const PerforationsCall& call) {
   const schema::Pattern pattern =
       schema::read_pattern_file(call.pattern_path, schema::Perforations::any);
+  say_reading(call.pattern_path, pattern);
   const int usual = solver::holes_that_count_to_one(pattern.base.sheet);
   const int holes = call.holes.value_or(usual);
   Json one = Json::array(), others = Json::array();

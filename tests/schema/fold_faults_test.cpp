@@ -57,7 +57,7 @@ TEST(FoldFaults, NameThePlace) {
       {"folded state",
        [](Json& m) { m["vertices_coords"][3].push_back(0.5); },
        1,
-       {"vertex A4", "z = 0.5", "flat sheet"}},
+       {"vertex A4", "off the plane of the others", "flat sheet"}},
       {"too small",
        [](Json& m) {
          for (Json& p : m["vertices_coords"])
@@ -223,6 +223,19 @@ TEST(FoldFaults, PiecesThatDoNotHangTogether) {
     for (const Json& letter : one["edges_assignment"]) both["edges_assignment"].push_back(letter);
     expect_faults(pattern_of(both), 1, {"the mesh", "two pieces"});
   }
+}
+
+// Half of the inner panels, (m - 2)(n - 2) of m x n, where that is a whole number.
+TEST(FoldFaults, ASheetWithoutHolesIsToldHowMany) {
+  const auto without_holes = [](int rows, int columns) {
+    Json pattern = pattern_of(miura_mesh(rows, columns));
+    pattern["holes"] = Json::array();
+    return pattern;
+  };
+  expect_faults(without_holes(2, 2), 1, {"holes", "there is no hole", "a sheet of more panels"});
+  expect_faults(without_holes(3, 3), 1, {"there is no hole", "no number of its holes"});
+  expect_faults(without_holes(3, 4), 1, {"there is no hole", "take out 1 inner panel;"});
+  expect_faults(without_holes(4, 4), 1, {"there is no hole", "take out 2 inner panels;"});
 }
 
 TEST(FoldFaults, OfThePatternRoundTheMesh) {

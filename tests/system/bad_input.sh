@@ -97,7 +97,7 @@ done <<'CASES'
 s/\[\[0.0, 0.0\]/[[NaN, 0.0]/|mesh.fold: is not JSON
 s/\[\[0.0, 0.0\]/[[1e999, 0.0]/|mesh.fold: is not JSON
 s/\[\[0.0, 0.0\]/[[1e308, 0.0]/|vertex A1 = .1e+308,0.0. (lies farther out
-s/\[\[0.0, 0.0\]/[[0.0, 0.0, 2]/|vertex A1 has z = 2
+s/\[\[0.0, 0.0\]/[[0.0, 0.0, 2]/|vertex A1 lies .* off the plane of the others
 s/"mm"/"furlong"/|frame_unit = "furlong" (is no unit
 s/\[\[0, 1, 8, 7\]/[[0, 1, 8]/|face 0 = .0,1,8. (must be four vertices
 s/\[\[0, 1, 8, 7\]/[[0, 8, 1, 7]/|is no convex quadrilateral
@@ -107,7 +107,7 @@ s/"vertices_coords": .*/"vertices_coords": [],/|vertices_coords (must be a list 
 s/"V"/"F"/|is "F" (must be a mountain or a valley
 CASES
 printf 'not { JSON' > ../mesh.fold
-refused 3 "mesh.fold: is not JSON" fold ../p.json
+refused 3 "mesh.fold: is not JSON, FOLD or OBJ" fold ../p.json
 rm ../mesh.fold
 refused 3 "mesh.fold: cannot be opened" fold ../p.json
 

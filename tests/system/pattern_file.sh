@@ -54,6 +54,13 @@ echo '{ "family": "miura", "rows": 4, "columns": 4 }' > plain.json
 "$program" export plain.json --output out > /dev/null || fail "export of an unshifted sheet as JSON"
 [ "$(field out/plain.json metrics)" = "" ] || fail "metrics of a sheet that deploys from nothing"
 "$program" fold out/plain.json > /dev/null || fail "fold of that"
+# A flat sheet in OBJ is the sheet that was exported; what the file leaves open is said.
+"$program" export plain.json --format obj --step 60 --output out > /dev/null || fail "export of an unshifted sheet as OBJ"
+"$program" fold out/plain-000deg.obj --json > obj-folding.json 2> err || fail "fold of OBJ: $(cat err)"
+letters() { sqlite3 :memory: "SELECT group_concat(json_extract(value, '\$.assignment')) FROM json_each(readfile('$1'), '\$.creases')"; }
+[ "$(letters obj-folding.json)" = "$(letters plain-folding.json)" ] || fail "mountains and valleys of OBJ"
+grep -q "follow from the pilot A2-A7, which is a valley" err || fail "letters of OBJ: $(cat err)"
+"$program" contact out/plain-000deg.obj > /dev/null 2>&1 || fail "contact of OBJ"
 
 # Verified: by two solvers, its shapes, and what an export says of itself. What is altered is named.
 "$program" verify "$table1" > text || fail "verify table1: $(cat text)"

@@ -54,6 +54,7 @@ class Pattern:
     `end_deg`          up to this pilot angle
     `between_samples`  whether going back between two samples is a fault: False, True (by cubics), "exact"
     `design`           what it is built of and used for, every key (the block `design` of files)
+    `reading`          sentences: how a mesh was taken where its file leaves a choice
     `exported`         what an exported candidate's file says of it, None for other patterns
 
     >>> pattern = misalign.read("search/patterns/table1.json")
@@ -81,6 +82,7 @@ class Pattern:
     end_deg: float
     between_samples: bool | str
     design: dict[str, Any]
+    reading: list[str]
     exported: dict[str, Any] | None
 
     def __init__(self, sheet: _misalign.Sheet) -> None:
