@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "schema/files/printable.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -60,12 +62,12 @@ Vector3d Deck::place_mm(int panel, int i, int j) const {
 
 std::string Deck::head() const {
   std::string text;
-  for (const std::string& line : sheet_.head()) text += "** " + line + "\n";
+  for (const std::string& line : sheet_.head()) text += "** " + printable(line) + "\n";
   return text + fmt::format(
                     "** {}: E {:.10g} GPa, Poisson's ratio {:.10g}; panels of {} x {} S8R, nodes "
                     "of their own, tied by equations\n",
-                    options_.material.name, options_.material.e_gpa, options_.material.poisson,
-                    options_.elements, options_.elements);
+                    printable(options_.material.name), options_.material.e_gpa,
+                    options_.material.poisson, options_.elements, options_.elements);
 }
 
 std::string Deck::nodes() const {

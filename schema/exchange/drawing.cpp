@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "schema/files/printable.hpp"
 #include "solver/kinematics/folded_springs.hpp"
 #include "solver/pattern/outline.hpp"
 
@@ -64,7 +65,7 @@ LineDrawing crease_pattern_drawing(const Pattern& base, const Eigen::Matrix2Xd& 
 
 std::string folded_obj(const Pattern& base, const Eigen::Matrix3Xd& shape_mm,
                        const std::string& title) {
-  std::string text = "# " + title + "; lengths in mm\n";
+  std::string text = "# " + printable(title) + "; lengths in mm\n";
   for (Eigen::Index v = 0; v < shape_mm.cols(); ++v) {
     text += fmt::format("v {:.9f} {:.9f} {:.9f}\n", shape_mm(0, v), shape_mm(1, v), shape_mm(2, v));
   }

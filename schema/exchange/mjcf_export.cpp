@@ -24,7 +24,7 @@ std::string numbers(const Vector3d& v) {
 // Two dashes would end it.
 std::string in_comment(const std::string& text) {
   std::string comment;
-  for (const char c : text) comment += c == '-' && comment.ends_with('-') ? '_' : c;
+  for (const char c : printable(text)) comment += c == '-' && comment.ends_with('-') ? '_' : c;
   return comment;
 }
 

@@ -1,14 +1,16 @@
-// Text within XML: SVG and MJCF.
+// Text within XML and HTML: SVG, MJCF, the card and the guide of a kit.
 #pragma once
 
 #include <string>
 
+#include "schema/files/printable.hpp"
+
 namespace misalign::schema {
 
-/// As content or as an attribute.
+/// As content or as an attribute, printable: XML cannot even name most control characters.
 inline std::string xml_text(const std::string& text) {
   std::string xml;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&':
         xml += "&amp;";

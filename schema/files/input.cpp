@@ -135,8 +135,10 @@ void ObjectReader::text(const std::string& key, std::string& into, const std::st
   if (!value) return;
   if (!value->is_string()) {
     faults_.add(shown(key), "must be a text", suggestion);
+  } else if (const std::string text = value->get<std::string>(); printable(text) != text) {
+    faults_.add(shown(key), "must be on one line, without control characters", suggestion);
   } else {
-    into = value->get<std::string>();
+    into = text;
   }
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "schema/exchange/xml_text.hpp"
-#include "schema/files/printable.hpp"
 #include "schema/kit/kit_hinges.hpp"
 #include "schema/pattern/preload_json.hpp"
 
@@ -26,7 +25,7 @@ std::string page_begin(const std::string& title) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>"
       "<style>{1}</style></head><body>\n<h1>{0}</h1>\n",
-      xml_text(printable(utf8(title))), kStyle);
+      xml_text(title), kStyle);
 }
 
 std::string table_row(const std::vector<std::string>& cells, std::size_t numbers,

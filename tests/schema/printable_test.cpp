@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "schema/exchange/xml_text.hpp"
 #include "schema/files/input.hpp"
 
 namespace misalign::schema {
@@ -51,6 +52,13 @@ TEST(Printable, BytesThatAreNoUtf8AreNamed) {
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");
   EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");
   EXPECT_EQ(printable("a\xe2\x82"), "a\\xe2\\x82");
+}
+
+// What XML 1.0 allows (its production 2), and nothing that turns the reading order.
+TEST(Printable, XmlHasNoControlCharacters) {
+  EXPECT_EQ(xml_text("a\x1b[2J\n\u202e<b>\x01\xff"),
+            "a\\u001b[2J\\u000a\\u202e&lt;b&gt;\\u0001\\xff");
+  EXPECT_EQ(xml_text("\u6298\u308a \u00b1 0.4"), "\u6298\u308a \u00b1 0.4");
 }
 
 TEST(Printable, JsonSaysTheSame) {

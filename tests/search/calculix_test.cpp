@@ -109,6 +109,26 @@ TEST_F(Calculix, PanelsAreTiedWhereTheyMeet) {
   }
 }
 
+// Lines that begin with one star are keywords, and of two are comments (the manual of ccx).
+TEST_F(Calculix, NamesBeginNoKeyword) {
+  const auto keywords = [](const std::string& deck) {
+    std::vector<std::string> all;
+    std::istringstream lines(deck);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("*") && !line.starts_with("**")) all.push_back(line);
+    }
+    return all;
+  };
+  schema::DeckOptions options;
+  const auto good = keywords(schema::calculix_deck(sheet_, options));
+  options.material.name = "steel\n*INCLUDE, INPUT=stolen.txt\r*NODE";
+  SimulatedSheet named = sheet_;
+  named.title = "a sheet\n*INCLUDE, INPUT=stolen.txt";
+  const std::string deck = schema::calculix_deck(named, options);
+  EXPECT_EQ(keywords(deck), good);
+  EXPECT_EQ(deck.find('\r'), std::string::npos);
+}
+
 TEST_F(Calculix, SpringsPullFromTheStart) {
   const ReadDeck deck(schema::calculix_deck(sheet_, {}));
   ASSERT_EQ(deck.springs.size(), 16u);

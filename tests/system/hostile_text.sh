@@ -106,6 +106,21 @@ for text in "{ \"name\": $json_evil, $json_evil: 1, \"pattern\": { \"family\": $
   shows "the file $text" fold evil.json
 done
 
+# Names that go into other programs' files: refused where they are read, also from a catalogue.
+printf '{ "family": "miura", "rows": 4, "columns": 4, "design": {"thickness_mm": 1, "material": {"name": %s, "e_gpa": 70}} }' \
+  "$json_evil" > evil.json
+hostile "UPDATE campaign SET configuration = json_set(configuration, '\$.design',
+  json_object('material', json_object('name', 'steel' || char(10) || '*INCLUDE, INPUT=stolen.txt', 'e_gpa', 70)))"
+for typed in "export evil.json --format inp --output names" "card evil.json --output names.html" "verify evil.db" \
+  "export evil.db --best 1 --format inp --output names"; do
+  # shellcheck disable=SC2086
+  shows "$typed" $typed
+  # shellcheck disable=SC2086
+  "$program" $typed > out 2> err
+  [ $? = 3 ] && grep -q "design.material.name" err || fail "$typed: $(cat out err)"
+done
+[ ! -e names ] && [ ! -e names.html ] || fail "something was written with such a name"
+
 # A flood: 200,000 faults, a fault of a megabyte, a key of one.
 many() { printf "$1%.0s" $(seq "$2"); }
 printf '{ "family": "miura", "rows": 4, "columns": 4, "holes": [%s0] }' "$(many '0,' 200000)" > many.json
