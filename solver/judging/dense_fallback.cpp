@@ -21,7 +21,10 @@ DenseFallback::~DenseFallback() = default;
 bool DenseFallback::consider(int sheet, const Verdict& verdict, const PathResult& path) {
   const bool hangs_on_it = verdict.first_fault == Fault::fold_limit && is_doubtful(path);
   if (!path.lost() && !hangs_on_it) return false;
-  candidates_.push_back({sheet, path.lost(), verdict.first_fault == Fault::undecided});
+  // A diagonal that stood still up to where the path was lost may move behind that.
+  const bool is_open =
+      verdict.first_fault == Fault::undecided || verdict.first_fault == Fault::inactive_diagonal;
+  candidates_.push_back({sheet, path.lost(), is_open});
   return true;
 }
 

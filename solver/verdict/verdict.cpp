@@ -207,26 +207,26 @@ double Judge::least_span() const {
   return least;
 }
 
+// Inactivity comes first: what drives nothing deploys from nothing, wherever its path is lost.
 Verdict Judge::conclude(const PathResult& path) const {
+  for (int i = 0; last_pilot_deg_ >= kInactiveFrom_deg && i < mechanism_.diagonal_count(); ++i) {
+    if (most_[i] - least_[i] < kInactiveBand_widths) {
+      return {0, Fault::inactive_diagonal, i, path.end};
+    }
+  }
   Verdict verdict{samples_in_order_, fault_, where_, path.end};
   if (fault_ == Fault::undecided) {
     verdict.path_end = PathEnd::stalled;
     return verdict;
   }
   if (fault_ == Fault::none) {
-    if (path.end == PathEnd::start_lost || path.end == PathEnd::stalled) {
+    if (path.lost()) {
       verdict.first_fault = Fault::undecided;
       return verdict;
     }
     if (path.end == PathEnd::fold_limit) verdict.first_fault = Fault::fold_limit;
   }
   if (criterion_.scores) verdict.score = score(path);
-  if (last_pilot_deg_ < kInactiveFrom_deg) return verdict;
-  for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
-    if (most_[i] - least_[i] < kInactiveBand_widths) {
-      return {0, Fault::inactive_diagonal, i, path.end};
-    }
-  }
   return verdict;
 }
 

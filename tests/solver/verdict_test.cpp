@@ -106,6 +106,19 @@ TEST_F(JudgeTest, InactiveOnBothSidesOfItsBandAndOfFiveDegrees) {
   EXPECT_EQ(conclude().deploys_from_sample, 11);
 }
 
+// What stands still drives nothing, wherever the path is lost.
+TEST_F(JudgeTest, InactivityComesBeforeAFailureThatLeavesUndecided) {
+  slopes_[1] = 0;
+  for (int k = 0; k < 4; ++k) step();
+  EXPECT_EQ(conclude(PathEnd::stalled).first_fault, Fault::undecided);
+  for (int k = 0; k < 2; ++k) step();
+  EXPECT_EQ(conclude(PathEnd::stalled).first_fault, Fault::inactive_diagonal);
+  EXPECT_EQ(conclude(PathEnd::stalled).deploys_from_sample, 0);
+  EXPECT_EQ(conclude(PathEnd::stalled).where, 1);
+  judge_.end(Fault::undecided, -1);
+  EXPECT_EQ(conclude(PathEnd::stopped).first_fault, Fault::inactive_diagonal);
+}
+
 TEST_F(JudgeTest, NothingIsCalledInactiveBelowFiveDegrees) {
   slopes_[0] = 0;
   for (int k = 0; k < 4; ++k) step();
