@@ -76,7 +76,7 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
   check_is_file(path, kSuggestion);
   std::error_code ignored;  // what may not be looked at is not there
   if (!std::filesystem::is_regular_file(path, ignored)) {
-    throw UserError(Cause::bad_input, path + ": there is no such file; " + kSuggestion);
+    throw UserError(Cause::bad_input, path + ": there is no such file; check the path");
   }
   try {
     auto database = connect(path, Access::read);

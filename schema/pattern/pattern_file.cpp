@@ -269,13 +269,11 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
   if (has("vertices_coords") && has(kCarriedPattern)) {
     read.pattern = read_carried_pattern(document, faults, perforations);
     read.exported = document.value("misalign:data", Json::object());
-    read.sampling = read_sampling(read.exported, read.pattern, faults);
     read_its_design(read.exported);
   } else if (has("pattern")) {
     read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed, {}, faults,
                                 perforations);
     read.exported = document;
-    read.sampling = read_sampling(document, read.pattern, faults);
     read_its_design(document);
   } else {
     const bool is_mesh = is_fold(document);
@@ -285,6 +283,7 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
     read.pattern =
         read_pattern(pattern, "", Displacements::allowed, directory, faults, perforations);
   }
+  read.sampling = read_sampling(read.exported, read.pattern, faults);
   faults.refuse(source);
   if (!read.exported.is_object()) read.exported = nullptr;
   return read;

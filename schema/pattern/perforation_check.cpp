@@ -54,6 +54,15 @@ bool has_spare_equations(const solver::PerforatedSheet& base) {
   return mechanism.equations >= mechanism.unknowns;
 }
 
+bool closes_at_180(const solver::PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm) {
+  double misfit_rad = 0;
+  return base.folding.end_deg() >= 180 && !shifts_mm.isZero(0) &&
+         solver::parallel_misfit(base, shifts_mm).mm <= solver::kMemberWithin_mm &&
+         !has_spare_equations(base) &&
+         std::holds_alternative<std::vector<solver::BaseHole>>(
+             solver::base_holes(base, misfit_rad));
+}
+
 // Counting first, then the rank of the Jacobian, which has the last word.
 void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,
                        InputFaults& faults) {
@@ -70,13 +79,20 @@ void check_perforation(const std::string& where, const Pattern& pattern, Perfora
                               std::to_string(measured.unknowns) + " unknowns and " +
                               std::to_string(measured.equations) +
                               " equations; counting (2.1) gives " + std::to_string(counted);
-  const auto& places = base.sheet.places;
-  const bool odd = pattern.family["family"] == "miura" &&
-                   (places.back()[0] % 2 == 0 || places.back()[1] % 2 == 0);
+  const int rows = base.sheet.places.back()[0] + 1, columns = base.sheet.places.back()[1] + 1;
+  const bool odd = pattern.family["family"] == "miura" && (rows % 2 == 1 || columns % 2 == 1);
+  const bool odd_checkerboard = odd && (base.holes == solver::checkerboard(base.sheet, 0) ||
+                                        base.holes == solver::checkerboard(base.sheet, 1));
+  const std::string first =
+      odd_checkerboard ? "rows and columns must both be even for a checkerboard of holes, "
+                         "and are " +
+                             std::to_string(rows) + " and " + std::to_string(columns) + ": "
+                       : "";
   const std::string suggestion =
       odd ? "make rows and columns even" : "`misalign perforations` lists those that leave one";
   if (measured.rank < measured.equations && measured.degrees_of_freedom() == 1) {
     const std::string constraints =
+        first +
         "the perforation leaves too many constraints, so that shifted sheets do not fold: " +
         numbers;
     if (perforations == Perforations::of_one_path) {
@@ -89,7 +105,7 @@ void check_perforation(const std::string& where, const Pattern& pattern, Perfora
     }
   } else {
     faults.add(where,
-               "the perforation leaves " + std::to_string(measured.degrees_of_freedom()) +
+               first + "the perforation leaves " + std::to_string(measured.degrees_of_freedom()) +
                    " degrees of freedom, not 1: " + numbers,
                suggestion);
   }

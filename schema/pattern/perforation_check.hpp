@@ -20,6 +20,11 @@ enum class Perforations {
 /// only members of its parallel family fold.
 bool has_spare_equations(const solver::PerforatedSheet& base);
 
+/// Whether these shifts, of which one is not zero, make a member of the parallel family of a base
+/// that folds flat, on a path that has to be followed: all its creases come to 180 degrees at once,
+/// where rounding decides what happens first. Verdicts end at the sample before.
+bool closes_at_180(const solver::PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm);
+
 /// Adds a fault at `where` if they leave another number of degrees of freedom than one; the
 /// pattern's shifts matter where there are too many constraints.
 void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,

@@ -1,5 +1,9 @@
 #include "schema/pattern/sampling.hpp"
 
+#include <cmath>
+
+#include "schema/pattern/perforation_check.hpp"
+
 namespace misalign::schema {
 
 void read_between_samples(ObjectReader& reader, const Pattern& pattern, solver::BumpRule& rule) {
@@ -31,12 +35,19 @@ Json sampling_json(const Sampling& sampling) {
           {"between_samples", between_samples_json(sampling.between_samples)}};
 }
 
+double last_judged_deg(const Pattern& pattern, double sample_deg) {
+  const double end_deg = pattern.base.folding.end_deg();
+  if (!closes_at_180(pattern.base, pattern.shifts_mm)) return end_deg;
+  return std::max(std::ceil(end_deg / sample_deg) - 1, 1.0) * sample_deg;
+}
+
 Sampling read_sampling(const Json& candidate, const Pattern& pattern, InputFaults& faults) {
+  static const Json kNothing = Json::object();
   Sampling sampling;
-  const auto value = candidate.find("sampling");
-  if (!candidate.is_object() || value == candidate.end()) return sampling;
-  ObjectReader reader(*value, "sampling", faults);
+  const bool is_said = candidate.is_object() && candidate.contains("sampling");
+  ObjectReader reader(is_said ? candidate["sampling"] : kNothing, "sampling", faults);
   reader.number("sample_deg", sampling.sample_deg, 0.01, 60, "try 1");
+  if (faults.count() == 0) sampling.end_deg = last_judged_deg(pattern, sampling.sample_deg);
   reader.number("end_deg", sampling.end_deg, 0.01, 180, "try 180");
   read_between_samples(reader, pattern, sampling.between_samples);
   reader.refuse_unknown_keys();

@@ -6,7 +6,11 @@
 namespace misalign::schema {
 
 Json sampling_json(const Sampling& sampling);
-/// "sampling" of an exported candidate; the default where it is absent.
+/// The last angle at which something can be said of the pattern's sheet: where its base's path
+/// ends, or the sample before 180 degrees where it closes there (closes_at_180).
+double last_judged_deg(const Pattern& pattern, double sample_deg);
+
+/// "sampling" of an exported candidate; the default where it is absent, to the last judged angle.
 Sampling read_sampling(const Json& candidate, const Pattern& pattern, InputFaults& faults);
 
 /// "between_samples" of a campaign or an exported candidate: false, true (by cubics) or "exact",

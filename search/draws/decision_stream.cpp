@@ -4,9 +4,21 @@
 #include <cmath>
 #include <limits>
 
+#include "schema/pattern/perforation_check.hpp"
 #include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {
+
+solver::Verdict before_closing(const solver::Model& model, const Eigen::Matrix2Xd& shifts_mm,
+                               const solver::Verdict& verdict) {
+  const solver::Station& end = model.path().stations.back();
+  const int last = end.sample - 1;
+  if (end.pilot_deg < 180 || last < 1 || verdict.deploys_from_sample < last ||
+      !schema::closes_at_180(model.base(), shifts_mm)) {
+    return verdict;
+  }
+  return {last};
+}
 
 int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling) {
   const double samples = threshold_deg / sampling.sample_deg;
@@ -59,7 +71,7 @@ void DecisionStream::accept(const Draws& block, const TellDecision& tell) {
 void DecisionStream::finish(const TellDecision& tell) {
   if (waiting_.size() == 0) return;
   const Stopwatch watch;
-  const std::vector<solver::Verdict>& verdicts = batch_.judge(waiting_.shifts);
+  const std::vector<solver::Verdict>& verdicts = judge_whole(waiting_.shifts);
   assert(verdicts.size() >= waiting_.size());
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
     tell(waiting_.numbers[k], decision_of(verdicts[k]));
@@ -70,9 +82,23 @@ void DecisionStream::finish(const TellDecision& tell) {
 
 const std::vector<solver::Verdict>& DecisionStream::judge(const solver::ShiftBlock& block) {
   const Stopwatch watch;
-  const std::vector<solver::Verdict>& verdicts = batch_.judge(block);
+  judge_whole(block);
   block_size_.took(watch.seconds());
-  return verdicts;
+  return verdicts_;
+}
+
+const std::vector<solver::Verdict>& DecisionStream::judge_whole(const solver::ShiftBlock& block) {
+  verdicts_ = batch_.judge(block);
+  const int last_but_one = model_.path().stations.back().sample - 1;
+  solver::FlatVertices vertices_mm;
+  for (int k = 0; k < block.sheets; ++k) {
+    solver::Verdict& verdict = verdicts_[static_cast<std::size_t>(k)];
+    if (verdict.deploys_from_sample < last_but_one) continue;
+    model_.displace(block.of(k), vertices_mm);
+    const Eigen::Matrix2Xd shifts_mm = vertices_mm - model_.base().sheet.vertices_mm;
+    verdict = before_closing(model_, shifts_mm, verdict);
+  }
+  return verdicts_;
 }
 
 }  // namespace misalign::search

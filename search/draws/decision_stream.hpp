@@ -14,6 +14,11 @@ enum class Decision : std::uint8_t {
   undecided,  ///< a numerical failure: neither
 };
 
+/// The verdict on a sheet with these shifts as single sheets have it: where the sheet closes at 180
+/// degrees (schema::closes_at_180) that up to the sample before.
+solver::Verdict before_closing(const solver::Model& model, const Eigen::Matrix2Xd& shifts_mm,
+                               const solver::Verdict& verdict);
+
 /// How many samples reach this angle, an option `threshold_deg`. UserError (bad_request) unless a
 /// whole, positive number does before the path ends.
 int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling);
@@ -40,11 +45,13 @@ class DecisionStream {
 
  private:
   Decision decision_of(const solver::Verdict& verdict) const;
+  const std::vector<solver::Verdict>& judge_whole(const solver::ShiftBlock& block);
 
   const solver::Model& model_;
   solver::Batch& batch_;
   BlockSize block_size_;
   Draws waiting_;
+  std::vector<solver::Verdict> verdicts_;
   double seconds_per_path_;
 };
 

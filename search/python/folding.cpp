@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "search/draws/decision_stream.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/shift_blocks.hpp"
@@ -77,7 +78,8 @@ py::dict fold(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
     sheet.emplace(model->sheet(shifts_mm));
     sheet->shapes_mm();
   });
-  const solver::FoldingHistory& history = sheet->history();
+  solver::FoldingHistory history = sheet->history();
+  history.verdict = before_closing(sheet->model(), shifts_mm, history.verdict);
   std::vector<double> pilot_deg = stations_deg.value_or(std::vector<double>());
   if (!stations_deg) {
     for (const solver::Station& station : history.stations) pilot_deg.push_back(station.pilot_deg);
@@ -87,7 +89,7 @@ py::dict fold(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
   const Eigen::VectorXd flat_mm = Eigen::VectorXd::Map(history.flat_mm.data(), diagonals);
   const Eigen::VectorXd no_creases =
       Eigen::VectorXd::Zero(static_cast<Index>(model->mechanism().creases.size()));
-  const schema::FoldingView view(base, *sheet);
+  const schema::FoldingView view(base, *sheet, history);
   schema::Json verdict = schema::verdict_json(view);
   verdict["bump_between_samples"] = schema::bump_json(view);
   if (source.campaign) verdict["accepted"] = source.campaign->accepts(history.verdict);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <tuple>
 
 #include "search/draws/models.hpp"
 #include "search/sheets/deploy_input.hpp"
@@ -75,6 +76,20 @@ schema::OptimiseBounds bounds_of(const std::vector<std::string>& subject_to) {
 // Of two limits the one that holds.
 std::optional<double> lower(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
+// What the start does not keep is called by the limit that says it, where that is none of springs.
+solver::Studied<solver::Optimised> called_by(const schema::OptimiseBounds& bounds,
+                                             solver::Studied<solver::Optimised> studied) {
+  if (!studied.fault) return studied;
+  solver::OptionFault& fault = *studied.fault;
+  for (const auto& [name, limit, own] :
+       {std::tuple("stroke_limit", "stroke_max", bounds.stroke_max),
+        std::tuple("largest_force_n", "largest_force_n", bounds.largest_force_n)}) {
+    if (fault.name != name || !own || fault.value != fmt::format("{:g}", *own)) continue;
+    fault = {"subject_to", std::string(limit) + " <= " + *fault.value, fault.why, fault.suggestion};
+  }
+  return studied;
 }
 
 bool asks_for(const solver::OptimiseOptions& options, solver::OptimiseGoal goal) {
@@ -194,8 +209,8 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   Eigen::Matrix2Xd shifts_mm = sheet.shifts_mm();
   if (input.grid_mm) shifts_mm = (shifts_mm.array() / *input.grid_mm).round() * *input.grid_mm;
   const solver::Sheet start(solver, shifts_mm, sheet.name());
-  return proven(subject,
-                found(solver::optimise(start, options), sheet.name() + ": its path is lost"));
+  return proven(subject, found(called_by(bounds, solver::optimise(start, options)),
+                               sheet.name() + ": its path is lost"));
 }
 
 schema::Json better_pattern(const Subject& subject, const ProvenBetter& better) {

@@ -15,6 +15,7 @@
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/certificate/member_proof.hpp"
+#include "solver/records/strokes.hpp"
 
 namespace misalign::search {
 namespace {
@@ -73,9 +74,21 @@ class CardMaker {
     ask(key, what, unit, {}, found, Bound::at_least, note);
   }
 
-  void geometry() {
+  // Nothing that is undecided passes.
+  void deploys_from() {
+    const bool is_decided = sheet_.verdict().first_fault != solver::Fault::undecided;
+    const double d_deg = sheet_.deploys_from_deg();
     ask("deploys_from_deg", "every diagonal goes one way, up to", "deg",
-        design_.from_deg.value_or(used_deg_), sheet_.deploys_from_deg());
+        design_.from_deg.value_or(used_deg_), is_decided ? Number(d_deg) : std::nullopt,
+        Bound::at_least,
+        is_decided ? ""
+                   : fmt::format("undecided: beyond {:.10g} deg its path is lost (a numerical "
+                                 "failure)",
+                                 d_deg));
+  }
+
+  void geometry() {
+    deploys_from();
     const auto [certified_deg, note] = certified();
     ask("certified_deg", "the same, proven for every angle", "deg", used_deg_, certified_deg,
         Bound::at_least, note);
@@ -209,13 +222,23 @@ class CardMaker {
   }
 
   void springs() {
+    const std::vector<double> strokes_mm = solver::strokes_mm(sheet_.history(), springs_.from_row);
+    const std::size_t least = std::ranges::min_element(strokes_mm) - strokes_mm.begin();
+    const std::size_t most = std::ranges::max_element(strokes_mm) - strokes_mm.begin();
+    const auto label = [&](std::size_t d) {
+      const solver::Diagonal& diagonal = sheet_.mechanism().diagonals[d];
+      return solver::line_label(diagonal.from, diagonal.to);
+    };
+    ask("least_stroke_mm",
+        design_.miscut_mm ? "every spring moves by what cutting is off by, or more"
+                          : "every spring moves by what can be cut, or more",
+        "mm", design_.miscut_mm.value_or(solver::kLeastStroke_mm), strokes_mm[least],
+        Bound::at_least,
+        fmt::format("{} by the least, {} by the most: {:.4g} mm", label(least), label(most),
+                    strokes_mm[most]));
     double stroke = 0;
-    for (Eigen::Index row = 0; row < springs_.from_row; ++row) {
-      for (std::size_t d = 0; d < sheet_.history().flat_mm.size(); ++d) {
-        const double flat_mm = sheet_.history().flat_mm[d];
-        const double length_mm = sheet_.history().length_mm(row, static_cast<Eigen::Index>(d));
-        stroke = std::max(stroke, std::abs(length_mm / flat_mm - 1));
-      }
+    for (std::size_t d = 0; d < strokes_mm.size(); ++d) {
+      stroke = std::max(stroke, strokes_mm[d] / sheet_.history().flat_mm[d]);
     }
     ask("stroke", "springs become longer or shorter by a share of", "", design_.stroke_limit,
         stroke, Bound::at_most);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "schema/files/text_table.hpp"
+#include "schema/pattern/perforation_check.hpp"
 #include "search/sheets/springs_at_vertices.hpp"
 
 namespace misalign::search {
@@ -16,11 +17,31 @@ namespace {
 using schema::Json;
 using schema::shown_number;
 
+// Diagonals whose strokes up to D are below what can be cut; empty where none is.
+std::string shortest_strokes(const schema::FoldingView& view, double miscut_mm) {
+  const double d_deg = view.history.verdict.deploys_from_sample * view.sample_deg;
+  if (d_deg <= 0) return "";
+  const auto rows = std::ranges::count_if(view.history.stations, [&](const auto& station) {
+    return station.pilot_deg <= d_deg + 1e-9;
+  });
+  const std::vector<double> strokes_mm = solver::strokes_mm(view.history, rows);
+  const auto least = std::ranges::min_element(strokes_mm);
+  if (*least >= miscut_mm) return "";
+  const auto shorter =
+      std::ranges::count_if(strokes_mm, [&](double stroke_mm) { return stroke_mm < miscut_mm; });
+  const solver::Diagonal& diagonal =
+      view.mechanism.diagonals[static_cast<std::size_t>(least - strokes_mm.begin())];
+  return fmt::format(
+      "\nstrokes of {} of {} diagonals are below {:g} mm, {:.3g} mm of {}: cutting is off by more",
+      shorter, strokes_mm.size(), miscut_mm, *least,
+      solver::line_label(diagonal.from, diagonal.to));
+}
+
 // Verdict and limits in words.
-std::string summary(const schema::FoldingView& view, const Paint& paint) {
+std::string summary(const schema::FoldingView& view, const FoldingTextOptions& options) {
   const solver::Verdict& verdict = view.history.verdict;
   const double d_deg = verdict.deploys_from_sample * view.sample_deg;
-  std::string text = paint.bold(fmt::format("deploys from {:g} deg", d_deg)) +
+  std::string text = options.paint.bold(fmt::format("deploys from {:g} deg", d_deg)) +
                      "; first fault: " + solver::fault_name(verdict.first_fault);
   if (const int sample = verdict.fault_sample(); sample > 0) {
     text += fmt::format(" at {:g} deg", sample * view.sample_deg);
@@ -37,6 +58,15 @@ std::string summary(const schema::FoldingView& view, const Paint& paint) {
   }
   if (const solver::SpringEnds& springs = view.mechanism.springs; !springs.at_vertices()) {
     text += "\nsprings end " + where_springs_end(springs);
+  }
+  text += shortest_strokes(view, options.miscut_mm);
+  const double end_deg = view.history.path.fold_limit_deg;
+  if (end_deg < 180 && end_deg + view.sample_deg >= 180 &&
+      schema::closes_at_180(view.base.base, view.shifts_mm)) {
+    text +=
+        "\njudged up to the sample before 180 deg, where all creases close at once and rounding "
+        "would "
+        "decide";
   }
   const bool limit = view.history.path.end == solver::PathEnd::fold_limit;
   return fmt::format("{}\n{} {:.4f} deg; {} unknowns, {} equations\n", text,
@@ -230,16 +260,17 @@ std::string sparkline(const std::vector<double>& values, bool utf8) {
 std::string folding_text(const schema::FoldingView& view, const FoldingTextOptions& options) {
   constexpr int kColumn = 10, kRest = 9 + 6;  // the angle, and the mark at D
   const bool fits = kRest + kColumn * view.mechanism.diagonal_count() <= options.width;
-  std::string text = summary(view, options.paint);
+  std::string text = summary(view, options);
   const std::string drawn = sparklines(view, options);
   if (!drawn.empty()) text += "\n" + drawn;
   if (options.table || fits) text += "\n" + lengths(view);
   return text;
 }
 
-void put_folding(const schema::FoldingView& view, bool table) {
+void put_folding(const schema::FoldingView& view, const schema::Design& design, bool table) {
   put(folding_text(
-      view, {terminal_width(STDOUT_FILENO), locale_is_utf8(), table, paint_for(STDOUT_FILENO)}));
+      view, {terminal_width(STDOUT_FILENO), locale_is_utf8(), table, paint_for(STDOUT_FILENO),
+             design.miscut_mm.value_or(solver::kLeastStroke_mm)}));
 }
 
 }  // namespace misalign::search

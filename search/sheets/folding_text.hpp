@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "schema/exchange/folding_json.hpp"
+#include "schema/pattern/design.hpp"
 #include "search/terminal/terminal.hpp"
+#include "solver/records/strokes.hpp"
 
 namespace misalign::search {
 
@@ -18,11 +20,12 @@ struct FoldingTextOptions {
   /// The lengths every 10 degrees and at D, however wide that gets; without it only if they fit.
   bool table = false;
   Paint paint{false};
+  double miscut_mm = solver::kLeastStroke_mm;  ///< shorter strokes are mentioned
 };
 
 std::string folding_text(const schema::FoldingView& view, const FoldingTextOptions& options);
 
 /// To standard output, as what is behind it can show.
-void put_folding(const schema::FoldingView& view, bool table);
+void put_folding(const schema::FoldingView& view, const schema::Design& design, bool table);
 
 }  // namespace misalign::search

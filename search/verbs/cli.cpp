@@ -78,7 +78,7 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, const Words& 
   } else {
     const CLI::App* const verb = chosen_verb(app);
     std::string sentence = verb ? too_many_files(*verb, words) : "";
-    if (sentence.empty()) sentence = usage_sentence(app, error.what());
+    if (sentence.empty()) sentence = usage_sentence(app, words, error.what());
     sentence = schema::shortened(schema::printable(sentence), 1000);
     std::fprintf(stderr, "misalign: %s; see misalign %s--help\n", sentence.c_str(),
                  verb ? (verb->get_name() + " ").c_str() : "");
@@ -146,7 +146,7 @@ int run_command_line(int argc, char** argv, std::vector<Verb> (*verbs)(const Wor
     const schema::UserError failure = failure_of(error);
     const int exit_code = exit_code_of(failure.cause());
     if (rank_zero_speaks(app)) return leave_it_to_rank_zero(exit_code);
-    spdlog::error("{}", failure.sentence(option_of));
+    spdlog::error("{}", sentence_as_given(*chosen_verb(app), failure));
     return exit_code;
   }
 }

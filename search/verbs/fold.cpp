@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "schema/pattern/pattern_file.hpp"
+#include "schema/pattern/sampling.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/folding_text.hpp"
 #include "search/terminal/terminal.hpp"
@@ -24,13 +25,14 @@ void fold(const FoldCall& call) {
   say_reading(call.pattern_path, pattern);
   solver::PathPlanOptions path;
   path.sample_deg = sampling.sample_deg;
-  path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg), pattern.base.folding.end_deg());
+  path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg),
+                          schema::last_judged_deg(pattern, sampling.sample_deg));
   path.look_deg = call.step_deg;
   const solver::Model model(pattern.base, path, {sampling.between_samples});
   solver::SheetSolver solver(model);
   const solver::Sheet sheet(solver, pattern.shifts_mm);
   const schema::FoldingView view(pattern, sheet);
-  call.json ? put_json(schema::folding_json(view)) : put_folding(view, call.table);
+  call.json ? put_json(schema::folding_json(view)) : put_folding(view, design, call.table);
 }
 
 }  // namespace

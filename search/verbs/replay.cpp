@@ -66,7 +66,7 @@ void replay(const ReplayCall& call) {
     const Paint paint = paint_for(STDOUT_FILENO);
     put("draw {} of {}: {}\n", call.draw, campaign.name,
         accepted ? paint.good("accepted") : paint.bad("not accepted"));
-    put_folding(view, call.table);
+    put_folding(view, campaign.design, call.table);
     return;
   }
   schema::Json json = schema::folding_json(view);

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstring>
 #include <filesystem>
 
 #include "schema/files/suggestion.hpp"
+#include "schema/pattern/design.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/help_format.hpp"
 
 namespace misalign::search {
@@ -26,6 +30,34 @@ std::vector<std::string> arguments_of(const CLI::App& verb, const Words& words) 
   }
   if (!arguments.empty()) arguments.erase(arguments.begin());  // the verb's name
   return arguments;
+}
+
+// CLI11 calls an option by its first name.
+std::string by_typed_names(const CLI::App& verb, const Words& words, std::string sentence) {
+  const auto is_typed = [&](const std::string& name) {
+    return std::ranges::any_of(
+        words, [&](const std::string& word) { return word.substr(0, word.find('=')) == name; });
+  };
+  for (const CLI::Option* option : options_of(verb)) {
+    const std::vector<std::string> names = names_of(*option);
+    const auto typed = std::ranges::find_if(names, is_typed);
+    const std::string head = option->get_name() + ":";
+    if (typed == names.end() || !sentence.starts_with(head)) continue;
+    sentence.replace(0, head.size() - 1, *typed);
+  }
+  return sentence;
+}
+
+// "design.springs.stroke_limit" of the parameter "stroke_limit"; empty where designs have none.
+std::string place_in_design(const std::string& parameter) {
+  const schema::Json design = schema::design_json({});
+  if (design.contains(parameter)) return "design." + parameter;
+  for (const auto& [block, numbers] : design.items()) {
+    if (numbers.is_object() && numbers.contains(parameter)) {
+      return "design." + block + "." + parameter;
+    }
+  }
+  return "";
 }
 
 }  // namespace
@@ -78,7 +110,7 @@ std::string output_among_inputs(const CLI::App& verb) {
   return "";
 }
 
-std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
+std::string usage_sentence(const CLI::App& app, const Words& words, const std::string& otherwise) {
   const CLI::App* const verb = chosen_verb(app);
   for (const std::string& word : app.remaining(/*recurse=*/true)) {
     const bool is_option = word.size() > 1 && word[0] == '-';
@@ -97,7 +129,17 @@ std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
         word.substr(0, word.find('=')),
         !is_option ? "verb" : "option" + (verb ? " of " + verb->get_name() : ""), known);
   }
-  return verb ? otherwise : "a verb is missing";
+  return verb ? by_typed_names(*verb, words, otherwise) : "a verb is missing";
+}
+
+std::string sentence_as_given(const CLI::App& verb, const schema::UserError& failure) {
+  const std::string sentence = failure.sentence(option_of);
+  const std::string parameter(failure.what(), std::strcspn(failure.what(), "="));
+  const std::string place = place_in_design(parameter), head = option_of(parameter, true);
+  const CLI::Option* const own = verb.get_option_no_throw(option_of(parameter, false));
+  const bool is_typed = own && own->count() > 0;
+  if (place.empty() || is_typed || !sentence.starts_with(head)) return sentence;
+  return place + " = " + sentence.substr(head.size());
 }
 
 }  // namespace misalign::search

@@ -67,6 +67,24 @@ class Verdicts(unittest.TestCase):
         np.testing.assert_array_equal(accepted, verdicts.deploys_from_deg >= 60)
         self.assertTrue(0 < accepted.sum() < len(accepted))
 
+    def test_members_of_the_parallel_family_as_they_fold(self):
+        # All creases of these close at 180 degrees at once: where rounding would decide, neither says anything.
+        pattern = misalign.read({"family": "miura", "rows": 6, "columns": 6, "holes": "checkerboard-even"})
+        member = np.zeros_like(pattern.vertices_mm)
+        member[[15, 16, 17, 18, 22], 0] = 0.4
+        member[[26, 30, 31, 32, 33], 0] = -0.4
+        shifts_mm = np.multiply.outer([0.5, 1, 2, 5, 8, 13, 20], member)
+        verdicts = misalign.judge(pattern, shifts_mm)
+        self.assertEqual(verdicts.deploys_from_deg.tolist(), [179] * len(shifts_mm))
+        for sheet, shifts in enumerate(shifts_mm):
+            folding = pattern.fold(shifts_mm=shifts)
+            self.assertEqual(folding.deploys_from_deg, 179)
+            self.assertEqual(folding.first_fault, "none")
+            self.assertEqual(misalign.faults[verdicts.first_fault[sheet]], "none")
+        for threshold in (179, 180):
+            accepted = misalign.judge(pattern, shifts_mm, threshold)
+            np.testing.assert_array_equal(accepted, verdicts.deploys_from_deg >= threshold)
+
     def test_numbers_of_any_kind(self):
         campaign = misalign.read(SMALL)
         shifts_mm = campaign.shifts(range(40))

@@ -34,7 +34,7 @@ s/"seed"/"sead"/|sead (is not a key here)
 s/"amplitude_mm": 0.4/"amplitude_mm": "big"/|amplitude_mm = "big" (must be a number)
 s/"amplitude_mm": 0.4/"amplitude_mm": 45/|must be below .*, where a facet of this sheet can lose convexity
 s/"rows": 6/"rows": 2/|rows = 2 (must be at least 3
-s/"rows": 6/"rows": 5/|has rank 40 with 43 unknowns and 42 equations.*make rows and columns even
+s/"rows": 6/"rows": 5/|rows and columns must both be even for a checkerboard of holes, and are 5 and 6: .*has rank 40 with 43 unknowns and 42 equations.*make rows and columns even
 s/"columns": 6/"columns": 7/|make rows and columns even
 s/"rows": 6/"rows": 6.5/|must be a whole number
 s/"seed": 1/"seed": -1/|seed = -1 (must be a whole number

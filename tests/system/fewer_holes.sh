@@ -40,6 +40,17 @@ sed "s|\"family\": \"miura\", \"rows\": 6, \"columns\": 6|\"family\": \"fold\", 
 "$program" construct "$source_dir/search/patterns/table1.json" --amplitude 4 --output whole.json > out || fail "construct"
 "$program" certify whole.json --closed-form --to 180 > out 2>&1 && grep -q "proven from flat to 180 deg" out ||
   fail "--closed-form: $(cat out)"
+# Without one it is followed up to the sample before 180 degrees, where all its creases close at once.
+for made in "table1 0.4 --rim" "table1 2" "miura-wide-6x6 2 --rim" "miura-graded-6x6 2" "double-corrugation-6x6 5"; do
+  read -r pattern amplitude rim <<< "$made"
+  # shellcheck disable=SC2086
+  "$program" construct "$source_dir/search/patterns/$pattern.json" --amplitude "$amplitude" $rim --output all.json > out || fail "construct $made"
+  "$program" verify all.json --json > verified.json 2> err || fail "verify $made: $(cat verified.json err)"
+  [ "$(field verified.json verdict.deploys_from_deg) $(field verified.json verdict.first_fault)" = "179.0 none" ] ||
+    fail "$made: $(field verified.json verdict)"
+  "$program" fold all.json --to 180 > out && [ "$(head -1 out)" = "deploys from 179 deg; first fault: none" ] &&
+    grep -q "^judged up to the sample before 180 deg" out || fail "fold $made: $(head -3 out)"
+done
 "$program" certify "$source_dir/search/patterns/table1.json" --closed-form > out 2> err
 [ $? = 3 ] && grep -q "so that there is no closed form" err || fail "--closed-form of a drawn sheet: $(cat err)"
 

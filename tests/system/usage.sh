@@ -29,6 +29,8 @@ frobnicate|frobnicate is no verb;
 help serch|serch is no verb (did you mean search?)
 actuators json.db 1 --stroke-limit 6|did you mean 0.06?
 actuators json.db 1 --stroke-limit 600|600 is not a number from 1e-06 to 1;
+certify nothing.json --to 185|^misalign: --to: 185 is not a number from 0.01 to 180;
+certify nothing.json --from=185|^misalign: --from: 185 is not a number from 0.01 to 180;
 contact json.db 1 --trim=-1|-1 is not a number from 0 to 1000000;
 contact json.db 1 --trim 100|--trim 100: leaves nothing of an edge of draw 1
 contact json.db|no DRAW is given

@@ -66,7 +66,8 @@ def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike,
                      rejected before their path is followed, a thousand times faster than all verdicts
 
     Without a threshold `Verdicts`, each on its full path; with one a bool array [N]: accepted or not.
-    Verdicts are those of the program, whatever the machine.
+    Verdicts are those of the program, whatever the machine. Those of members of the parallel family, all of whose creases
+    close at 180 degrees at once, end at the sample before, as those of `Pattern.fold` do.
 
     Works on one core and without Python's lock: threads judge side by side. Ctrl-C ends it within a
     second. What is made ready for a pattern and a threshold (a tenth of a second, less on small sheets) is
