@@ -120,6 +120,12 @@ ln -s "$PWD/mine-log" linked/table1-stress.json
 faked good linked
 [ $? = 2 ] && grep -q "table1-stress.json: is a link" err && [ "$(cat mine-log)" = mine ] || fail "a link for a result: $(cat err)"
 
+# Nor that of the result, whose name nobody typed.
+mkdir linked
+ln -s "$PWD/mine-log" linked/table1-stress.json
+faked good linked
+[ $? = 2 ] && grep -q "table1-stress.json: is a link" err && [ "$(cat mine-log)" = mine ] || fail "a link for a result: $(cat err)"
+
 # What is no number ends the motion; what was before it is the result, which a report takes.
 faked nan nan || fail "NaN: $(cat err)"
 grep -q "not deployed: after 0.0100 s .*; there ccx gave up" out || fail "NaN: $(cat out)"
