@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +14,7 @@
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/certificate/member_proof.hpp"
+#include "solver/design/least_box.hpp"
 #include "solver/records/strokes.hpp"
 
 namespace misalign::search {
@@ -23,14 +23,6 @@ namespace {
 using schema::CardLine;
 using Bound = CardLine::Bound;
 using Number = std::optional<double>;
-
-// Lengths, widths and heights of the least box along the principal axes of a shape, mm.
-Eigen::Vector3d box_mm(const Eigen::Matrix3Xd& shape_mm) {
-  const Eigen::Matrix3Xd centred = shape_mm.colwise() - shape_mm.rowwise().mean();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> axes(centred, Eigen::ComputeThinU);
-  const Eigen::MatrixXd along = axes.matrixU().transpose() * centred;
-  return along.rowwise().maxCoeff() - along.rowwise().minCoeff();
-}
 
 class CardMaker {
  public:
@@ -297,8 +289,9 @@ class CardMaker {
     flat_mm.topRows<2>() = sheet_.vertices_mm();
     if (springs_.from_row > 0) {
       tell("stowed_mm", "stowed, without thickness", "", {},
-           box(box_mm(sheet_.shapes_mm()[static_cast<std::size_t>(springs_.from_row - 1)])) +
-               "; flat " + box(box_mm(flat_mm)));
+           box(solver::least_box_mm(
+               sheet_.shapes_mm()[static_cast<std::size_t>(springs_.from_row - 1)])) +
+               "; flat " + box(solver::least_box_mm(flat_mm)));
     }
   }
 
