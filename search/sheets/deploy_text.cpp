@@ -123,7 +123,9 @@ std::string friction_text(const DeploymentStudy& study) {
 }
 
 std::string equilibria_text(const DeploymentStudy& study) {
-  if (study.equilibria.empty()) return "no equilibrium as far as it folds\n";
+  if (study.equilibria.empty()) {
+    return "no equilibrium as far as it folds (or all of it is one, where nothing drives it)\n";
+  }
   constexpr double kNone_n_mm = 1e-12;  // lengths are known to 1e-10 mm
   std::string text;
   int wells = 0;

@@ -12,6 +12,17 @@ constexpr int kPerStation = 4;
 // As close to flat (of x) as where the potential is symmetric.
 constexpr double kFlat = 1e-6;
 
+// Springs whose lengths change by no more than this have no equilibria but those of rounding: ways
+// are off by 1e-11 panel widths.
+constexpr double kStill_mm = 1e-8;
+
+// As much as the energy of such springs changes on the way.
+double still_n_mm(const DeployingSheet& sheet) {
+  const Springs& springs = sheet.options().springs;
+  return kStill_mm * static_cast<double>(sheet.relaxed_mm().size()) *
+         (springs.stiffness_n_per_mm * kStill_mm + springs.preload.largest_n());
+}
+
 double root_of_slope(const DeployingSheet& sheet, double low, double high) {
   const bool rises = sheet.at(high).slope > 0;
   for (int k = 0; k < 60; ++k) {
@@ -138,10 +149,14 @@ std::vector<Equilibrium> find_equilibria(const DeployingSheet& sheet) {
   const FoldingWay& way = sheet.way();
   const int half = kPerStation * static_cast<int>(way.stations().size());
   std::vector<Equilibrium> found;
-  double last_x = 0, last_slope = 0;
+  double last_x = 0, last_slope = 0, least_n_mm = 0, most_n_mm = 0;
   // Never at flat itself, but on both sides of it.
   for (int k = -half; k < half; ++k) {
-    const double x = way.end() * (k + 0.5) / half, slope = sheet.at(x).slope;
+    const double x = way.end() * (k + 0.5) / half;
+    const EnergyAt here = sheet.at(x);
+    const double slope = here.slope;
+    least_n_mm = k == -half ? here.potential : std::min(least_n_mm, here.potential);
+    most_n_mm = k == -half ? here.potential : std::max(most_n_mm, here.potential);
     if (last_slope * slope < 0) {
       double root = root_of_slope(sheet, last_x, x);
       if (std::abs(root) < kFlat) root = 0;
@@ -149,6 +164,7 @@ std::vector<Equilibrium> find_equilibria(const DeployingSheet& sheet) {
     }
     if (slope != 0) last_x = x, last_slope = slope;
   }
+  if (most_n_mm - least_n_mm <= still_n_mm(sheet)) found.clear();
   return found;
 }
 

@@ -19,7 +19,8 @@ struct Equilibrium {
   bool is_well;
 };
 
-/// All from -end to end of the way, ascending; flat, where the way has its symmetry, exactly.
+/// All from -end to end of the way, ascending; flat, where the way has its symmetry, exactly. None
+/// where nothing changes its energy, such as springs of a sheet without shifts.
 std::vector<Equilibrium> find_equilibria(const DeployingSheet& sheet);
 
 /// Limits of dry friction for a sheet released at rest at a pilot angle, to deploy.
