@@ -39,8 +39,8 @@ Eigen::MatrixXd counted(const std::vector<Row>& rows) {
   return matrix;
 }
 
-// Panels and holes as rows of corners; holes also as rows and columns of the sheet, which count
-// from 0 as in a pattern file.
+// Facets, panels and holes as rows of corners; holes also as rows and columns of the sheet, which
+// count from 0 as in a pattern file.
 void add_mesh(const FoldingView& view, std::vector<MatValue>& variables) {
   const solver::PerforatedSheet& base = view.base.base;
   std::vector<std::array<int, 4>> panels, holes;
@@ -55,7 +55,8 @@ void add_mesh(const FoldingView& view, std::vector<MatValue>& variables) {
   }
   variables.push_back(MatValue::matrix("vertices_mm", view.sheet.vertices_mm().transpose()));
   variables.push_back(MatValue::matrix("shifts_mm", view.shifts_mm.transpose()));
-  variables.push_back(MatValue::matrix("facets", counted(panels)));
+  variables.push_back(MatValue::matrix("facets", counted(base.sheet.facets)));
+  variables.push_back(MatValue::matrix("panels", counted(panels)));
   variables.push_back(MatValue::matrix("holes", counted(holes)));
   variables.push_back(MatValue::matrix("hole_row_column", places));
 }
@@ -152,11 +153,12 @@ MatValue verdict(const FoldingView& view) {
 
 const char* const kMatReadme =
     "Lengths in mm, angles in degrees, forces in N; the unit ends each name.\n"
-    "S rows: pilot angles, flat first. V vertices (row 1 is A1), C creases, D diagonals.\n"
+    "S rows: pilot angles, flat first. V vertices (row 1 is "
+    "A1), C creases, D diagonals.\n"
     "All indices count from 1: vertices, panels, holes, diagonals.\n"
     "vertices_mm [V x 2] x and y on the flat sheet, with shifts_mm [V x 2] in them\n"
-    "facets [F x 4] corners of the panels that are left, counter-clockwise seen from above\n"
-    "holes [H x 4] corners of those taken out; hole_row_column [H x 2] counts from 0\n"
+    "facets [F x 4] corners of all, counter-clockwise seen from above; panels [P x 4] of those\n"
+    "that are left; holes [H x 4] of those taken out; hole_row_column [H x 2] counts from 0\n"
     "creases [C x 2] vertices; crease_assignment [C x 1] 1 valley, -1 mountain, seen from above\n"
     "pilot_crease: the crease whose angle pilot_deg is (of a mountain without its sign)\n"
     "diagonals [D x 2] vertices; diagonal_hole [D x 1] the row of holes\n"

@@ -221,11 +221,6 @@ solver::Actuators Design::actuators() const {
   return actuators;
 }
 
-double Design::hinge_friction_n_mm_per_mm() const {
-  if (friction_n_mm_per_mm || !film) return friction_n_mm_per_mm.value_or(0);
-  return film->friction_n_mm_per_mm(from_deg.value_or(solver::kDeployFrom_deg));
-}
-
 double Design::hinge_elastic_n_mm_per_mm() const {
   if (hinge_stiffness_n_mm_per_mm || !film) return hinge_stiffness_n_mm_per_mm.value_or(0);
   return film->stiffness_n_mm_per_mm();

@@ -56,8 +56,7 @@ struct Design {
   Design instead_of(Design other) const;
 
   solver::Actuators actuators() const;
-  /// As said, or those of the film.
-  double hinge_friction_n_mm_per_mm() const;
+  /// As said, or that of the film.
   double hinge_elastic_n_mm_per_mm() const;
   solver::Plates plates() const;
 };

@@ -1,6 +1,7 @@
 #include "search/sheets/better_sheet.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +27,14 @@ double asked_deg(const solver::Optimised& found, double sample_deg) {
 }
 
 // The last sheet that is proven up to there; where not even the start is, all stay.
-ProvenBetter proven(const Subject& subject, solver::Optimised found) {
+ProvenBetter proven(const Subject& subject, solver::Optimised found,
+                    const std::function<void()>& watch) {
   if (!subject.sheet.base().springs.in_mid_plane()) return {std::move(found), {}};
   RowCertifier certifier(subject.chosen.base, subject.sheet.model());
   std::optional<double> first;
   const std::vector<solver::Optimised::Taken> all = found.taken;
   for (;;) {
+    watch();
     const double to_deg = asked_deg(found, subject.sheet.model().sample_deg());
     const auto row = certifier.certify(0, found.best().shifts_mm, to_deg);
     if (!first) first = row.certified_deg;
@@ -110,10 +113,11 @@ std::optional<Range> range_of(const char* option, std::string_view design_key,
                               const std::vector<double>& bounds, double own) {
   if (bounds.empty()) return {};
   const double least = bounds.front(), most = bounds.back();
-  const std::string shown = fmt::format("{:g},{:g}", least, most);
+  const std::string shown = fmt::format("{:g}", fmt::join(bounds, ","));
   const auto refuse = [&](const std::string& why, const std::string& instead) {
     throw schema::UserError(solver::OptionFault{option, shown, why, instead});
   };
+  if (bounds.size() != 2) refuse("are not two numbers", "give the least and the most");
   if (!(least < most)) refuse("the least is not below the most", "write the smaller one first");
   const auto [lowest, highest] = schema::design_bounds(design_key);
   if (!(least >= lowest && most <= highest)) {
@@ -131,12 +135,14 @@ std::optional<Range> range_of(const char* option, std::string_view design_key,
 void add_yield(const ChosenSheet& chosen, const OptimiseInput& input, const schema::Campaign& asked,
                solver::OptimiseOptions& options) {
   check_miscut(input.miscut_mm, chosen.base.base.sheet, chosen.shifts_mm, chosen.name());
-  options.yield = [asked,
-                   copies = ToleranceOptions{.amplitude_mm = input.miscut_mm,
-                                             .trials = input.trials,
-                                             .jobs = input.jobs,
-                                             .set = solver::available_instruction_sets().back()}](
-                      const solver::Sheet& sheet) -> std::optional<double> {
+  options.yield =
+      [asked, copies = ToleranceOptions{.amplitude_mm = input.miscut_mm,
+                                        .trials = input.trials,
+                                        .jobs = input.jobs,
+                                        .set = solver::available_instruction_sets().back(),
+                                        .progress = [watch = input.watch](const CopiesDone&) {
+                                          watch();
+                                        }}](const solver::Sheet& sheet) -> std::optional<double> {
     const solver::Tolerance found = study_tolerance(asked, {sheet.shifts_mm()}, copies).front();
     if (found.copies.decided() == 0) return {};
     return static_cast<double>(found.survivors()) / static_cast<double>(found.copies.decided());
@@ -178,7 +184,9 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   options.largest_force_n = lower(bounds.largest_force_n, design.largest_force_n);
   options.floors = bounds.floors;
   options.ternary = input.ternary;
+  options.watch = input.watch;
   options.least_slope_mm_per_deg = input.least_slope_mm_per_deg;
+  options.slope_at_every_angle = true;
   options.most_steps = input.most_steps;
   options.shifted = solver::interior_vertices(sheet.base().sheet);
   options.amplitude_mm = input.amplitude_mm.value_or(sheet.shifts_mm().cwiseAbs().maxCoeff());
@@ -209,8 +217,10 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   Eigen::Matrix2Xd shifts_mm = sheet.shifts_mm();
   if (input.grid_mm) shifts_mm = (shifts_mm.array() / *input.grid_mm).round() * *input.grid_mm;
   const solver::Sheet start(solver, shifts_mm, sheet.name());
-  return proven(subject, found(called_by(bounds, solver::optimise(start, options)),
-                               sheet.name() + ": its path is lost"));
+  return proven(subject,
+                found(called_by(bounds, solver::optimise(start, options)),
+                      sheet.name() + ": its path is lost"),
+                input.watch);
 }
 
 schema::Json better_pattern(const Subject& subject, const ProvenBetter& better) {

@@ -1,6 +1,8 @@
 // A better sheet near a chosen one, proven.
 #pragma once
 
+#include <functional>
+
 #include "schema/exchange/optimise_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 
@@ -21,6 +23,7 @@ struct OptimiseInput {
   double miscut_mm = 0.05;              ///< of copies, where their yield is asked
   std::uint64_t trials = 200;           ///< so many of them
   int jobs = 1;                         ///< threads that judge copies
+  std::function<void()> watch = [] {};  ///< called in between; what it throws ends the search
   double least_slope_mm_per_deg = solver::OptimiseOptions{}.least_slope_mm_per_deg;
   int most_steps = solver::OptimiseOptions{}.most_steps;
 };

@@ -84,12 +84,33 @@ std::string lost(const solver::Sheet& sheet, const char* so) {
 
 }  // namespace
 
+double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sheet& sheet) {
+  if (design.friction_n_mm_per_mm || !design.film) return design.friction_n_mm_per_mm.value_or(0);
+  const solver::FoldingWay* const way = sheet.way();
+  if (way == nullptr) return 0;
+  double from_deg = design.from_deg.value_or(solver::kDeployFrom_deg);
+  if (!design.from_deg && sheet.deploys_from_deg() > 0) {
+    from_deg = std::min(from_deg, sheet.deploys_from_deg());
+  }
+  Eigen::VectorXd folds_rad, rates;
+  way->find_creases(way->x_of(std::min(from_deg, way->end_deg())), folds_rad, rates);
+  // That which takes as much of all creases together as of each its own.
+  const Eigen::VectorXd turned_mm =
+      solver::crease_lengths_mm(*way).cwiseProduct(folds_rad.cwiseAbs());
+  double taken_n_mm = 0;
+  for (Eigen::Index c = 0; c < folds_rad.size(); ++c) {
+    taken_n_mm += turned_mm(c) *
+                  design.film->friction_n_mm_per_mm(std::abs(folds_rad(c)) / solver::kRadPerDeg);
+  }
+  return taken_n_mm / turned_mm.sum();
+}
+
 solver::DeployOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet) {
   solver::DeployOptions options;
   options.from_deg = design.from_deg;
   options.sheet.springs.stiffness_n_per_mm = design.actuators().stiffness_n_per_mm;
   options.sheet.springs.preload = design.actuators().preload;
-  options.sheet.joints.friction_n_mm_per_mm = design.hinge_friction_n_mm_per_mm();
+  options.sheet.joints.friction_n_mm_per_mm = hinge_friction_n_mm_per_mm(design, sheet);
   options.sheet.joints.stiffness_n_mm_per_mm = design.hinge_elastic_n_mm_per_mm();
   options.sheet.plates = design.plates();
   if (design.hold) {

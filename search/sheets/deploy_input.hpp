@@ -23,6 +23,10 @@ struct DeployInput {
   solver::DeployOptions of(const solver::Sheet& sheet, const schema::Design& of_file) const;
 };
 
+/// The dry friction of a sheet's creases, as the design says it or as their films lose it from
+/// where it is let go.
+double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sheet& sheet);
+
 /// How a sheet of this design is let go. UserError (bad_request) where it has no such panel to
 /// hold.
 solver::DeployOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet);

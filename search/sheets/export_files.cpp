@@ -150,8 +150,12 @@ void ExportFiles::write(const solver::Sheet& sheet, const ExportLabel& label,
 
 std::string ExportFiles::simulated(const solver::Sheet& sheet, const ExportLabel& label) const {
   const schema::SimulatedSheet released = release(model_, sheet, options_.release, label.title);
-  return options_.format == ExportFormat::mjcf ? schema::mjcf_model(released, options_.mjcf)
-                                               : schema::calculix_deck(released, options_.deck);
+  if (options_.format == ExportFormat::inp) return schema::calculix_deck(released, options_.deck);
+  const std::optional<double>& friction = options_.friction_n_mm_per_mm;
+  schema::MjcfOptions mjcf;
+  mjcf.friction_n_mm_per_mm =
+      friction ? *friction : hinge_friction_n_mm_per_mm(model_.design(), sheet);
+  return schema::mjcf_model(released, mjcf);
 }
 
 // What comes of letting it go is null where it cannot be.

@@ -22,13 +22,13 @@ struct ExportOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
   std::string directory;
   ExportFormat format = ExportFormat::json;
-  double step_deg = 10;    ///< between two states of `fold`, `obj` and `stl`
-  bool joined = false;     ///< with `fold`: with fillers that join all panels
-  bool creases = false;    ///< with `csv`: also the table of fold angles
-  double every_deg = 0;    ///< with `csv`: as in diagonal_rows()
-  ReleaseOptions release;  ///< of `mjcf` and `inp`; `stl` has its plates
-  schema::MjcfOptions mjcf;
-  schema::DeckOptions deck;               ///< of `inp`
+  double step_deg = 10;                        ///< between two states of `fold`, `obj` and `stl`
+  bool joined = false;                         ///< with `fold`: with fillers that join all panels
+  bool creases = false;                        ///< with `csv`: also the table of fold angles
+  double every_deg = 0;                        ///< with `csv`: as in diagonal_rows()
+  ReleaseOptions release;                      ///< of `mjcf` and `inp`; `stl` has its plates
+  std::optional<double> friction_n_mm_per_mm;  ///< of `mjcf`, instead of the design's
+  schema::DeckOptions deck;                    ///< of `inp`
   std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern
   std::function<void(const std::string&)> warn;  ///< of what is not as it may seem
   /// With `stl`: what is trimmed off the plates' corners (none: as ContactOptions has it).

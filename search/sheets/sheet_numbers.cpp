@@ -16,11 +16,12 @@ using Number = std::optional<double>;
 // What a sheet's numbers come from; each is found where one of them needs it.
 struct Found {
   std::optional<solver::Standstill> standstill;
+  Number springs_n_mm;
   std::optional<solver::DeploymentStudy> motion;
   std::optional<solver::ContactStudy> contact;
   std::optional<solver::BentPanels> bent;
 };
-enum class Needs { standstill, motion, contact, bent };
+enum class Needs { standstill, springs, motion, contact, bent };
 
 struct StudyFunction {
   std::string_view name;  // in the table of studies
@@ -76,15 +77,12 @@ constexpr StudyFunction kFunctions[] = {
      }},
     {"static_margin", Needs::bent, false,
      [](const Found& found) { return found.bent ? found.bent->friction.static_margin : Number(); }},
-    {"energy_n_mm", Needs::standstill, true,
-     [](const Found& found) {
-       return found.standstill ? Number(found.standstill->springs_n_mm) : Number();
-     }},
+    {"energy_n_mm", Needs::springs, true, [](const Found& found) { return found.springs_n_mm; }},
     {"first_contact_deg", Needs::contact, true, first_contact_deg},
     {"thickness_mm", Needs::contact, true, thickness_mm}};
 static_assert(std::size(kFunctions) == kNumberCount);
 
-using Needed = std::array<bool, 4>;  // by Needs
+using Needed = std::array<bool, 5>;  // by Needs
 
 Found find(const solver::Sheet& sheet, const schema::Design& design,
            const solver::DeployOptions& options, std::optional<double> from_deg,
@@ -92,6 +90,7 @@ Found find(const solver::Sheet& sheet, const schema::Design& design,
   const auto needs = [&](Needs what) { return needed[static_cast<std::size_t>(what)]; };
   Found found;
   if (needs(Needs::standstill)) found.standstill = solver::standstill(sheet, options).study;
+  if (needs(Needs::springs)) found.springs_n_mm = solver::springs_n_mm(sheet, options);
   if (needs(Needs::motion)) found.motion = solver::deploy(sheet, options).study;
   if (needs(Needs::contact)) found.contact = solver::contact(sheet, {{}, from_deg}).study;
   if (needs(Needs::bent)) found.bent = solver::bend_panels(sheet, options, bending(design)).study;
@@ -124,10 +123,11 @@ StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& desi
       }
     }
     if (std::ranges::find(needed, true) == needed.end()) continue;
-    solver::DeployOptions options = deploy_options(design, sheet);
-    options.from_deg = used_deg;
-    if (!used_deg && from_d) options.from_deg = sheet.deploys_from_deg();
-    if (!used_deg && !from_d && deploys_from_36) options.from_deg = solver::kDeployFrom_deg;
+    schema::Design used = design;
+    used.from_deg = used_deg;
+    if (!used_deg && from_d) used.from_deg = sheet.deploys_from_deg();
+    if (!used_deg && !from_d && deploys_from_36) used.from_deg = solver::kDeployFrom_deg;
+    const solver::DeployOptions options = deploy_options(used, sheet);
     const Found found = find(sheet, design, options, used_deg, needed);
     for (std::size_t k = 0; k < kNumberCount; ++k) {
       if (!wanted[k] || kFunctions[k].from_d != from_d) continue;

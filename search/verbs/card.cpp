@@ -82,10 +82,10 @@ Action card_verb(CLI::App& verb) {
   verb.add_option("--trials", call->options.trials,
                   fmt::format("how many miscut copies, and how often loose joints settle [{}]",
                               call->options.trials))
-      ->check(counted(1, kMostBacklashTrials))
+      ->check(counted("card", "trials"))
       ->type_name("N");
   verb.add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
-      ->check(counted(1, 4096))
+      ->check(counted("", "jobs"))
       ->type_name("N");
   verb.add_option("--output", call->output, "write the page, HTML, to this file")
       ->type_name("FILE");

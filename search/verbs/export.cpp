@@ -35,8 +35,7 @@ struct ExportCall {
   void take(const schema::Design& design) {
     files.release = release.of(design);
     files.deck = deck.of(design);
-    files.mjcf.friction_n_mm_per_mm =
-        friction_n_mm_per_mm.value_or(design.hinge_friction_n_mm_per_mm());
+    files.friction_n_mm_per_mm = friction_n_mm_per_mm;
     files.kit = chosen_kit(kit, design);
   }
 };

@@ -74,17 +74,17 @@ void add_goal_and_limits(CLI::App& verb, OptimiseInput& input) {
       ->type_name("LIMIT");
   verb.add_option("--deploys-from", input.deploys_from_deg,
                   "it still deploys from this pilot angle [the campaign's, or its own D]")
-      ->check(within(0.01, 180))
+      ->check(within("optimise", "deploys_from_deg"))
       ->type_name("DEG");
   verb.add_option("--least-slope", input.least_slope_mm_per_deg,
                   fmt::format("what free shifts leave every diagonal, mm per degree at 90 deg and "
                               "less by the sine elsewhere: against miscuts [{}]",
                               input.least_slope_mm_per_deg))
-      ->check(within(0, 1e6))
+      ->check(within("optimise", "least_slope_mm_per_deg"))
       ->type_name("MM_PER_DEG");
   verb.add_option("--steps", input.most_steps,
                   fmt::format("end after so many [{}]", input.most_steps))
-      ->check(counted(1, 100000))
+      ->check(counted("optimise", "steps"))
       ->type_name("N");
 }
 
@@ -104,15 +104,15 @@ void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
   verb.add_option("--rest-deg", input.rest_deg,
                   "pilot angle where the springs are relaxed: a stop for "
                   "rest_stiffness_n_mm_per_rad [flat]")
-      ->check(within(0, 180))
+      ->check(within("optimise", "rest_deg"))
       ->type_name("DEG");
   verb.add_option("--miscut", input.miscut_mm,
                   fmt::format("copies whose yield is asked are cut off by up to this, mm [{:g}]",
                               input.miscut_mm))
-      ->check(within(1e-6, 1e3))
+      ->check(within("optimise", "miscut_mm"))
       ->type_name("MM");
   verb.add_option("--trials", input.trials, fmt::format("so many copies [{}]", input.trials))
-      ->check(counted(1, 1000000))
+      ->check(counted("optimise", "trials"))
       ->type_name("N");
 }
 
@@ -121,12 +121,12 @@ void add_shifts(CLI::App& verb, OptimiseInput& input) {
   verb.add_option("--amplitude", input.amplitude_mm,
                   "shift no vertex by more in x or y, mm [the campaign's, or the largest of its "
                   "own shifts]")
-      ->check(within(1e-6, 1e6))
+      ->check(within("optimise", "amplitude_mm"))
       ->type_name("MM");
   verb.add_flag("--ternary", input.ternary, "shift by nothing or the amplitude only");
   verb.add_option("--grid", input.grid_mm,
                   "shift by whole multiples of this only, mm: a cutter's steps")
-      ->check(within(1e-6, 1e3))
+      ->check(within("optimise", "grid_mm"))
       ->excludes("--ternary")
       ->type_name("MM");
   verb.add_flag("--within-family", input.within_family,

@@ -130,7 +130,7 @@ void add_trim(CLI::App& verb, std::optional<double>& trim_mm) {
   verb.add_option("--trim", trim_mm,
                   fmt::format("how far corners of plates are trimmed, mm [{:g} of the panel width]",
                               solver::kTrimPart))
-      ->check(within(0, 1e6))
+      ->check(within("", "trim_mm"))
       ->type_name("MM");
 }
 

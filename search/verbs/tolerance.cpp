@@ -202,10 +202,10 @@ Action tolerance_verb(CLI::App& verb) {
   add_from(verb, call->from_deg, "[the design's, or the campaign's threshold, or a pattern's D]");
   verb.add_option("--trials", study.trials,
                   "how many copies, or how often the joints settle anew [1000]")
-      ->check(counted(1, 100000000))
+      ->check(counted("tolerance", "trials"))
       ->type_name("N");
   verb.add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
-      ->check(counted(1, 4096))
+      ->check(counted("", "jobs"))
       ->type_name("N");
   verb.add_flag("!--no-keep", call->keep, "do not write the yields into the catalogue");
   verb.add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");

@@ -9,6 +9,7 @@
 #include "schema/files/input.hpp"
 #include "schema/files/suggestion.hpp"
 #include "schema/pattern/design.hpp"
+#include "search/sheets/parameters.hpp"
 
 namespace misalign::search {
 namespace {
@@ -47,6 +48,11 @@ CLI::Validator within(std::string_view design_key) {
   return within(least, most);
 }
 
+CLI::Validator within(std::string_view study, std::string_view parameter) {
+  const auto [least, most] = parameter_bounds(study, parameter);
+  return within(least, most);
+}
+
 CLI::Validator a_share(double least, double most) {
   const CLI::Validator number = within(least, most);
   return CLI::Validator(
@@ -70,6 +76,11 @@ CLI::Validator counted(std::uint64_t least, std::uint64_t most) {
                std::to_string(most) + ", written with digits alone";
       },
       "");
+}
+
+CLI::Validator counted(std::string_view study, std::string_view parameter) {
+  const auto [least, most] = parameter_bounds(study, parameter);
+  return counted(static_cast<std::uint64_t>(least), static_cast<std::uint64_t>(most));
 }
 
 CLI::Validator a_draw() { return counted(0, schema::kEndOfDraws); }

@@ -14,6 +14,9 @@ namespace misalign::search {
 CLI::Validator within(double least, double most);
 /// A number within the bounds of a key of the design block.
 CLI::Validator within(std::string_view design_key);
+/// As check_parameter() has it; `counted` of whole numbers.
+CLI::Validator within(std::string_view study, std::string_view parameter);
+CLI::Validator counted(std::string_view study, std::string_view parameter);
 
 /// A share of one within bounds; what was meant as percent is told from it.
 CLI::Validator a_share(double least, double most);

@@ -130,6 +130,7 @@ Ascent::Ascent(const Sheet& start, AscentStart fitted)
 }
 
 void Ascent::advance() {
+  options_.watch();
   if (!around_) {
     begin_step();
   } else if (trying_ == Trying::in_a_box) {
@@ -236,7 +237,7 @@ std::optional<Ascent::Worthy> Ascent::look(const VectorXd& change_mm) {
   OptimiseOptions there = options_;
   set_springs(there, point);
   const std::optional<double> value = worth(*sheet, there);
-  if (!value) return {};
+  if (!value || !keeps_slope(*sheet, *now_.sheet, options_)) return {};
   return Worthy{std::move(sheet), std::move(point), *value};
 }
 

@@ -177,6 +177,21 @@ Studied<Standstill> standstill(const Sheet& sheet, const DeployOptions& options)
                     find_friction_limits(deploying, from_deg)};
 }
 
+std::optional<double> springs_n_mm(const Sheet& sheet, const DeployOptions& options) {
+  if (const auto found = standstill(sheet, options).study) return found->springs_n_mm;
+  // By the state that was solved there: next to where it is folded flat ways are off.
+  if (!sheet.way() || options.from_deg != sheet.deploys_from_deg() ||
+      preload_fault(options.sheet.springs)) {
+    return {};
+  }
+  const DeployingSheet deploying(*sheet.way(), sheet.model().shape(), sheet.base(), options.sheet);
+  const Springs& springs = options.sheet.springs;
+  Eigen::VectorXd longer_mm =
+      sheet.history().length_mm.row(sheet.rows_up_to_d() - 1).transpose() - deploying.relaxed_mm();
+  if (springs.pull_only) longer_mm = longer_mm.cwiseMax(0.0);
+  return springs.stiffness_n_per_mm * longer_mm.squaredNorm() / 2;
+}
+
 Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options) {
   if constexpr (!has("SUNDIALS")) return {};
   const Studied<DeployOptions> fitted = fitted_release(sheet, options);

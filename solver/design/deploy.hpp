@@ -79,6 +79,9 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
 Studied<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options);
 /// The same without the motion, and so at a tenth of the cost. Faults as those of deploy().
 Studied<Standstill> standstill(const Sheet& sheet, const DeployOptions& options = {});
+/// The energy of the springs where it would be let go, at a D of 180 degrees too, where it is
+/// folded flat and nothing moves it. None where the angle does not lie on its way.
+std::optional<double> springs_n_mm(const Sheet& sheet, const DeployOptions& options);
 
 /// Lets a sheet go. Faults: the start, or an angle at which springs or creases are relaxed, does
 /// not lie on its way. With damping the critical friction is the one in motion. Nothing also where

@@ -10,15 +10,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd lengths_of(const Mechanism& mechanism, const FlatVertices& flat_mm) {
-  VectorXd lengths_mm(static_cast<Index>(mechanism.creases.size()));
-  Index k = 0;
-  for (const Crease& crease : mechanism.creases) {
-    lengths_mm(k++) = (flat_mm.col(crease.b) - flat_mm.col(crease.a)).norm();
-  }
-  return lengths_mm;
-}
-
 VectorXd relaxed_lengths(const FoldingWay& way, const Springs& springs) {
   VectorXd relaxed_mm, lengths_mm, rates;
   way.find_lengths(way.x_of(springs.rest_deg), relaxed_mm, rates);
@@ -71,6 +62,16 @@ double mass_of_all(const FoldingWay& way, const PerforatedSheet& base, const Pla
 
 }  // namespace
 
+VectorXd crease_lengths_mm(const FoldingWay& way) {
+  const std::vector<Crease>& creases = way.mechanism().creases;
+  VectorXd lengths_mm(std::ssize(creases));
+  for (Index k = 0; k < lengths_mm.size(); ++k) {
+    const Crease& crease = creases[static_cast<std::size_t>(k)];
+    lengths_mm(k) = (way.from_a1_mm().col(crease.b) - way.from_a1_mm().col(crease.a)).norm();
+  }
+  return lengths_mm;
+}
+
 VectorXd sides_of_diagonals(const FoldingWay& way) {
   VectorXd lengths_mm, rates;
   way.find_lengths(way.x_of_station(0), lengths_mm, rates);
@@ -82,7 +83,7 @@ DeployingSheet::DeployingSheet(const FoldingWay& way, const FoldedShape& shape,
     : way_(way),
       options_(options),
       mass_t_(mass_of_all(way, base, options.plates)),
-      crease_mm_(lengths_of(way.mechanism(), way.from_a1_mm())),
+      crease_mm_(crease_lengths_mm(way)),
       rest_mm_(relaxed_lengths(way, options.springs)),
       rest_rad_(relaxed_angles(way, options.joints.rest_deg)),
       masses_(masses_on_the_way(way, shape, base, options)) {}

@@ -58,6 +58,9 @@ struct EnergyAt {
   double damping;           ///< N mm s
 };
 
+/// Of every crease.
+Eigen::VectorXd crease_lengths_mm(const FoldingWay& way);
+
 /// Which way each diagonal goes next to flat, and on the way to D: 1 longer, -1 shorter.
 Eigen::VectorXd sides_of_diagonals(const FoldingWay& way);
 

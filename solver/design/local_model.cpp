@@ -4,7 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <map>
 
+#include "solver/design/low_slopes.hpp"
 #include "solver/design/spring_changes.hpp"
 
 namespace misalign::solver {
@@ -21,6 +23,10 @@ constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24, kLast_deg = 0
 constexpr double kBeforeLimit_deg = 0.05, kBeforeFlat_deg = 1e-3;
 // Fold angles are asked for from here on.
 constexpr double kFoldedFar_deg = 150;
+
+// Slopes are looked at themselves where they are less than so many least ones, and kept this share
+// above it: less than what steps leave.
+constexpr double kLowSlopes = 10, kAboveLeast = 0.1;
 
 class Builder {
  public:
@@ -97,9 +103,27 @@ class Builder {
       }
       last = std::move(here);
     }
+    if (options_.slope_at_every_angle && !options_.ternary) add_low_slopes(to_deg);
     if (to_deg >= kFoldedFar_deg) add_folds(end);
     if (options_.stroke_limit) add_strokes(*options_.stroke_limit);
     if (options_.largest_force_n) add_forces(*options_.largest_force_n);
+  }
+
+  // As what a diagonal goes on in a degree there.
+  void add_low_slopes(double to_deg) {
+    std::map<double, std::optional<SlopeGradients>> at_deg;
+    for (const LowSlope& low : low_slopes(sheet_, to_deg)) {
+      const double least = options_.least_slope_mm_per_deg, a_deg = low.pilot_deg;
+      if (low.mm_per_deg >= kLowSlopes * least) continue;
+      if (!at_deg.contains(a_deg)) at_deg[a_deg] = around_.gradients.slopes(a_deg);
+      const auto& slopes = at_deg[a_deg];
+      if (!slopes) continue;  // it ends there
+      const double sine = std::sin(a_deg * kRadPerDeg);
+      const double side = slopes->slope_mm_per_rad(low.diagonal) * low.mm_per_deg < 0 ? -1 : 1;
+      add(LocalRow::Of::direction, low.diagonal, a_deg,
+          (low.mm_per_deg - (1 + kAboveLeast) * least) * sine,
+          side * kRadPerDeg * slopes->slope_by_mm.row(low.diagonal));
+    }
   }
 
   void add_folds(const AngleGradients& here) {

@@ -52,8 +52,12 @@ struct OptimiseOptions {
   std::optional<double> largest_force_n;  ///< of every spring where it is let go, panels rigid
   std::vector<OptimiseFloor> floors;
   /// What free shifts leave every diagonal: so much times the sine of the pilot's angle, mm per
-  /// degree. A diagonal that hardly goes on cannot be built, nor certified.
+  /// degree. A diagonal that hardly goes on cannot be built, nor certified. At every angle, or, as
+  /// campaigns have it, in the mean between angles some degrees apart.
   double least_slope_mm_per_deg = 1e-3;
+  bool slope_at_every_angle = false;
+  /// Called in between, some times a second: what it throws ends the search.
+  std::function<void()> watch = [] {};
   int most_steps = 200;
   int most_looks = 400;  ///< sheets that are folded for one step of ternary shifts
 };

@@ -16,6 +16,7 @@ struct SheetChanges {
 
   /// Where they are not found it is not known, and the flat sheet's stand in their place.
   AngleGradients at(double pilot_deg, bool with_folds = false) {
+    options.watch();
     auto found = gradients.at(pilot_deg, with_folds);
     if (found) return std::move(*found);
     is_known = false;

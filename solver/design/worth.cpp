@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/design/contact.hpp"
+#include "solver/design/low_slopes.hpp"
 #include "solver/design/path_gradients.hpp"
 #include "solver/design/rest_stiffness.hpp"
 #include "solver/design/spare_diagonals.hpp"
@@ -12,6 +13,9 @@ namespace {
 
 // Creases stay so far from folded flat: more than rounding, less than what steps leave.
 constexpr double kFromFlat_deg = 1e-4;
+// Between their stations ways are off by thousandths of a degree, next to limits by less than this:
+// where a crease is folded to 180 degrees is solved there, and no closer to a limit.
+constexpr double kAroundFlat_deg = 0.1, kFromLimit_deg = 1e-6;
 
 // As columns of catalogues have it.
 double stroke(const Sheet& sheet) {
@@ -22,6 +26,27 @@ double stroke(const Sheet& sheet) {
 double force_n(const Sheet& sheet, const DeployOptions& deploying) {
   const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
   return rigid.spring_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
+}
+
+// Where a crease is folded to 180 degrees; none where no crease is.
+std::optional<double> folded_flat_deg(const Sheet& sheet) {
+  PathGradients gradients(sheet);
+  const auto is_beyond = [&](double angle_deg) {
+    const auto folds_deg = gradients.folds_deg(angle_deg);
+    return folds_deg && folds_deg->cwiseAbs().maxCoeff() > 180 + kOverFoldBand_deg;
+  };
+  const FoldingWay& way = *sheet.way();
+  const auto about_deg = way.over_folded_deg();
+  if (!about_deg) return {};
+  double before_deg = *about_deg - kAroundFlat_deg,
+         beyond_deg = std::min(*about_deg + kAroundFlat_deg, way.end_deg() - kFromLimit_deg);
+  // Where a crease only touches 180 degrees, in a sharp bend, there is no place to be solved for.
+  if (is_beyond(before_deg) || !is_beyond(beyond_deg)) return about_deg;
+  while (beyond_deg - before_deg > kFromLimit_deg) {
+    const double middle_deg = (before_deg + beyond_deg) / 2;
+    (is_beyond(middle_deg) ? beyond_deg : before_deg) = middle_deg;
+  }
+  return before_deg;
 }
 
 }  // namespace
@@ -39,8 +64,8 @@ bool fits(const Sheet& sheet, const OptimiseOptions& options) {
 
 double goes_until_deg(const Sheet& sheet) {
   const auto& reverses_deg = sheet.record().extremes.reverses_deg;
-  const auto over_deg = sheet.way()->over_folded_deg();
-  return std::min({sheet.way()->end_deg(), reverses_deg.value_or(180), over_deg.value_or(180)});
+  return std::min(
+      {sheet.way()->end_deg(), reverses_deg.value_or(180), folded_flat_deg(sheet).value_or(180)});
 }
 
 std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
@@ -69,11 +94,10 @@ std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
       return found ? std::optional(found->amount) : std::nullopt;
     }
     case OptimiseGoal::energy:
+      return springs_n_mm(sheet, deploying);
     case OptimiseGoal::critical_friction: {
       const auto rigid = standstill(sheet, deploying).study;
-      if (!rigid) return {};
-      if (goal == OptimiseGoal::energy) return rigid->springs_n_mm;
-      return rigid->friction.critical_n_mm_per_mm;
+      return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
     }
     case OptimiseGoal::bent_critical_friction:
     case OptimiseGoal::static_friction:
@@ -100,6 +124,13 @@ bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
   // Solved: between their stations ways are off by thousandths of a degree, next to limits by more.
   const auto folds_deg = PathGradients(sheet).folds_deg(to_deg);
   return folds_deg && folds_deg->cwiseAbs().maxCoeff() <= 180 - kFromFlat_deg;
+}
+
+bool keeps_slope(const Sheet& sheet, const Sheet& before, const OptimiseOptions& options) {
+  if (!options.slope_at_every_angle || options.ternary) return true;
+  const double to_deg = sheet.sample_deg(options.deploys_from_sample),
+               least = least_slope_mm_per_deg(sheet, to_deg);
+  return least >= options.least_slope_mm_per_deg || least >= least_slope_mm_per_deg(before, to_deg);
 }
 
 std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options) {

@@ -22,6 +22,9 @@ bool fits(const Sheet& sheet, const OptimiseOptions& options);
 /// Whether, up to the angle that is asked, no diagonal turns back between samples and no crease is
 /// all but folded flat: what a certificate wants, and a draw need not have.
 bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options);
+/// Whether free shifts leave every diagonal its least slope at every angle, where that is asked, or
+/// no less than the sheet had before.
+bool keeps_slope(const Sheet& sheet, const Sheet& before, const OptimiseOptions& options);
 /// By the goal, of a sheet that is to be better than another; none where it does not fit, keeps not
 /// all floors, does not go all the way, or its own study finds none.
 std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options);

@@ -112,7 +112,7 @@ TEST(Design, SaysWhatStudiesTake) {
   EXPECT_EQ(design.actuators().preload.each_n, 3);
   const solver::Diagonal named{0, 1, 3, 14, 8}, other{0, 2, 0, 8, 15};
   EXPECT_EQ(design.actuators().preload.forces_n({other, named}), Eigen::Vector2d(3, 2));
-  EXPECT_EQ(design.hinge_friction_n_mm_per_mm(), 0.02);
+  EXPECT_EQ(design.friction_n_mm_per_mm, 0.02);
   EXPECT_EQ(design.hinge_elastic_n_mm_per_mm(), 0.3);
   EXPECT_EQ(Design().actuators().stiffness_n_per_mm, 50) << "the paper's";
   EXPECT_EQ(Design().plates().density_g_per_cm3, 2.7);
@@ -128,9 +128,8 @@ TEST(Design, TakesHingesOfTheFilm) {
   EXPECT_NEAR(design.hinge_elastic_n_mm_per_mm(), c, 1e-15);
   // From 140 degrees to flat it takes pi / 4 loss c angle^2; dry friction takes it times the angle.
   const double angle = 140 * std::numbers::pi / 180;
-  EXPECT_NEAR(design.hinge_friction_n_mm_per_mm() * angle,
+  EXPECT_NEAR(design.film->friction_n_mm_per_mm(140) * angle,
               std::numbers::pi / 4 * 0.01 * c * angle * angle, 1e-15);
-  EXPECT_EQ(Design().hinge_friction_n_mm_per_mm(), 0);
   EXPECT_EQ(Design().hinge_elastic_n_mm_per_mm(), 0);
 }
 

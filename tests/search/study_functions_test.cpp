@@ -13,6 +13,7 @@
 #include "schema/report/report.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/choice.hpp"
+#include "search/sheets/deploy_input.hpp"
 #include "search/sheets/query_text.hpp"
 #include "search/sheets/sheet_numbers.hpp"
 #include "solver/design/actuation.hpp"
@@ -48,6 +49,31 @@ class FunctionsOfSheets : public testing::Test {
   const schema::Campaign campaign_ = campaign(*database_);
   FoldingModel model_{campaign_};
 };
+
+// By the fold angles and lengths of its own creases, from a path that is followed: not all of them
+// fold as far as the pilot.
+TEST_F(FunctionsOfSheets, FilmsLoseWhatTheirCreasesTurn) {
+  schema::Design design = campaign_.design;
+  design.friction_n_mm_per_mm.reset();
+  design.film = solver::FilmHinge{0.05, 4, 2, 0.02};
+  const solver::Sheet its = sheet(1);
+  double lost = 0, turned_mm = 0;
+  for (std::size_t c = 0; c < its.mechanism().creases.size(); ++c) {
+    const solver::Crease& crease = its.mechanism().creases[c];
+    const double length_mm = (its.point_mm(crease.b) - its.point_mm(crease.a)).norm();
+    const double fold_rad =
+        std::abs(its.history().fold_angle_deg(89, static_cast<Eigen::Index>(c))) * M_PI / 180;
+    lost +=
+        M_PI / 4 * 0.02 * design.film->stiffness_n_mm_per_mm() * length_mm * fold_rad * fold_rad;
+    turned_mm += length_mm * fold_rad;
+  }
+  EXPECT_NEAR(hinge_friction_n_mm_per_mm(design, its) * turned_mm / lost, 1, 1e-9);
+  EXPECT_EQ(deploy_options(design, its).sheet.joints.friction_n_mm_per_mm,
+            hinge_friction_n_mm_per_mm(design, its));
+  design.friction_n_mm_per_mm = 0.02;
+  EXPECT_EQ(hinge_friction_n_mm_per_mm(design, its), 0.02) << "as it is said";
+  EXPECT_EQ(hinge_friction_n_mm_per_mm({}, its), 0);
+}
 
 // Each name of the table is found, and nothing else is.
 TEST_F(FunctionsOfSheets, AreThoseOfTheTable) {

@@ -228,7 +228,8 @@ TEST_F(Goals, SheetsComeToDeployFromFarther) {
       const Sheet sheet(solver_, found.taken[k].shifts_mm);
       const double at_deg = found.taken[k].value, near_deg = at_deg < 178 ? 0.01 : 0.1;
       const auto over_deg = sheet.way()->over_folded_deg();
-      if (at_deg + 0.1 >= sheet.way()->end_deg() || over_deg == at_deg) continue;
+      if (at_deg + 0.1 >= sheet.way()->end_deg()) continue;
+      if (over_deg && std::abs(*over_deg - at_deg) < 0.1) continue;
       VectorXd lengths_mm, before_mm, behind_mm;
       sheet.way()->find_lengths(sheet.way()->x_of(at_deg - near_deg), lengths_mm, before_mm);
       sheet.way()->find_lengths(sheet.way()->x_of(at_deg + near_deg), lengths_mm, behind_mm);
@@ -244,6 +245,42 @@ TEST_F(Goals, SheetsComeToDeployFromFarther) {
   }
   EXPECT_EQ(farther, 2);
   EXPECT_GT(turning, 1);
+}
+
+// Against a path that is followed to just before and just behind.
+TEST_F(Goals, ACreaseIsFoldedFlatWhereTheySay) {
+  constexpr double kBeside_deg = 1e-3;
+  int folded_flat = 0;
+  std::uniform_real_distribution<double> shift_mm(-0.4, 0.4);
+  for (int trial = 0; trial < 300; ++trial) {
+    Matrix2Xd shifts_mm = Matrix2Xd::Zero(2, base_.base.sheet.vertex_count());
+    for (const int vertex : base_.shifted_vertices) {
+      for (double& shift : shifts_mm.col(vertex)) shift = shift_mm(random_);
+    }
+    const Sheet sheet(solver_, shifts_mm);
+    if (!sheet.way() || !sheet.way()->over_folded_deg()) continue;
+    const double until_deg = goes_until_deg(sheet);
+    if (std::abs(until_deg - *sheet.way()->over_folded_deg()) > 0.1) continue;  // a diagonal turns
+    PathPlanOptions close;
+    close.look_at_deg = {until_deg - kBeside_deg, until_deg + kBeside_deg, until_deg + 0.1};
+    const Model model(base_.base, close);
+    SheetSolver solver(model);
+    const Sheet followed(solver, shifts_mm);
+    const FoldingHistory& history = followed.history();
+    const auto fold_deg = [&](double angle_deg) {
+      Index row = 0;
+      while (history.stations[static_cast<std::size_t>(row)].pilot_deg < angle_deg - 1e-9) ++row;
+      return history.fold_angle_deg.row(row).cwiseAbs().maxCoeff();
+    };
+    // One that only touches 180 degrees, in a sharp bend, stays within rounding of the path.
+    if (until_deg + 0.1 >= sheet.way()->end_deg() || fold_deg(until_deg + 0.1) < 180) continue;
+    for (const double off_deg : {-kBeside_deg, kBeside_deg}) {
+      EXPECT_EQ(fold_deg(until_deg + off_deg) > 180, off_deg > 0)
+          << "seed " << seed_ << ", trial " << trial << ", at " << until_deg;
+      ++folded_flat;
+    }
+  }
+  EXPECT_GE(folded_flat, 10);
 }
 
 TEST_F(Goals, ThicknessAndYieldGrowAsTheirStudiesSay) {

@@ -4,6 +4,7 @@
 #include "few_holes.hpp"
 #include "optimising.hpp"
 #include "solver/design/actuation.hpp"
+#include "solver/design/equilibria.hpp"
 #include "solver/design/local_model.hpp"
 #include "solver/design/worth.hpp"
 
@@ -131,6 +132,94 @@ TEST_F(Optimising, BentPanelsHaveTheirOwnGoals) {
                                       : *friction.critical_n_mm_per_mm);
     EXPECT_GT(found.best().value, found.start().value);
   }
+}
+
+// Slopes at close stations of a path that is followed, over the sine of the pilot's angle.
+double followed_slope_mm_per_deg(const PerforatedSheet& base, const Matrix2Xd& shifts_mm,
+                                 double to_deg) {
+  PathPlanOptions close;
+  close.look_deg = 0.25;
+  const Model model(base, close);
+  SheetSolver solver(model);
+  const Sheet sheet(solver, shifts_mm);
+  const FoldingHistory& history = sheet.history();
+  Eigen::Index last = 0;
+  while (history.stations[static_cast<std::size_t>(last)].pilot_deg < to_deg - 1e-9) ++last;
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
+    const double longer_mm =
+        history.length_mm(last, d) - history.flat_mm[static_cast<std::size_t>(d)];
+    for (Eigen::Index row = 0; row <= last; ++row) {
+      const double pilot_deg = history.stations[static_cast<std::size_t>(row)].pilot_deg;
+      least = std::min(least, (longer_mm < 0 ? -1 : 1) * history.slope_mm_per_deg(row, d) /
+                                  std::sin(pilot_deg * kRadPerDeg));
+    }
+  }
+  return least;
+}
+
+// At every angle, where that is asked; in the mean between angles a slope may be less in between.
+TEST_F(Optimising, KeepsTheLeastSlope) {
+  options_.least_slope_mm_per_deg = 2e-3;
+  int kept = 0, missed_by_means = 0;
+  for (int trial = 0; trial < 40 && kept < 3; ++trial) {
+    const Matrix2Xd start = next_start(false);
+    if (followed_slope_mm_per_deg(base_.base, start, 150) < 2e-3) continue;
+    for (const bool everywhere : {false, true}) {
+      options_.slope_at_every_angle = everywhere;
+      const Optimised found = *optimise(Sheet(solver_, start), options_).study;
+      const double least = followed_slope_mm_per_deg(base_.base, found.best().shifts_mm, 150);
+      EXPECT_GT(found.best().value, 1.2 * found.start().value);
+      if (everywhere) {
+        EXPECT_GE(least, 2e-3 * (1 - 1e-3)) << "seed " << seed_ << ", trial " << trial;
+        ++kept;
+      } else {
+        missed_by_means += least < 2e-3 * (1 - 1e-3);
+      }
+    }
+  }
+  EXPECT_EQ(kept, 3);
+  EXPECT_GT(missed_by_means, 0);
+}
+
+// Springs of a sheet without shifts do not change: what is left of their energy is rounding.
+TEST_F(Optimising, StillSpringsRestNowhere) {
+  const Sheet own(solver_, next_start(false)), still(solver_, 0 * own.shifts_mm());
+  DeployingOptions options;
+  const auto equilibria = [&](const Sheet& sheet) {
+    return find_equilibria(DeployingSheet(*sheet.way(), model_.shape(), base_.base, options));
+  };
+  EXPECT_EQ(equilibria(still).size(), 0u);
+  EXPECT_GT(equilibria(own).size(), 0u);
+  options.joints.stiffness_n_mm_per_mm = 1e-3;
+  ASSERT_EQ(equilibria(still).size(), 1u) << "its hinges are relaxed flat";
+  EXPECT_EQ(equilibria(still)[0].x, 0);
+}
+
+// Where a sheet is folded flat nothing moves it, but springs hold energy: against the distances of
+// its folded vertices.
+TEST_F(Optimising, SpringsHoldEnergyAtFlatFoldedEnds) {
+  const DrawableSheet large(6, 6);
+  const Model model(large.base);
+  SheetSolver solver(model);
+  int flat_folded = 0;
+  for (unsigned seed = 1; seed <= 60 && flat_folded == 0; ++seed) {
+    const Sheet sheet(solver, member_of(large.base, 1, true, seed));
+    if (sheet.deploys_from_deg() < 180) continue;
+    DeployOptions deploying;
+    deploying.from_deg = 180;
+    double n_mm = 0;
+    for (const Diagonal& diagonal : sheet.mechanism().diagonals) {
+      const auto length_mm = [&](const auto& at_mm) {
+        return (at_mm.col(diagonal.to) - at_mm.col(diagonal.from)).norm();
+      };
+      const double longer_mm = length_mm(sheet.shapes_mm()[179]) - length_mm(sheet.vertices_mm());
+      n_mm += deploying.sheet.springs.stiffness_n_per_mm * longer_mm * longer_mm / 2;
+    }
+    EXPECT_NEAR(springs_n_mm(sheet, deploying).value() / n_mm, 1, 1e-6) << "seed " << seed;
+    ++flat_folded;
+  }
+  EXPECT_GT(flat_folded, 0);
 }
 
 // On a cutter's grid every end's shifts are whole multiples of it.

@@ -33,9 +33,10 @@ end
 
 function check_mesh(m, fold, candidate)
   check("vertices", m.vertices_mm, fold.vertices_coords);
-  check("facets", m.facets, fold.faces_vertices + 1);
+  check("panels", m.panels, fold.faces_vertices + 1);
+  check("facets", sortrows(sort(m.facets, 2)), sortrows(sort([m.panels; m.holes], 2)));
   for h = 1:rows(m.holes)
-    check("a hole is no facet", ismember(sort(m.holes(h, :)), sort(m.facets, 2), "rows"), false);
+    check("a hole is no panel", ismember(sort(m.holes(h, :)), sort(m.panels, 2), "rows"), false);
   end
   shifts = zeros(size(m.vertices_mm));
   for [shift, vertex] = candidate.pattern.displacements_mm

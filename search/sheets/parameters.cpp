@@ -1,0 +1,58 @@
+#include "search/sheets/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "search/sheets/backlash.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct Parameter {
+  std::string_view study, name;
+  schema::Bounds bounds;
+};
+
+constexpr Parameter kParameters[] = {{"", "jobs", {1, 4096}},
+                                     {"", "trim_mm", {0, 1e6}},
+                                     {"card", "trials", {1, kMostBacklashTrials}},
+                                     {"optimise", "amplitude_mm", {1e-6, 1e6}},
+                                     {"optimise", "deploys_from_deg", {0.01, 180}},
+                                     {"optimise", "grid_mm", {1e-6, 1e3}},
+                                     {"optimise", "least_slope_mm_per_deg", {0, 1e6}},
+                                     {"optimise", "miscut_mm", {1e-6, 1e3}},
+                                     {"optimise", "rest_deg", {0, 180}},
+                                     {"optimise", "steps", {1, 1e5}},
+                                     {"optimise", "trials", {1, 1e6}},
+                                     {"tolerance", "trials", {1, 1e8}}};
+
+void check_within(std::string_view name, const schema::Bounds& bounds, double value) {
+  const auto [least, most] = bounds;
+  if (value >= least && value <= most) return;  // which NaN is not
+  throw schema::UserError(
+      solver::OptionFault{std::string(name), fmt::format("{:g}", value),
+                          fmt::format("is not a number from {} to {}", schema::shown_number(least),
+                                      schema::shown_number(most)),
+                          "name one that is"});
+}
+
+}  // namespace
+
+schema::Bounds parameter_bounds(std::string_view study, std::string_view name) {
+  const auto* const found = std::ranges::find_if(
+      kParameters, [&](const Parameter& one) { return one.study == study && one.name == name; });
+  assert(found != std::end(kParameters));
+  return found->bounds;
+}
+
+void check_parameter(std::string_view study, std::string_view name, double value) {
+  check_within(name, parameter_bounds(study, name), value);
+}
+
+void check_design(std::string_view name, std::string_view design_key, double value) {
+  check_within(name, schema::design_bounds(design_key), value);
+}
+
+}  // namespace misalign::search

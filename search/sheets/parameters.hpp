@@ -1,0 +1,19 @@
+// The numbers that people give studies, on the command line and from Python alike, beside those of
+// a design.
+#pragma once
+
+#include <string_view>
+
+#include "schema/pattern/design.hpp"
+
+namespace misalign::search {
+
+/// Of a study's "amplitude_mm", say, as the table has it; no study: of all.
+schema::Bounds parameter_bounds(std::string_view study, std::string_view name);
+
+/// UserError (bad_request) unless it lies within these.
+void check_parameter(std::string_view study, std::string_view name, double value);
+/// The same of a number that is a design's by another name.
+void check_design(std::string_view name, std::string_view design_key, double value);
+
+}  // namespace misalign::search
