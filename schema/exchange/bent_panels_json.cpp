@@ -62,6 +62,7 @@ Json bent_panels_json(const BentSheet& sheet) {
                {"largest_saddle_mm", most.largest_saddle_mm},
                {"largest_stress_mpa", most.largest_stress_mpa},
                {"largest_stress_deg", most.pilot_deg},
+               {"stress_from_corners_widths", solver::kCornerWidths},
                {"useful_stiffness_n_per_mm", or_null(advice.useful_stiffness_n_per_mm)},
                {"wanted_static_margin", advice.wanted_margin},
                {"least_thickness_mm", or_null(advice.least_thickness_mm)},

@@ -3,6 +3,7 @@
 
 #include "schema/files/input.hpp"
 #include "schema/pattern/material.hpp"
+#include "solver/design/bent_advice.hpp"
 #include "solver/design/preload.hpp"
 
 namespace misalign::schema {

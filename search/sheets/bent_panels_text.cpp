@@ -17,8 +17,8 @@ std::string energy_text(const schema::Material& material, const solver::BentPane
   }
   if (study.unsure() > 0) {
     text += fmt::format(
-        "at {} of {} angles Newton's method finds no state at rest: what follows is linear there, "
-        "and not to be relied upon\n",
+        "at {} of {} angles the equilibrium cannot be followed (it ends there, or is not stable): "
+        "what follows is linear there, and not to be relied upon\n",
         study.unsure(), study.angles.size());
   }
   return text;
@@ -83,8 +83,11 @@ std::string bent_panels_text(const schema::BentSheet& sheet, const solver::Frict
   const solver::BentAngle& most = study.most_bent();
   std::string text =
       energy_text(material, study) + bent_friction_text(study, advice, rigid) +
-      fmt::format("largest saddle {:.3g} mm, largest stress {:.3g} MPa, at {:.3g} deg\n",
-                  most.largest_saddle_mm, most.largest_stress_mpa, most.pilot_deg);
+      fmt::format(
+          "largest saddle {:.3g} mm, largest stress {:.3g} MPa, at {:.3g} deg; stress counts "
+          "farther than {:g} of a panel's width from its corners, beside which that of a "
+          "thin plate has no limit\n",
+          most.largest_saddle_mm, most.largest_stress_mpa, most.pilot_deg, solver::kCornerWidths);
   if (advice.useful_stiffness_n_per_mm) {
     text += fmt::format("springs of {:.3g} N/mm overcome {:g} % of what the stiffest do\n",
                         *advice.useful_stiffness_n_per_mm, 100 * solver::kUseful);

@@ -129,8 +129,11 @@ class CardMaker {
          fmt::format("moving slowly, least at {:.3g} deg, with", friction.static_deg),
          "N mm per mm", least, *least > 0 ? "" : "there nothing drives it on to flat");
     const solver::BentAngle& most = panels.most_bent();
-    ask("largest_stress_mpa", "largest stress in the panels, held", "MPa", material.strength_mpa,
-        most.largest_stress_mpa, Bound::at_most);
+    ask("largest_stress_mpa",
+        fmt::format("largest stress in the panels, held, farther than {:g} of their width from "
+                    "corners",
+                    solver::kCornerWidths),
+        "MPa", material.strength_mpa, most.largest_stress_mpa, Bound::at_most);
     tell("bent_energy_n_mm", "springs and panels hold", "N mm", panels.angles.back().bent.n_mm,
          fmt::format("rigid: {:.4g} N mm", panels.angles.back().rigid_n_mm));
     tell("useful_stiffness_n_per_mm",

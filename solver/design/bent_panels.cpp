@@ -24,20 +24,25 @@ std::vector<Matrix3Xd> shapes_at(const Sheet& sheet, const VectorXd& pilot_deg) 
   return shapes_mm;
 }
 
-OtherMomentsAt other_moments(const DeployingSheet& sheet) {
-  const double flat_n_mm = sheet.all_else(0).energy;
-  return [&sheet, flat_n_mm](double pilot_deg) {
-    const double x = sheet.way().x_of(pilot_deg);
-    const DeployingSheet::Potential rest = sheet.all_else(x);
-    const DeployingSheet::Turning turning = sheet.turning(x);
-    return OtherMoments{
-        rest.energy - flat_n_mm, rest.slope / turning.creases_mm,
-        sheet.options().joints.ball_friction_n_mm * turning.balls / turning.creases_mm};
-  };
-}
-
 double angle_of_row(double from_deg, double to_deg, int row, int rows) {
   return from_deg * std::pow(to_deg / from_deg, static_cast<double>(row) / rows);
+}
+
+// Of an equilibrium at one of the angles.
+struct Followed {
+  double turned_mm, n_mm, moment_n;
+};
+
+// Whether the energy rises from one to the other as the moments of both have it: between powers of
+// the sum, whose exponents change slowly. Another equilibrium has some times the energy.
+constexpr double kSameEnergy = 0.1;
+
+bool is_same(const Followed& below, const Followed& above) {
+  const auto exponent = [](const Followed& at) { return at.moment_n * at.turned_mm / at.n_mm; };
+  const double expected =
+      (exponent(below) + exponent(above)) / 2 * std::log(above.turned_mm / below.turned_mm);
+  return below.n_mm < above.n_mm &&
+         std::abs(std::log(above.n_mm / below.n_mm) - expected) <= kSameEnergy;
 }
 
 // The first place down from the start, between two rows, where a moment is no longer enough.
@@ -81,42 +86,19 @@ void find_critical(const EnergyCurve& curve, const OtherMomentsAt& others, BentF
   found.critical_deg = least_deg;
 }
 
-double critical_of(const EnergyCurve& curve) {
-  BentFriction found;
-  find_critical(
-      curve,
-      [](double) {
-        return OtherMoments{0, 0, 0};
-      },
-      found);
-  return found.critical_n_mm_per_mm.value_or(0);
-}
-
-// A stiffness so large that panels alone give.
-constexpr double kStiffSprings = 1e3;  // over the panels' own at the start
-
-std::optional<double> least_thickness(const Sheet& sheet, const BentPanels& study,
-                                      const DiagonalSprings& springs, double friction,
-                                      double wanted_margin, const OtherMomentsAt& others) {
-  const double to_deg = study.options.to_deg;
-  const auto suffices = [&](double thickness_mm) {
-    const BentWay way(sheet, study.options.material, thickness_mm, to_deg, study.from_deg,
-                      study.options.angles);
-    if (!way.is_known()) return false;
-    const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
-    const auto margin = find_bent_friction(curve, to_deg, friction, others).static_margin;
-    return margin && *margin >= wanted_margin;
-  };
-  double enough_mm = kMostThick_mm, little_mm = 1e-3;
-  if (!suffices(enough_mm)) return {};
-  while (enough_mm > 1.003 * little_mm) {
-    const double middle_mm = std::sqrt(enough_mm * little_mm);
-    (suffices(middle_mm) ? enough_mm : little_mm) = middle_mm;
-  }
-  return enough_mm;
-}
-
 }  // namespace
+
+OtherMomentsAt other_moments(const DeployingSheet& sheet) {
+  const double flat_n_mm = sheet.all_else(0).energy;
+  return [&sheet, flat_n_mm](double pilot_deg) {
+    const double x = sheet.way().x_of(pilot_deg);
+    const DeployingSheet::Potential rest = sheet.all_else(x);
+    const DeployingSheet::Turning turning = sheet.turning(x);
+    return OtherMoments{
+        rest.energy - flat_n_mm, rest.slope / turning.creases_mm,
+        sheet.options().joints.ball_friction_n_mm * turning.balls / turning.creases_mm};
+  };
+}
 
 Matrix3Xd rigid_shape_mm(const Sheet& sheet, double pilot_deg) {
   const FoldingWay& way = *sheet.way();
@@ -151,23 +133,46 @@ std::vector<BentAngle> BentWay::bend(const DiagonalSprings& springs, BendMethod 
     const Compliance& compliance = compliances_[k];
     const double rigid_n_mm =
         springs.n_per_mm / 2 * (compliance.lengths_mm - springs.relaxed_mm).squaredNorm();
-    BentAngle angle{pilot_deg_(static_cast<Index>(k)),
-                    rigid_n_mm,
-                    solver::bend(compliance, springs),
-                    0,
-                    0,
-                    true};
-    if (method == BendMethod::newton) {
-      const FarBentState far = bend_far(panels_, folded_mm_[k], compliance.turned_mm, springs);
-      angle.is_sure = far.has_converged && far.is_stable;
-      if (angle.is_sure) angle.bent = far;
-    }
-    const VectorXd saddles_mm = angle.bent.saddles_mm.cwiseAbs();
-    angle.largest_saddle_mm = saddles_mm.maxCoeff();
-    angle.largest_stress_mpa = saddles_mm.cwiseProduct(panels_.stress_mpa_per_mm()).maxCoeff();
-    angles.push_back(std::move(angle));
+    angles.push_back(
+        {pilot_deg_(static_cast<Index>(k)), rigid_n_mm, solver::bend(compliance, springs), true});
   }
+  if (method == BendMethod::newton) bend_far(springs, angles);
   return angles;
+}
+
+// Down from the start; where the equilibrium is lost, from the rigid sheet again.
+void BentWay::bend_far(const DiagonalSprings& springs, std::vector<BentAngle>& angles) const {
+  const bool is_relaxed_flat = springs.relaxed_mm == panels_.flat_lengths_mm();
+  std::optional<BentFollower> follower;
+  std::optional<Followed> above;
+  for (std::size_t k = angles.size(); k-- > 0;) {
+    const double turned_mm = compliances_[k].turned_mm;
+    bool found = follower && follower->follow(turned_mm, springs.relaxed_mm);
+    if (!found) {
+      follower.emplace(panels_, folded_mm_[k], springs.n_per_mm);
+      found = follower->follow(turned_mm, springs.relaxed_mm);
+    }
+    BentAngle& angle = angles[k];
+    angle.is_sure = found;
+    if (!found) {
+      follower.reset();
+      continue;
+    }
+    const Followed here{turned_mm, follower->state().n_mm, follower->state().moment_n};
+    if (is_relaxed_flat && above && !is_same(here, *above)) {
+      angle.is_sure = false;
+      continue;
+    }
+    angle.bent = follower->state();
+    above = here;
+  }
+}
+
+Bending BentWay::bending(const DiagonalSprings& springs) const {
+  const auto far = solver::bend_far(panels_, folded_mm_.back(), springs);
+  if (!far) return {BendMethod::newton, 1};
+  const double ratio = far->n_mm / solver::bend(compliances_.back(), springs).n_mm;
+  return {std::abs(ratio - 1) <= kLinearError ? BendMethod::linear : BendMethod::newton, ratio};
 }
 
 EnergyCurve BentWay::curve(const DiagonalSprings& springs,
@@ -215,22 +220,6 @@ BentFriction find_bent_friction(const EnergyCurve& curve, double to_deg,
   return found;
 }
 
-std::optional<double> useful_stiffness_n_per_mm(const BentWay& way) {
-  const auto critical = [&](double n_per_mm) {
-    const DiagonalSprings springs{n_per_mm, way.panels().flat_lengths_mm()};
-    return critical_of(way.curve(springs, way.bend(springs, BendMethod::linear)));
-  };
-  const double own_n_per_mm = 1 / way.compliances().back().mm_per_n.diagonal().minCoeff();
-  double much = kStiffSprings * own_n_per_mm, little = 1e-6 * own_n_per_mm;
-  const double most = critical(much);
-  if (most <= 0) return {};
-  while (much > 1.003 * little) {
-    const double middle = std::sqrt(much * little);
-    (critical(middle) >= kUseful * most ? much : little) = middle;
-  }
-  return much;
-}
-
 const BentAngle& BentPanels::most_bent() const {
   return *std::max_element(angles.begin(), angles.end(), [](const auto& a, const auto& b) {
     return a.largest_stress_mpa < b.largest_stress_mpa;
@@ -273,17 +262,15 @@ Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deployi
   if (!way.is_known()) return {};
   const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
   const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
-  BendMethod method = options.method.value_or(BendMethod::linear);
-  double newton_over_linear = 1;
-  if (!options.method) {
-    const std::size_t last = way.compliances().size() - 1;
-    const Compliance& start = way.compliances()[last];
-    const FarBentState far = bend_far(way.panels(), way.folded_mm(last), start.turned_mm, springs);
-    if (far.has_converged) newton_over_linear = far.n_mm / bend(start, springs).n_mm;
-    const bool is_near = far.has_converged && std::abs(newton_over_linear - 1) <= kLinearError;
-    method = is_near ? BendMethod::linear : BendMethod::newton;
-  }
+  const auto [method, newton_over_linear] =
+      options.method ? Bending{*options.method, 1} : way.bending(springs);
   std::vector<BentAngle> angles = way.bend(springs, method);
+  const VectorXd stress_mpa_per_mm = way.panels().stress_mpa_per_mm();
+  for (BentAngle& angle : angles) {
+    const VectorXd saddles_mm = angle.bent.saddles_mm.cwiseAbs();
+    angle.largest_saddle_mm = saddles_mm.maxCoeff();
+    angle.largest_stress_mpa = saddles_mm.cwiseProduct(stress_mpa_per_mm).maxCoeff();
+  }
   const EnergyCurve curve = way.curve(springs, angles);
   const OtherMomentsAt others = other_moments(rigid);
   const double friction = held.joints.friction_n_mm_per_mm;
@@ -295,21 +282,6 @@ Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deployi
                     std::move(angles),
                     curve,
                     find_bent_friction(curve, options.to_deg, friction, others)};
-}
-
-BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,
-                  double wanted_margin) {
-  const DeployingOptions& held = deploying.sheet;
-  const BentWay way(sheet, study.options.material, study.thickness_mm, study.options.to_deg,
-                    study.from_deg, study.options.angles);
-  BentAdvice advice{useful_stiffness_n_per_mm(way), wanted_margin, {}};
-  const double friction = held.joints.friction_n_mm_per_mm;
-  if (friction <= 0) return advice;
-  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
-  const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
-  advice.least_thickness_mm =
-      least_thickness(sheet, study, springs, friction, wanted_margin, other_moments(rigid));
-  return advice;
 }
 
 }  // namespace misalign::solver

@@ -35,12 +35,20 @@ struct BentAngle {
   double pilot_deg;
   double rigid_n_mm;  ///< energy of the springs if panels were rigid
   BentState bent;
-  double largest_saddle_mm, largest_stress_mpa;
-  bool is_sure;  ///< Newton's method has converged to a minimum; true where it was not asked
+  bool
+      is_sure;  ///< Newton's method has followed the equilibrium to it; true where it was not asked
+  double largest_saddle_mm = 0;
+  double largest_stress_mpa = 0;  ///< farther than kCornerWidths from the corners of a panel
 };
 
 /// Rigid, at this pilot angle on its way: 3 x vertices, mm.
 Eigen::Matrix3Xd rigid_shape_mm(const Sheet& sheet, double pilot_deg);
+
+/// How springs bend it at the start: the method that it takes, and what Newton's changes there.
+struct Bending {
+  BendMethod method;
+  double newton_over_linear;  ///< energies; 1 where Newton's method was not asked, or lost it
+};
 
 /// A sheet at the angles, for any springs: its panels of one thickness and material.
 class BentWay {
@@ -56,11 +64,14 @@ class BentWay {
   const std::vector<Compliance>& compliances() const { return compliances_; }
   const Eigen::Matrix3Xd& folded_mm(std::size_t angle) const { return folded_mm_[angle]; }
 
+  Bending bending(const DiagonalSprings& springs) const;
   /// At every angle, linear or by Newton's method.
   std::vector<BentAngle> bend(const DiagonalSprings& springs, BendMethod method) const;
   EnergyCurve curve(const DiagonalSprings& springs, const std::vector<BentAngle>& angles) const;
 
  private:
+  void bend_far(const DiagonalSprings& springs, std::vector<BentAngle>& angles) const;
+
   ElasticSheet panels_;
   double least_deg_, from_deg_;
   Eigen::VectorXd pilot_deg_;
@@ -75,6 +86,7 @@ struct OtherMoments {
   double n_mm, moment_n, balls_n;
 };
 using OtherMomentsAt = std::function<OtherMoments(double pilot_deg)>;
+OtherMomentsAt other_moments(const DeployingSheet& sheet);
 
 /// Of one angle between the start and `to_deg`: N mm of moment for each mm of crease.
 struct StaticMargin {
@@ -101,11 +113,6 @@ struct BentFriction {
 BentFriction find_bent_friction(const EnergyCurve& curve, double to_deg,
                                 double friction_n_mm_per_mm, const OtherMomentsAt& others);
 
-/// The stiffness (N/mm) from which on the critical friction is at least kUseful of what infinitely
-/// stiff springs have, relaxed on the flat sheet: linear. None where they do not drive it to flat.
-inline constexpr double kUseful = 0.9;
-std::optional<double> useful_stiffness_n_per_mm(const BentWay& way);
-
 struct BentPanels {
   BentPanelsOptions options;
   double from_deg, thickness_mm;
@@ -121,19 +128,5 @@ struct BentPanels {
 /// below the start. Nothing where the path is lost, or the panels' stiffness.
 Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
                                 const BentPanelsOptions& options = {});
-
-/// What would do better, by linear bending: a dozen thicknesses more are bent for it.
-struct BentAdvice {
-  std::optional<double> useful_stiffness_n_per_mm;
-  /// The least thickness (mm) with which the static margin is `wanted_margin`; none without
-  /// friction, or where none of up to kMostThick_mm does. Weight stays as it is.
-  double wanted_margin;
-  std::optional<double> least_thickness_mm;
-};
-inline constexpr double kMostThick_mm = 50;
-
-/// `study`: of this sheet and these options.
-BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,
-                  double wanted_margin = kWantedMargin);
 
 }  // namespace misalign::solver

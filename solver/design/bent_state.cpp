@@ -1,8 +1,8 @@
 #include "solver/design/bent_state.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
-#include <cassert>
+#include <cmath>
 #include <optional>
 
 namespace misalign::solver {
@@ -21,47 +21,129 @@ std::vector<int> coordinates_but(Index count, const std::vector<int>& held) {
   return free;
 }
 
-// A u + lambda g = r, g . u = c, with A's null vector along which g changes: by A + beta g g^T,
-// which is positive where A is so on all u with g . u = 0.
-class HeldStiffness {
- public:
-  HeldStiffness(const MatrixXd& a, const VectorXd& g) : g_(g) {
-    beta_ = a.diagonal().mean() / g.squaredNorm();
-    MatrixXd b = a;
-    b.selfadjointView<Eigen::Lower>().rankUpdate(g, beta_);
-    factors_.compute(b);
-    is_positive_ = factors_.info() == Eigen::Success;
-    if (is_positive_) lower_g_ = factors_.matrixL().solve(g);
-  }
-  bool is_positive() const { return is_positive_; }
-
-  // Columns of L^-1 r without what the held sum takes: their products are r^T A^-1 r.
-  MatrixXd lower(const MatrixXd& r) const {
-    MatrixXd lower = factors_.matrixL().solve(r);
-    lower -= lower_g_ * (lower_g_.transpose() * lower) / lower_g_.squaredNorm();
-    return lower;
-  }
-  MatrixXd upper(const MatrixXd& lower) const { return factors_.matrixU().solve(lower); }
-
-  struct Step {
-    VectorXd u;
-    double lambda;
-  };
-  Step solve(const VectorXd& r, double c) const {
-    const VectorXd lower = factors_.matrixL().solve(r);
-    const double mu = (lower_g_.dot(lower) - c) / lower_g_.squaredNorm();
-    return {factors_.matrixU().solve(lower - mu * lower_g_), mu + beta_ * c};
-  }
-
- private:
-  const VectorXd g_;
-  double beta_;
-  bool is_positive_;
-  Eigen::LLT<MatrixXd> factors_;
-  VectorXd lower_g_;
-};
+// The same where A is not positive: by elimination of all at once.
+HeldStiffness::Step unstable_step(const MatrixXd& a, const VectorXd& g, const VectorXd& r,
+                                  double c) {
+  const Index n = g.size();
+  MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
+  bordered.topLeftCorner(n, n) = a;
+  bordered.col(n).head(n) = g;
+  bordered.row(n).head(n) = g.transpose();
+  VectorXd wanted(n + 1);
+  wanted << r, c;
+  const VectorXd found = bordered.partialPivLu().solve(wanted);
+  return {found.head(n), found(n)};
+}
 
 }  // namespace
+
+HeldStiffness::HeldStiffness(const MatrixXd& a, const VectorXd& g) : g_(g) {
+  beta_ = a.diagonal().mean() / g.squaredNorm();
+  MatrixXd b = a;
+  b.selfadjointView<Eigen::Lower>().rankUpdate(g, beta_);
+  factors_.compute(b);
+  is_positive_ = factors_.info() == Eigen::Success;
+  if (is_positive_) lower_g_ = factors_.matrixL().solve(g);
+}
+
+MatrixXd HeldStiffness::lower(const MatrixXd& r) const {
+  MatrixXd lower = factors_.matrixL().solve(r);
+  lower -= lower_g_ * (lower_g_.transpose() * lower) / lower_g_.squaredNorm();
+  return lower;
+}
+
+MatrixXd HeldStiffness::upper(const MatrixXd& lower) const {
+  return factors_.matrixU().solve(lower);
+}
+
+HeldStiffness::Step HeldStiffness::solve(const VectorXd& r, double c) const {
+  const VectorXd lower = factors_.matrixL().solve(r);
+  const double mu = (lower_g_.dot(lower) - c) / lower_g_.squaredNorm();
+  return {factors_.matrixU().solve(lower - mu * lower_g_), mu + beta_ * c};
+}
+
+BentFollower::BentFollower(const ElasticSheet& sheet, const Matrix3Xd& folded_mm, double n_per_mm,
+                           const BendOptions& options)
+    : sheet_(sheet),
+      n_per_mm_(n_per_mm),
+      options_(options),
+      free_(coordinates_but(sheet.coordinates(), sheet.supports(folded_mm))),
+      load_{sheet.turned_mm(folded_mm), sheet.lengths_mm(folded_mm)} {
+  state_.at_mm = folded_mm;
+}
+
+bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
+  if (!held_ && !correct(load_, sheet_.panel_width_mm(), state_)) return false;
+  const Load from = load_;
+  double left = 1;  // of the way to the new load
+  int steps = 0;
+  for (double share = 1; left > 0; share = std::min(2 * share, left)) {
+    const VectorXd pushed_n = n_per_mm_ * (relaxed_mm - from.relaxed_mm);
+    const auto rate =
+        held_->solve(sheet_.length_slopes(state_.at_mm)(Eigen::all, free_).transpose() * pushed_n,
+                     turned_mm - from.turned_mm);
+    for (;; share /= 2) {
+      if (share < options_.least_step || ++steps > options_.most_steps) return false;
+      const double to = left > share ? 1 - left + share : 1;
+      const Load load{from.turned_mm + to * (turned_mm - from.turned_mm),
+                      from.relaxed_mm + to * (relaxed_mm - from.relaxed_mm)};
+      FarBentState next = state_;
+      next.moment_n -= share * rate.lambda;
+      const double moved_mm = move(rate.u, share, next);
+      if (!correct(load, moved_mm, next)) continue;
+      state_ = std::move(next);
+      load_ = load;
+      left = left > share ? left - share : 0;
+      break;
+    }
+  }
+  ElasticEnergy energy = sheet_.panels_energy(state_.at_mm);
+  sheet_.add_springs(state_.at_mm, n_per_mm_, relaxed_mm, energy);
+  state_.n_mm = energy.n_mm;
+  state_.forces_n = n_per_mm_ * (sheet_.lengths_mm(state_.at_mm) - relaxed_mm);
+  state_.saddles_mm = sheet_.saddles_mm(state_.at_mm);
+  return true;
+}
+
+// Whether Newton's method gets to a stable state close to a prediction that moved nothing by more
+// than this.
+bool BentFollower::correct(const Load& load, double moved_mm, FarBentState& state) {
+  const double enough_mm = options_.step_widths * sheet_.panel_width_mm();
+  const Matrix3Xd predicted_mm = state.at_mm;
+  for (int k = 0; k < options_.most_corrections; ++k) {
+    ElasticEnergy energy = sheet_.panels_energy(state.at_mm);
+    sheet_.add_springs(state.at_mm, n_per_mm_, load.relaxed_mm, energy);
+    sheet_.add_turned_bend(state.at_mm, -state.moment_n, energy.bend);
+    const MatrixXd bend = energy.bend(free_, free_);
+    const VectorXd turned_slope = sheet_.turned_slope(state.at_mm)(free_);
+    HeldStiffness held(bend, turned_slope);
+    ++corrections_;
+    const VectorXd push = -energy.slope(free_);
+    const double short_mm = load.turned_mm - sheet_.turned_mm(state.at_mm);
+    // Off its equilibrium a thin panel is compressed in its plane, and need not be stable.
+    const auto step = held.is_positive() ? held.solve(push, short_mm)
+                                         : unstable_step(bend, turned_slope, push, short_mm);
+    const double longest_mm = move(step.u, 1, state);
+    state.moment_n = -step.lambda;
+    if (!(longest_mm < sheet_.panel_width_mm())) return false;
+    if (longest_mm >= enough_mm) continue;
+    const double off_mm = (state.at_mm - predicted_mm).colwise().norm().maxCoeff();
+    if (!held.is_positive() || off_mm > std::max(options_.closeness * moved_mm, 100 * enough_mm)) {
+      return false;
+    }
+    held_ = std::move(held);
+    return true;
+  }
+  return false;
+}
+
+double BentFollower::move(const VectorXd& by, double share, FarBentState& state) const {
+  VectorXd moved = VectorXd::Zero(sheet_.coordinates());
+  moved(free_) = share * by;
+  const auto by_vertex = moved.reshaped(3, sheet_.vertices());
+  state.at_mm += by_vertex;
+  return by_vertex.colwise().norm().maxCoeff();
+}
 
 std::optional<Compliance> find_compliance(const ElasticSheet& sheet, const Matrix3Xd& folded_mm) {
   const std::vector<int> free = coordinates_but(sheet.coordinates(), sheet.supports(folded_mm));
@@ -85,47 +167,11 @@ BentState bend(const Compliance& compliance, const DiagonalSprings& springs) {
   return state;
 }
 
-FarBentState bend_far(const ElasticSheet& sheet, const Matrix3Xd& start_mm, double turned_mm,
-                      const DiagonalSprings& springs, const BendOptions& options) {
-  const std::vector<int> free = coordinates_but(sheet.coordinates(), sheet.supports(start_mm));
-  const double width = sheet.panel_width_mm();
-  FarBentState state;
-  state.at_mm = start_mm;
-  for (; state.steps < options.most_steps && !state.has_converged; ++state.steps) {
-    ElasticEnergy energy = sheet.panels_energy(state.at_mm);
-    sheet.add_springs(state.at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
-    sheet.add_turned_bend(state.at_mm, -state.moment_n, energy.bend);
-    const VectorXd turned_slope = sheet.turned_slope(state.at_mm);
-    MatrixXd bend = energy.bend(free, free);
-    // Far from a minimum: stiffer, until it is one.
-    double shift = 0;
-    const double least = 1e-6 * bend.diagonal().mean();
-    std::optional<HeldStiffness> held(std::in_place, bend, turned_slope(free));
-    while (!held->is_positive() && shift < 1e12 * least) {
-      const double next = std::max(least, 4 * shift);
-      bend.diagonal().array() += next - shift;
-      shift = next;
-      held.emplace(bend, turned_slope(free));
-    }
-    if (!held->is_positive()) return state;
-    state.is_stable = shift == 0;
-    const auto step = held->solve(-energy.slope(free), turned_mm - sheet.turned_mm(state.at_mm));
-    VectorXd moved = VectorXd::Zero(sheet.coordinates());
-    for (Index i = 0; i < step.u.size(); ++i) moved(free[static_cast<std::size_t>(i)]) = step.u(i);
-    const auto by_vertex = moved.reshaped(3, sheet.vertices());
-    const double longest = by_vertex.colwise().norm().maxCoeff();
-    if (!(longest < 1e6 * width)) return state;
-    const double share = std::min(1.0, options.longest_widths * width / longest);
-    state.at_mm += share * by_vertex;
-    state.moment_n = -step.lambda;
-    state.has_converged = longest < options.step_widths * width && shift == 0;
-  }
-  ElasticEnergy energy = sheet.panels_energy(state.at_mm);
-  sheet.add_springs(state.at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
-  state.n_mm = energy.n_mm;
-  state.forces_n = springs.n_per_mm * (sheet.lengths_mm(state.at_mm) - springs.relaxed_mm);
-  state.saddles_mm = sheet.saddles_mm(state.at_mm);
-  return state;
+std::optional<FarBentState> bend_far(const ElasticSheet& sheet, const Matrix3Xd& folded_mm,
+                                     const DiagonalSprings& springs, const BendOptions& options) {
+  BentFollower follower(sheet, folded_mm, springs.n_per_mm, options);
+  if (!follower.follow(sheet.turned_mm(folded_mm), springs.relaxed_mm)) return {};
+  return follower.state();
 }
 
 }  // namespace misalign::solver

@@ -98,29 +98,30 @@ double angle_of_normals(const Vector3d& a, const Vector3d& b) {
 ElasticSheet::ElasticSheet(const FlatVertices& flat_mm, const Panels& panels,
                            const std::vector<Diagonal>& diagonals, const PanelMaterial& material,
                            double thickness_mm, double stiffer)
-    : flat_mm_(flat_mm), corners_(panels.corners), diagonals_(diagonals) {
+    : flat_mm_(flat_mm),
+      corners_(panels.corners),
+      diagonals_(diagonals),
+      material_(material),
+      thickness_mm_(thickness_mm) {
   const double e = material.e_mpa(), nu = material.poisson, t = thickness_mm;
-  const double rigidity = e * t * t * t / 12 / (1 - nu * nu);
   saddle_n_per_mm_.resize(static_cast<Index>(corners_.size()));
-  stress_mpa_per_mm_.resize(saddle_n_per_mm_.size());
   panel_width_mm_ = 0;
   for (std::size_t k = 0; k < corners_.size(); ++k) {
-    std::array<Eigen::Vector2d, 4> c;
-    std::array<bool, 4> is_straight{};
+    Outline outline;
     for (int i = 0; i < 4; ++i) {
       const int a = corners_[k][i], b = corners_[k][(i + 1) % 4];
-      c[i] = flat_mm_.col(a);
-      is_straight[i] = std::any_of(panels.folds.begin(), panels.folds.end(), [&](const auto& fold) {
-        return std::minmax(fold.a, fold.b) == std::minmax(a, b);
-      });
+      outline.corners_mm[i] = flat_mm_.col(a);
+      outline.is_straight[i] = std::any_of(
+          panels.folds.begin(), panels.folds.end(),
+          [&](const auto& fold) { return std::minmax(fold.a, fold.b) == std::minmax(a, b); });
     }
-    const SaddlePlate saddle = bend_into_saddle(c, is_straight, nu);
+    const SaddlePlate saddle = bend_into_saddle(outline.corners_mm, outline.is_straight, nu);
     const double thin = 1 + kFreeEdge * t * saddle.perimeter_mm / saddle.area_mm2;
-    const auto at = static_cast<Index>(k);
-    saddle_n_per_mm_(at) = rigidity * saddle.stiffness / thin;
-    stress_mpa_per_mm_(at) = e * t / 2 / (1 - nu * nu) * saddle.stress;
+    saddle_n_per_mm_(static_cast<Index>(k)) =
+        e * t * t * t / 12 / (1 - nu * nu) * saddle.stiffness / thin;
     panel_width_mm_ = std::max(panel_width_mm_, std::sqrt(saddle.area_mm2));
-    plates_.push_back(plate_of(static_cast<int>(k), stiffer * e * t, nu));
+    plates_.push_back(plate_of(outline.corners_mm, stiffer * e * t, nu));
+    outlines_.push_back(outline);
   }
   for (const FoldLine& fold : panels.folds) {
     folds_.push_back({fold.left, fold.right, (flat_mm_.col(fold.a) - flat_mm_.col(fold.b)).norm()});
@@ -130,16 +131,15 @@ ElasticSheet::ElasticSheet(const FlatVertices& flat_mm, const Panels& panels,
 
 // The shear angle of a parallelogram with sides a, b and diagonals d1, d2: of d2^2 - d1^2 =
 // -4 a b cos, without what comes from longer sides.
-ElasticSheet::Plate ElasticSheet::plate_of(int panel, double modulus_n_per_mm,
-                                           double poisson) const {
+ElasticSheet::Plate ElasticSheet::plate_of(const std::array<Eigen::Vector2d, 4>& corners_mm,
+                                           double modulus_n_per_mm, double poisson) {
   Plate plate{};
-  const auto corner = [&](int i) -> Eigen::Vector2d { return flat_mm_.col(corners_[panel][i]); };
-  const Eigen::Vector2d one = corner(2) - corner(0), other = corner(3) - corner(1);
+  const Eigen::Vector2d one = corners_mm[2] - corners_mm[0], other = corners_mm[3] - corners_mm[1];
   plate.area_mm2 = (one.x() * other.y() - one.y() * other.x()) / 2;
   const double cotangent = (one.squaredNorm() - other.squaredNorm()) / (4 * plate.area_mm2);
   for (int i = 0; i < 6; ++i) {
     const int from = i < 4 ? i : i - 4, to = i < 4 ? (i + 1) % 4 : i - 2;
-    const double length = (corner(to) - corner(from)).norm();
+    const double length = (corners_mm[to] - corners_mm[from]).norm();
     plate.bars[i] = {from, to, length};
     if (i < 4) {
       plate.side_n_per_mm[i] = kEdgeShare * modulus_n_per_mm * plate.area_mm2 / (length * length);
@@ -148,12 +148,19 @@ ElasticSheet::Plate ElasticSheet::plate_of(int panel, double modulus_n_per_mm,
   }
   plate.shear[4] = -1 / (4 * plate.area_mm2);
   plate.shear[5] = 1 / (4 * plate.area_mm2);
-  const double wide_mm = (plate.bars[0].flat_mm + plate.bars[2].flat_mm) / 2;
-  plate.stretch_n_per_mm3 = modulus_n_per_mm *
-                            volume_under_clamped(wide_mm, plate.area_mm2 / wide_mm) /
-                            std::pow(plate.area_mm2, 4);
+  plate.stretch_n_per_mm3 =
+      modulus_n_per_mm * volume_under_clamped(corners_mm) / std::pow(plate.area_mm2, 4);
   plate.shear_n_mm = modulus_n_per_mm / (2 * (1 + poisson)) * plate.area_mm2;
   return plate;
+}
+
+VectorXd ElasticSheet::stress_mpa_per_mm() const {
+  const double nu = material_.poisson;
+  VectorXd stress(panels());
+  for (Index k = 0; const auto& [corners_mm, is_straight] : outlines_) {
+    stress(k++) = saddle_stress(corners_mm, is_straight, nu, kStressDegree);
+  }
+  return material_.e_mpa() * thickness_mm_ / 2 / (1 - nu * nu) * stress;
 }
 
 Matrix3Xd ElasticSheet::flat_shape_mm() const {

@@ -67,9 +67,11 @@ class ElasticSheet {
   /// q of each panel, and its rates.
   Eigen::VectorXd saddles_mm(const Eigen::Matrix3Xd& at_mm) const;
   Eigen::MatrixXd saddle_slopes(const Eigen::Matrix3Xd& at_mm) const;
-  /// K of each panel, N/mm; and the von Mises stress at its faces for each mm of q.
+  /// K of each panel, N/mm.
   const Eigen::VectorXd& saddle_n_per_mm() const { return saddle_n_per_mm_; }
-  const Eigen::VectorXd& stress_mpa_per_mm() const { return stress_mpa_per_mm_; }
+  /// The largest von Mises stress at each panel's faces for each mm of q, but next to its corners
+  /// (saddle_stress): some ms for a sheet.
+  Eigen::VectorXd stress_mpa_per_mm() const;
 
   /// Sum over the creases of length times |fold angle| (mm): dry friction of so much for each mm of
   /// crease takes this times its change. Fold angles are those between the panels' mean normals,
@@ -105,17 +107,25 @@ class ElasticSheet {
     int one, other;  // panels
     double length_mm;
   };
-  Plate plate_of(int panel, double modulus_n_per_mm, double poisson) const;
+  struct Outline {
+    std::array<Eigen::Vector2d, 4> corners_mm;
+    std::array<bool, 4> is_straight{};  // from each corner to the next
+  };
+  static Plate plate_of(const std::array<Eigen::Vector2d, 4>& corners_mm, double modulus_n_per_mm,
+                        double poisson);
   void add_plate(std::size_t panel, const Eigen::Matrix3Xd& at_mm, ElasticEnergy& energy) const;
   Eigen::Matrix<double, 3, 8> fold_slope(const Fold& fold, const Eigen::Matrix3Xd& at_mm) const;
 
   const FlatVertices flat_mm_;
   const std::vector<std::array<int, 4>> corners_;
   const std::vector<Diagonal> diagonals_;
+  const PanelMaterial material_;
+  const double thickness_mm_;
   double panel_width_mm_;
+  std::vector<Outline> outlines_;
   std::vector<Plate> plates_;
   std::vector<Fold> folds_;
-  Eigen::VectorXd flat_lengths_mm_, saddle_n_per_mm_, stress_mpa_per_mm_;
+  Eigen::VectorXd flat_lengths_mm_, saddle_n_per_mm_;
 };
 
 }  // namespace misalign::solver

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -117,24 +118,50 @@ class Plate {
     return lambda;
   }
 
-  // Curvatures w_xx, w_yy, 2 w_xy at every point of the rule: three rows a point, a column for the
-  // saddle's corners and one for each function. Rows' weights: sqrt(weight * det).
+  // At a point of the square: curvatures w_xx, w_yy, 2 w_xy of functions with these w_u, w_v and
+  // w_uu, w_vv, w_uv, a column each.
+  MatrixXd curvatures(double u, double v, const MatrixXd& slopes, MatrixXd seconds) const;
+  Vector2d place_mm(double u, double v) const {
+    return middle_ + u * along_u_ + v * along_v_ + u * v * both_;
+  }
+  double stretch(double u, double v) const {  // of areas
+    return area_of(along_u_ + v * both_, along_v_ + u * both_);
+  }
+  const std::vector<Product>& functions() const { return functions_; }
+
+  // The same at every point of the rule: three rows a point, a column for the saddle's corners and
+  // one for each function. Rows' weights: sqrt(weight * det).
   void find_curvatures(MatrixXd& curvatures, VectorXd& weights) const;
 
  private:
   const std::array<Vector2d, 4>& c_;
   const Rule& rule_;
-  std::vector<Product> functions_;
+  const std::vector<Product> functions_;
+  const Vector2d middle_ = (c_[0] + c_[1] + c_[2] + c_[3]) / 4,
+                 along_u_ = (c_[1] - c_[0] + c_[2] - c_[3]) / 4,
+                 along_v_ = (c_[3] - c_[0] + c_[2] - c_[1]) / 4,
+                 both_ = (c_[0] - c_[1] + c_[2] - c_[3]) / 4;
 };
+
+MatrixXd Plate::curvatures(double u, double v, const MatrixXd& slopes, MatrixXd seconds) const {
+  const Vector2d xu = along_u_ + v * both_, xv = along_v_ + u * both_;
+  Eigen::Matrix2d jacobian;
+  jacobian.row(0) = xu;
+  jacobian.row(1) = xv;
+  Eigen::Matrix3d turned;  // w_uu, w_vv, w_uv of w_xx, w_yy, 2 w_xy, but for slopes
+  turned << xu.x() * xu.x(), xu.y() * xu.y(), xu.x() * xu.y(),  //
+      xv.x() * xv.x(), xv.y() * xv.y(), xv.x() * xv.y(),        //
+      xu.x() * xv.x(), xu.y() * xv.y(), (xu.x() * xv.y() + xu.y() * xv.x()) / 2;
+  const Eigen::RowVector2d bends = both_.transpose() * jacobian.inverse();
+  seconds.row(2) -= bends * slopes;
+  return turned.inverse() * seconds;
+}
 
 void Plate::find_curvatures(MatrixXd& curvatures, VectorXd& weights) const {
   const Index n = rule_.gauss.points.size();
   const auto count = static_cast<Index>(functions_.size());
   const std::array<double, 4> w = corners_of_saddle();
   const double twist = (w[0] - w[1] + w[2] - w[3]) / 4;  // of the bilinear part, times u v
-  const Vector2d along_u = (c_[1] - c_[0] + c_[2] - c_[3]) / 4,
-                 along_v = (c_[3] - c_[0] + c_[2] - c_[1]) / 4,
-                 both = (c_[0] - c_[1] + c_[2] - c_[3]) / 4;
   const double tilt_u = (w[1] - w[0] + w[2] - w[3]) / 4, tilt_v = (w[3] - w[0] + w[2] - w[1]) / 4;
   curvatures.resize(3 * n * n, count + 1);
   weights.resize(3 * n * n);
@@ -143,7 +170,6 @@ void Plate::find_curvatures(MatrixXd& curvatures, VectorXd& weights) const {
   for (Index i = 0; i < n; ++i) {
     for (Index j = 0; j < n; ++j) {
       const double u = rule_.gauss.points(i), v = rule_.gauss.points(j);
-      const Vector2d xu = along_u + v * both, xv = along_v + u * both;
       slopes.col(0) << tilt_u + twist * v, tilt_v + twist * u;
       seconds.col(0) << 0, 0, twist;
       for (Index k = 0; k < count; ++k) {
@@ -152,34 +178,26 @@ void Plate::find_curvatures(MatrixXd& curvatures, VectorXd& weights) const {
         seconds.col(k + 1) << at.bend(i, a) * at.value(j, b), at.value(i, a) * at.bend(j, b),
             at.slope(i, a) * at.slope(j, b);
       }
-      Eigen::Matrix2d jacobian;
-      jacobian.row(0) = xu;
-      jacobian.row(1) = xv;
-      Eigen::Matrix3d turned;  // w_uu, w_vv, w_uv of w_xx, w_yy, 2 w_xy, but for slopes
-      turned << xu.x() * xu.x(), xu.y() * xu.y(), xu.x() * xu.y(),  //
-          xv.x() * xv.x(), xv.y() * xv.y(), xv.x() * xv.y(),        //
-          xu.x() * xv.x(), xu.y() * xv.y(), (xu.x() * xv.y() + xu.y() * xv.x()) / 2;
-      const Eigen::RowVector2d bends = both.transpose() * jacobian.inverse();
-      seconds.row(2) -= bends * slopes;
       const Index row = 3 * (i * n + j);
-      curvatures.middleRows<3>(row) = turned.inverse() * seconds;
+      curvatures.middleRows<3>(row) = this->curvatures(u, v, slopes, seconds);
       weights.segment<3>(row).setConstant(
-          std::sqrt(rule_.gauss.weights(i) * rule_.gauss.weights(j) * jacobian.determinant()));
+          std::sqrt(rule_.gauss.weights(i) * rule_.gauss.weights(j) * stretch(u, v)));
     }
   }
 }
 
-}  // namespace
+// A saddle of size 1 in equilibrium: how much there is of each function, and its stiffness.
+struct Relaxed {
+  VectorXd amounts;
+  double stiffness;
+};
 
-SaddlePlate bend_into_saddle(const std::array<Vector2d, 4>& corners_mm,
-                             const std::array<bool, 4>& is_straight, double poisson, int degree) {
-  const Plate plate(corners_mm, is_straight, rule_of(degree));
-  MatrixXd curvatures;
+Relaxed relax(const Plate& plate, double poisson) {
+  MatrixXd rooted;
   VectorXd weights;
-  plate.find_curvatures(curvatures, weights);
+  plate.find_curvatures(rooted, weights);
   // Energy = half of the square of these: (w_xx + nu w_yy, root(1 - nu^2) w_yy, root((1 - nu) / 2)
   // 2 w_xy).
-  MatrixXd rooted = curvatures;
   const double side = std::sqrt(1 - poisson * poisson), shear = std::sqrt((1 - poisson) / 2);
   for (Index row = 0; row < rooted.rows(); row += 3) {
     rooted.row(row) += poisson * rooted.row(row + 1);
@@ -192,15 +210,31 @@ SaddlePlate bend_into_saddle(const std::array<Vector2d, 4>& corners_mm,
   stiffness.selfadjointView<Eigen::Lower>().rankUpdate(functions.transpose());
   const VectorXd pushed = functions.transpose() * rooted.col(0);
   const VectorXd amounts = -stiffness.selfadjointView<Eigen::Lower>().llt().solve(pushed);
-  SaddlePlate saddle{plate.area(), plate.perimeter(),
-                     rooted.col(0).squaredNorm() + amounts.dot(pushed), 0};
-  const VectorXd bent = curvatures.col(0) + curvatures.rightCols(amounts.size()) * amounts;
-  for (Index row = 0; row < bent.size(); row += 3) {
-    const double x = bent(row) + poisson * bent(row + 1), y = bent(row + 1) + poisson * bent(row),
-                 xy = (1 - poisson) / 2 * bent(row + 2);
-    saddle.stress = std::max(saddle.stress, std::sqrt(x * x - x * y + y * y + 3 * xy * xy));
+  return {amounts, rooted.col(0).squaredNorm() + amounts.dot(pushed)};
+}
+
+// (1 - s^2)^2 s^k for k = 0, 1, 2, with first and second derivatives.
+struct Clamped {
+  explicit Clamped(double s) {
+    const double round = 1 - s * s;
+    const double value_0 = round * round, slope_0 = -4 * s * round, bend_0 = 12 * s * s - 4;
+    value << value_0, s * value_0, s * s * value_0;
+    slope << slope_0, value_0 + s * slope_0, 2 * s * value_0 + s * s * slope_0;
+    bend << bend_0, 2 * slope_0 + s * bend_0, 2 * value_0 + 4 * s * slope_0 + s * s * bend_0;
   }
-  return saddle;
+  Eigen::RowVector3d value, slope, bend;
+};
+
+Eigen::RowVectorXd products(const Eigen::RowVector3d& u, const Eigen::RowVector3d& v) {
+  return (u.transpose() * v).reshaped().transpose();
+}
+
+}  // namespace
+
+SaddlePlate bend_into_saddle(const std::array<Vector2d, 4>& corners_mm,
+                             const std::array<bool, 4>& is_straight, double poisson, int degree) {
+  const Plate plate(corners_mm, is_straight, rule_of(degree));
+  return {plate.area(), plate.perimeter(), relax(plate, poisson).stiffness};
 }
 
 SaddlePlate bend_into_saddle(const std::array<Vector2d, 4>& corners_mm,
@@ -208,13 +242,67 @@ SaddlePlate bend_into_saddle(const std::array<Vector2d, 4>& corners_mm,
   return bend_into_saddle(corners_mm, is_straight, poisson, kRitzDegree);
 }
 
-// The volume under a clamped rectangle, load over rigidity 1, by (1 - u^2)^2 (1 - v^2)^2: of a
-// square 3.78e-4 a^6.
-double volume_under_clamped(double a, double b) {
-  const double fourths = std::pow(a, -4) + std::pow(b, -4), squares = std::pow(a * b, -2);
-  constexpr double kVolume = 16.0 / 15 * 16.0 / 15 / 4;  // of a b
-  constexpr double kFourth = 24 * 16.0 / 15 * 256.0 / 315, kMixed = 2 * 256.0 / 105 * 256.0 / 105;
-  return a * b * kVolume * kVolume / (4 * (kFourth * fourths + kMixed * squares));
+double saddle_stress(const std::array<Vector2d, 4>& corners_mm,
+                     const std::array<bool, 4>& is_straight, double poisson, int degree) {
+  const Plate plate(corners_mm, is_straight, rule_of(degree));
+  const VectorXd amounts = relax(plate, poisson).amounts;
+  MatrixXd of = MatrixXd::Zero(degree + 1, degree + 1);  // what there is of each product
+  for (std::size_t k = 0; k < plate.functions().size(); ++k) {
+    of(plate.functions()[k].u, plate.functions()[k].v) = amounts(static_cast<Index>(k));
+  }
+  const std::array<double, 4> w = plate.corners_of_saddle();
+  of(0, 0) = w[0], of(1, 0) = w[1], of(1, 1) = w[2], of(0, 1) = w[3];
+  constexpr int kSide = 41;  // of points in each direction: stress changes by 1 % from one to next
+  const VectorXd places = VectorXd::LinSpaced(kSide, -1, 1);
+  const Ladder at(places, degree);
+  const MatrixXd w_u = at.slope * of * at.value.transpose(),
+                 w_v = at.value * of * at.slope.transpose(),
+                 w_uu = at.bend * of * at.value.transpose(),
+                 w_vv = at.value * of * at.bend.transpose(),
+                 w_uv = at.slope * of * at.slope.transpose();
+  const double disc_mm = kCornerWidths * std::sqrt(plate.area());
+  double largest = 0;
+  for (Index i = 0; i < kSide; ++i) {
+    for (Index j = 0; j < kSide; ++j) {
+      const double u = places(i), v = places(j);
+      const Vector2d place_mm = plate.place_mm(u, v);
+      if (std::any_of(corners_mm.begin(), corners_mm.end(), [&](const Vector2d& corner_mm) {
+            return (place_mm - corner_mm).norm() < disc_mm;
+          })) {
+        continue;
+      }
+      const Eigen::Vector3d bent =
+          plate.curvatures(u, v, Vector2d(w_u(i, j), w_v(i, j)),
+                           Eigen::Vector3d(w_uu(i, j), w_vv(i, j), w_uv(i, j)));
+      const double x = bent(0) + poisson * bent(1), y = bent(1) + poisson * bent(0),
+                   xy = (1 - poisson) / 2 * bent(2);
+      largest = std::max(largest, std::sqrt(x * x - x * y + y * y + 3 * xy * xy));
+    }
+  }
+  return largest;
+}
+
+double volume_under_clamped(const std::array<Vector2d, 4>& corners_mm) {
+  const Rule& rule = rule_of(kRitzDegree);
+  const Plate plate(corners_mm, {true, true, true, true}, rule);
+  Eigen::Matrix<double, 9, 9> stiffness = Eigen::Matrix<double, 9, 9>::Zero();
+  Eigen::Matrix<double, 9, 1> volumes = Eigen::Matrix<double, 9, 1>::Zero();
+  MatrixXd slopes(2, 9), seconds(3, 9);
+  for (Index i = 0; i < rule.gauss.points.size(); ++i) {
+    for (Index j = 0; j < rule.gauss.points.size(); ++j) {
+      const double u = rule.gauss.points(i), v = rule.gauss.points(j);
+      const Clamped one(u), other(v);
+      slopes << products(one.slope, other.value), products(one.value, other.slope);
+      seconds << products(one.bend, other.value), products(one.value, other.bend),
+          products(one.slope, other.slope);
+      const MatrixXd curvatures = plate.curvatures(u, v, slopes, seconds);
+      const Eigen::RowVectorXd sum = curvatures.row(0) + curvatures.row(1);
+      const double weight = rule.gauss.weights(i) * rule.gauss.weights(j) * plate.stretch(u, v);
+      stiffness += weight * sum.transpose() * sum;
+      volumes += weight * products(one.value, other.value).transpose();
+    }
+  }
+  return volumes.dot(stiffness.llt().solve(volumes));
 }
 
 }  // namespace misalign::solver

@@ -14,8 +14,6 @@ struct SaddlePlate {
   double area_mm2, perimeter_mm;
   /// Of a thin plate: energy = stiffness D q^2 / 2, with D = E t^3 / 12 (1 - nu^2). 1/mm^2.
   double stiffness;
-  /// The largest von Mises stress at a face is E t / 2 (1 - nu^2) times this times |q|. 1/mm^2.
-  double stress;
 };
 
 /// By the method of Ritz (polynomials of degree kRitzDegree in each direction): corners in mm,
@@ -31,8 +29,19 @@ inline constexpr int kRitzDegree = 5;
 SaddlePlate bend_into_saddle(const std::array<Eigen::Vector2d, 4>& corners_mm,
                              const std::array<bool, 4>& is_straight, double poisson, int degree);
 
-/// The volume (mm^6) under a clamped rectangle, load over rigidity 1/mm^4, by (1 - u^2)^2 (1 -
-/// v^2)^2: of a square 3.78e-4 a^6.
-double volume_under_clamped(double a_mm, double b_mm);
+/// The largest von Mises stress at a face, farther than kCornerWidths of the panel's width (the
+/// root of its area) from its corners, is E t / 2 (1 - nu^2) times this times |q|. 1/mm^2. At a
+/// corner of alpha > 90 degrees between creases the stress of a thin plate has no limit: it grows
+/// as r^(pi / alpha - 2) there (Williams 1952).
+double saddle_stress(const std::array<Eigen::Vector2d, 4>& corners_mm,
+                     const std::array<bool, 4>& is_straight, double poisson, int degree);
+inline constexpr double kCornerWidths = 0.1;
+/// From 7 to 11 that stress of panels like the paper's changes by 8 % at most, downwards
+/// (tests/solver/bent_panels_test.cpp).
+inline constexpr int kStressDegree = 7;
+
+/// The volume (mm^6) under a clamped plate of this shape, load over rigidity 1/mm^4, by (1 - u^2)^2
+/// (1 - v^2)^2 times nine polynomials: of a square 3.89e-4 a^6.
+double volume_under_clamped(const std::array<Eigen::Vector2d, 4>& corners_mm);
 
 }  // namespace misalign::solver

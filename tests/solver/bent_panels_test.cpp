@@ -8,6 +8,7 @@
 #include "families.hpp"
 #include "own_sheet.hpp"
 #include "sheets.hpp"
+#include "solver/design/bent_advice.hpp"
 #include "solver/design/preload.hpp"
 
 namespace misalign::solver {
@@ -31,7 +32,9 @@ TEST(SaddlePlate, RectanglesTwist) {
     const SaddlePlate saddle =
         bend_into_saddle(rectangle(60, 90), {straight, straight, straight, straight}, kNu);
     EXPECT_NEAR(saddle.stiffness, 2 * (1 - kNu) / 5400, 1e-12);
-    EXPECT_NEAR(saddle.stress, std::sqrt(3.0) * (1 - kNu) / 5400, 1e-12);
+    EXPECT_NEAR(saddle_stress(rectangle(60, 90), {straight, straight, straight, straight}, kNu,
+                              kStressDegree),
+                std::sqrt(3.0) * (1 - kNu) / 5400, 1e-12);
     EXPECT_NEAR(saddle.area_mm2, 5400, 1e-9);
     EXPECT_NEAR(saddle.perimeter_mm, 300, 1e-9);
   }
@@ -68,6 +71,20 @@ TEST(SaddlePlate, FewPolynomialsAreEnough) {
   }
   RecordProperty("worst", scientific(worst));
   EXPECT_LT(worst, 0.02);  // energies may be off by 3 %
+}
+
+// Next to the corners of 117 degrees stress grows with the degree; what counts does not.
+TEST(SaddlePlate, StressConverges) {
+  const std::array<Vector2d, 4> corners{Vector2d(0, 0), Vector2d(80, 0), Vector2d(120, 80),
+                                        Vector2d(40, 80)};
+  for (const int free : {0, 1, 2}) {
+    const std::array<bool, 4> straight{free < 1, free < 2, true, true};
+    const double few = saddle_stress(corners, straight, kNu, kStressDegree),
+                 more = saddle_stress(corners, straight, kNu, 9),
+                 many = saddle_stress(corners, straight, kNu, 11);
+    EXPECT_NEAR(few / many, 1, 0.08);
+    EXPECT_NEAR(more / many, 1, 0.02);
+  }
 }
 
 // Two rectangles on one crease, folded by phi, and a spring across from corner to corner.
@@ -117,9 +134,9 @@ TEST(BentState, TwoPanelsByHand) {
   }
 }
 
-// A square bent into a saddle, its sides as long as flat: to the energy of twist come the 3.78e-4
-// E t q^4 / 2 a^2 of a clamped square's volume (0.00133 a^4 high in the middle; Timoshenko &
-// Woinowsky-Krieger, table 35: 0.00126).
+// A square bent into a saddle, its sides as long as flat: to the energy of twist come the 3.89e-4
+// E t q^4 / 2 a^2 of a clamped square's volume (0.00126 a^4 high in the middle; Timoshenko &
+// Woinowsky-Krieger, table 35).
 TEST(ElasticSheet, SquareStretchesInALargeSaddle) {
   FlatVertices flat_mm(2, 4);
   flat_mm << 0, 80, 80, 0, 0, 0, 80, 80;
@@ -133,8 +150,25 @@ TEST(ElasticSheet, SquareStretchesInALargeSaddle) {
   at_mm.topRows<2>() *= std::sqrt(1 - std::pow(q / 2 / 80, 2));
   const double seen_mm = sheet.saddles_mm(at_mm)(0);  // over a plan that is smaller
   const double twist = sheet.saddle_n_per_mm()(0) / 2 * seen_mm * seen_mm;
-  const double stretch = 3.78e-4 * e * t * std::pow(seen_mm, 4) / 2 / 6400;
+  const double stretch = 3.891e-4 * e * t * std::pow(seen_mm, 4) / 2 / 6400;
   EXPECT_NEAR((sheet.panels_energy(at_mm).n_mm - twist) / stretch, 1, 2e-3);
+}
+
+// Whichever corner is first: a parallelogram in a saddle larger than it is thick.
+TEST(ElasticSheet, KnowsNoDirections) {
+  FlatVertices flat_mm(2, 4);
+  flat_mm << 0, 80, 120, 40, 0, 4, 84, 80;
+  std::array<double, 2> energies_n_mm{};
+  for (const int first : {0, 1}) {
+    Panels panels;
+    panels.facets = {0};
+    panels.corners = {{first, first + 1, first + 2, (first + 3) % 4}};
+    const ElasticSheet sheet(flat_mm, panels, {}, {70, kNu}, 0.2);
+    Matrix3Xd at_mm = sheet.flat_shape_mm();
+    at_mm.row(2) << 0.8, -0.7, 0.8, -0.9;
+    energies_n_mm[static_cast<std::size_t>(first)] = sheet.panels_energy(at_mm).n_mm;
+  }
+  EXPECT_NEAR(energies_n_mm[1] / energies_n_mm[0], 1, 1e-9);
 }
 
 struct Bent : testing::Test {
@@ -235,15 +269,13 @@ TEST_F(Bent, NewtonAndLinear) {
   const ElasticSheet sheet = panels();
   const auto bent_at = [&](double pilot_deg, double n_per_mm) {
     const Matrix3Xd at_mm = folded(pilot_deg);
-    return bend_far(sheet, at_mm, sheet.turned_mm(at_mm), {n_per_mm, sheet.flat_lengths_mm()});
+    return bend_far(sheet, at_mm, {n_per_mm, sheet.flat_lengths_mm()}).value();
   };
   const DiagonalSprings weak{1e-4, sheet.flat_lengths_mm()};
   const FarBentState far = bent_at(36, 1e-4);
-  EXPECT_TRUE(far.has_converged && far.is_stable);
   EXPECT_NEAR(far.n_mm / bend(find_compliance(sheet, folded(36)).value(), weak).n_mm, 1, 1e-5);
   const FarBentState middle = bent_at(36, 50), above = bent_at(36.01, 50),
                      below = bent_at(35.99, 50);
-  EXPECT_TRUE(middle.has_converged && middle.is_stable);
   const double turned_mm = sheet.turned_mm(folded(36.01)) - sheet.turned_mm(folded(35.99));
   EXPECT_NEAR((above.n_mm - below.n_mm) / turned_mm / middle.moment_n, 1, 1e-5);
   EXPECT_NEAR(sheet.turned_mm(middle.at_mm), sheet.turned_mm(folded(36)), 1e-8);
@@ -373,6 +405,48 @@ TEST_F(Bent, PreloadSwingsItAboutFlat) {
     // near flat are off L2 rho^2 by (1 degree / 3)^2.
     EXPECT_NEAR(4 * let_go.deploy_time_s().value() * found.frequency_hz, 1, 2e-3);
   }
+}
+
+// A sheet of 0.2 mm with shifts of 4 mm, whose panels take nine tenths of the springs' stretch:
+// near flat other equilibria lie close by, of 3 to 20 times the energy. From a continuation in
+// steps of 6 % of the sum with second derivatives by differences, and at 1.34 degrees from CalculiX
+// (results/bending/far.md).
+TEST(BentPanels, FollowsItsEquilibrium) {
+  const TestSheet base(4, 4);
+  const Json shifts_mm = Json::parse(R"({"A7": [4, -4], "A8": [-4, 0], "A9": [-4, 0],
+      "A12": [4, -4], "A13": [4, -4], "A14": [0, 4], "A17": [4, 4], "A18": [-4, 4],
+      "A19": [4, -4]})");
+  const OwnSheet own(base.base, base.shifted(shifts_mm) - base.base.sheet.vertices_mm);
+  DeployOptions deploying;
+  deploying.from_deg = 60;
+  deploying.sheet.plates.thickness_mm = 0.2;
+  const BentPanels bent = *bend_panels(own.sheet, deploying).study;
+  EXPECT_EQ(bent.method, BendMethod::newton);
+  EXPECT_EQ(bent.unsure(), 0);
+  const std::array<double, 3> continued_n_mm{4.580e-5, 6.389e-5, 1.0677e-4};
+  for (std::size_t k = 0; k < continued_n_mm.size(); ++k) {
+    EXPECT_NEAR(bent.angles[k + 1].bent.n_mm / continued_n_mm[k], 1, 5e-3);
+  }
+  EXPECT_NEAR(bent.angles[3].bent.n_mm / 1.0672e-4, 1, 0.03);
+  EXPECT_NEAR(bent.angles.back().bent.n_mm / 0.62258, 1, 5e-3);
+}
+
+// What the springs that are called useful overcome, of what much stiffer ones do.
+TEST(BentPanels, UsefulSprings) {
+  const TestSheet base(4, 4);
+  const Json shifts_mm = Json::parse(
+      R"({"A13": [0, 0.4], "A14": [0.4, -0.4], "A17": [0.4, 0], "A18": [-0.4, -0.4], "A19": [0, -0.4], "A8": [-0.4, -0.4], "A9": [0.4, 0.4]})");
+  const OwnSheet own(base.base, base.shifted(shifts_mm) - base.base.sheet.vertices_mm);
+  const BentWay way(own.sheet, {}, 0.5, 1, 90, 16);
+  const double useful = useful_stiffness_n_per_mm(way).value();
+  const auto critical = [&](double n_per_mm) {
+    DeployOptions deploying;
+    deploying.from_deg = 90;
+    deploying.sheet.plates.thickness_mm = 0.5;
+    deploying.sheet.springs.stiffness_n_per_mm = n_per_mm;
+    return *bend_panels(own.sheet, deploying).study->friction.critical_n_mm_per_mm;
+  };
+  EXPECT_NEAR(critical(useful) / critical(1e6), kUseful, 0.01);
 }
 
 }  // namespace
