@@ -63,6 +63,7 @@ Vector3d Deck::place_mm(int panel, int i, int j) const {
 std::string Deck::head() const {
   std::string text;
   for (const std::string& line : sheet_.head()) text += "** " + printable(line) + "\n";
+  text += std::string("** ") + kSimulatedUnits + "\n";
   return text + fmt::format(
                     "** {}: E {:.10g} GPa, Poisson's ratio {:.10g}; panels of {} x {} S8R, nodes "
                     "of their own, tied by equations\n",

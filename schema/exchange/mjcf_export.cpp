@@ -5,6 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -16,6 +18,36 @@ namespace misalign::schema {
 namespace {
 
 using Eigen::Vector3d;
+
+// Units that go together, so that the file needs no factor: stiffness is in N/mm in each.
+struct Units {
+  const char* words;
+  double finer;  // of a mm, and of a s; its square of a t
+
+  double force_times_length() const { return finer * finer; }
+  double inertia() const { return std::pow(finer, 4); }
+};
+constexpr Units kUnits[] = {
+    {kSimulatedUnits, 1},
+    {"units: um, g, ms; forces in mN, energies in mN um (nJ), as the panels are so small", 1e3},
+    {"units: nm, ug, us; forces in uN, energies in uN nm (fJ), as the panels are so small", 1e6}};
+
+// MuJoCo takes no moment of inertia below 1e-15 (mjMINVAL), and computes well a million times
+// above.
+constexpr double kLeastInertia = 1e-9;
+
+// The coarsest in which the moments of inertia of all panels are large enough.
+Units units_of(const std::vector<solver::PanelMass>& masses) {
+  double least_t_mm2 = INFINITY;
+  for (const solver::PanelMass& mass : masses) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(mass.spread, Eigen::EigenvaluesOnly);
+    least_t_mm2 = std::min(least_t_mm2, axes.eigenvalues()[0]);
+  }
+  const auto* const found = std::find_if(
+      std::begin(kUnits), std::end(kUnits) - 1,
+      [&](const Units& units) { return least_t_mm2 * units.inertia() >= kLeastInertia; });
+  return *found;
+}
 
 std::string numbers(const Vector3d& v) {
   return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
@@ -35,6 +67,7 @@ class Model {
         options_(options),
         tree_(solver::joint_tree(sheet.mechanism, sheet.panels)),
         masses_(solver::panel_masses(sheet.plates, sheet.panels.corners, sheet.flat_mm)),
+        units_(units_of(masses_)),
         children_(sheet.panels.corners.size()) {
     for (const auto& branch : tree_.branches) children_[branch.parent].push_back(&branch);
     for (const solver::Diagonal& diagonal : sheet.mechanism.diagonals) {
@@ -71,6 +104,9 @@ class Model {
   Vector3d corner(int panel, int i) const {
     return sheet_.start_mm.col(sheet_.panels.corners[panel][i]);
   }
+  // A place of the sheet, in the file's units.
+  std::string place(const Vector3d& at_mm) const { return numbers(units_.finer * at_mm); }
+  double time_step_s() const;
   // Right-handed: two of them in the panel.
   Eigen::Matrix3d normal_frame(int panel) const;
 
@@ -78,9 +114,20 @@ class Model {
   const MjcfOptions& options_;
   const solver::JointTree tree_;
   const std::vector<solver::PanelMass> masses_;
+  const Units units_;
   std::vector<std::vector<const solver::JointTree::Branch*>> children_;
   std::set<int> ends_;  // vertices that springs pull at
 };
+
+// No longer than two pi-th of the period that all panels' mass would have on all springs: the
+// loops, which close in two steps, stay faster than what springs move.
+double Model::time_step_s() const {
+  double mass_t = 0;
+  for (const solver::PanelMass& mass : masses_) mass_t += mass.mass_t;
+  const double springs_n_per_mm =
+      sheet_.stiffness_n_per_mm * static_cast<double>(sheet_.mechanism.diagonals.size());
+  return std::min(options_.time_step_s, 0.5 * std::sqrt(mass_t / springs_n_per_mm));
+}
 
 // Flat coordinates, as x and y, to the folded sheet's.
 Eigen::Matrix3d Model::normal_frame(int panel) const {
@@ -98,6 +145,7 @@ Eigen::Matrix3d Model::normal_frame(int panel) const {
 std::string Model::head() const {
   std::string text = "  <!--\n";
   for (const std::string& line : sheet_.head()) text += "    " + in_comment(line) + "\n";
+  text += std::string("    ") + units_.words + "\n";
   text += fmt::format(
       "    {} hinges and {} ball joints hang the panels on one another; what is left are {} points "
       "that two panels share.\n"
@@ -117,8 +165,9 @@ std::string Model::head() const {
 }
 
 std::string Model::settings() const {
+  const double time_step = units_.finer * time_step_s();
   const std::string stiff =
-      fmt::format("{:.10g} 1", 2 * options_.time_step_s);  // the least that MuJoCo allows
+      fmt::format("{:.10g} 1", 2 * time_step);  // the least that MuJoCo allows
   return fmt::format(
       "  <compiler angle=\"radian\"/>\n"
       "  <option gravity=\"0 0 0\" timestep=\"{:.10g}\" integrator=\"RK4\" solver=\"Newton\" "
@@ -126,7 +175,7 @@ std::string Model::settings() const {
       "  <default>\n    <equality solref=\"{}\" solimp=\"0.9999 0.9999 0.001\"/>\n"
       "    <joint solreffriction=\"{}\" solimpfriction=\"0.9999 0.9999 0.001\"/>\n"
       "    <geom contype=\"0\" conaffinity=\"0\" rgba=\"0.8 0.8 0.85 1\"/>\n  </default>\n",
-      options_.time_step_s, stiff, stiff);
+      time_step, stiff, stiff);
 }
 
 // Panels as prisms to look at.
@@ -136,8 +185,8 @@ std::string Model::assets() const {
     const Vector3d up = normal_frame(panel).col(2) * sheet_.plates.thickness_mm / 2;
     text += "    <mesh name=\"" + panel_name(panel) + "\" vertex=\"";
     for (int i = 0; i < 4; ++i) {
-      text += (i > 0 ? "  " : "") + numbers(corner(panel, i) - up) + "  " +
-              numbers(corner(panel, i) + up);
+      text +=
+          (i > 0 ? "  " : "") + place(corner(panel, i) - up) + "  " + place(corner(panel, i) + up);
     }
     text += "\"/>\n";
   }
@@ -153,22 +202,23 @@ std::string Model::inertial(int panel) const {
   turned.topLeftCorner<2, 2>() = axes.eigenvectors();
   if (turned.determinant() < 0) turned.col(0) *= -1;
   const Eigen::Quaterniond pose(frame * turned);
-  const double along = axes.eigenvalues()[1], across = axes.eigenvalues()[0];
+  const double along = units_.inertia() * axes.eigenvalues()[1],
+               across = units_.inertia() * axes.eigenvalues()[0];
   const auto& corners = sheet_.panels.corners[panel];
   Vector3d arm_mm = Vector3d::Zero();
   arm_mm.head<2>() = mass.centre_mm - sheet_.flat_mm.col(corners[0]);
   return fmt::format(
       "<inertial mass=\"{:.17g}\" pos=\"{}\" quat=\"{:.17g} {:.17g} {:.17g} {:.17g}\" "
       "diaginertia=\"{}\"/>\n",
-      mass.mass_t, numbers(corner(panel, 0) + frame * arm_mm), pose.w(), pose.x(), pose.y(),
-      pose.z(), numbers({along, across, along + across}));
+      units_.finer * units_.finer * mass.mass_t, place(corner(panel, 0) + frame * arm_mm), pose.w(),
+      pose.x(), pose.y(), pose.z(), numbers({along, across, along + across}));
 }
 
 std::string Model::joint(const solver::JointTree::Branch& branch) const {
   if (branch.ball) {
     const int vertex = sheet_.mechanism.balls[branch.joint].vertex;
     return fmt::format("<joint name=\"{}\" type=\"ball\" pos=\"{}\"/>\n",
-                       solver::vertex_label(vertex), numbers(sheet_.start_mm.col(vertex)));
+                       solver::vertex_label(vertex), place(sheet_.start_mm.col(vertex)));
   }
   // The right panel is turned by -rho about the crease from a to b.
   const solver::FoldLine& fold = sheet_.panels.folds[branch.joint];
@@ -176,11 +226,12 @@ std::string Model::joint(const solver::JointTree::Branch& branch) const {
   const double sense = branch.child == fold.right ? -1 : 1;
   std::string text = fmt::format(
       "<joint name=\"{}\" type=\"hinge\" pos=\"{}\" axis=\"{}\" ref=\"{:.17g}\"",
-      crease_name(branch.joint), numbers(sheet_.start_mm.col(fold.a)),
+      crease_name(branch.joint), place(sheet_.start_mm.col(fold.a)),
       numbers(sense * way.normalized()),
       sheet_.fold_angle_deg[static_cast<std::size_t>(branch.joint)] * solver::kRadPerDeg);
   if (options_.friction_n_mm_per_mm > 0) {
-    text += fmt::format(" frictionloss=\"{:.17g}\"", options_.friction_n_mm_per_mm * way.norm());
+    text += fmt::format(" frictionloss=\"{:.17g}\"",
+                        units_.force_times_length() * options_.friction_n_mm_per_mm * way.norm());
   }
   return text + "/>\n";
 }
@@ -195,7 +246,7 @@ std::string Model::body(int panel, const solver::JointTree::Branch* branch,
   for (const int v : ends_) {
     if (sheet_.panel_at(v) != panel) continue;
     text += fmt::format("{}<site name=\"{}\" pos=\"{}\" size=\"1\"/>\n", inner,
-                        solver::vertex_label(v), numbers(sheet_.start_mm.col(v)));
+                        solver::vertex_label(v), place(sheet_.start_mm.col(v)));
   }
   for (const auto* child : children_[panel]) text += body(child->child, child, inner);
   return text + indent + "</body>\n";
@@ -206,7 +257,7 @@ std::string Model::closures() const {
   for (const auto& point : tree_.closures) {
     text += fmt::format("    <connect body1=\"{}\" body2=\"{}\" anchor=\"{}\"/>\n",
                         panel_name(point.one), panel_name(point.other),
-                        numbers(sheet_.start_mm.col(point.vertex)));
+                        place(sheet_.start_mm.col(point.vertex)));
   }
   return text + "  </equality>\n";
 }
@@ -219,7 +270,7 @@ std::string Model::springs() const {
     text += fmt::format(
         "    <spatial name=\"{}-{}\" stiffness=\"{:.17g}\" springlength=\"{:.17g}\">"
         "<site site=\"{}\"/><site site=\"{}\"/></spatial>\n",
-        from, to, sheet_.stiffness_n_per_mm, sheet_.relaxed_mm(diagonal), from, to);
+        from, to, sheet_.stiffness_n_per_mm, units_.finer * sheet_.relaxed_mm(diagonal), from, to);
   }
   return text + "  </tendon>\n";
 }

@@ -16,17 +16,15 @@ int SimulatedSheet::panel_at(int vertex) const {
 
 std::vector<std::string> SimulatedSheet::head() const {
   const solver::Crease& pilot = mechanism.creases[mechanism.pilot];
-  return {
-      title,
-      fmt::format("let go at rest with the pilot crease {} at {:.10g} deg; free in space",
-                  solver::line_label(pilot.a, pilot.b), pilot_deg),
-      fmt::format("{} panels, {:.10g} mm thick, {:.10g} g/cm^3; {} springs of {:.10g} N/mm, "
-                  "relaxed {}",
-                  panels.corners.size(), plates.thickness_mm, plates.density_g_per_cm3,
-                  mechanism.diagonals.size(), stiffness_n_per_mm,
-                  rest_deg > 0 ? fmt::format("with the pilot at {:.10g} deg", rest_deg)
-                               : "on the flat sheet"),
-      "units: mm, t (1000 kg), s; forces in N, energies in N mm (mJ), stresses in N/mm^2 (MPa)"};
+  return {title,
+          fmt::format("let go at rest with the pilot crease {} at {:.10g} deg; free in space",
+                      solver::line_label(pilot.a, pilot.b), pilot_deg),
+          fmt::format("{} panels, {:.10g} mm thick, {:.10g} g/cm^3; {} springs of {:.10g} N/mm, "
+                      "relaxed {}",
+                      panels.corners.size(), plates.thickness_mm, plates.density_g_per_cm3,
+                      mechanism.diagonals.size(), stiffness_n_per_mm,
+                      rest_deg > 0 ? fmt::format("with the pilot at {:.10g} deg", rest_deg)
+                                   : "on the flat sheet")};
 }
 
 }  // namespace misalign::schema

@@ -10,6 +10,10 @@
 
 namespace misalign::schema {
 
+/// What a file in these units says of them.
+inline constexpr const char* kSimulatedUnits =
+    "units: mm, t (1000 kg), s; forces in N, energies in N mm (mJ), stresses in N/mm^2 (MPa)";
+
 /// Its springs end on the vertices. Lengths in mm, masses in t, times in s, and so forces in N:
 /// nothing needs a factor.
 struct SimulatedSheet {
@@ -34,7 +38,7 @@ struct SimulatedSheet {
   }
   /// The first panel that has this vertex for a corner.
   int panel_at(int vertex) const;
-  /// What a program's file says of it first, a line each.
+  /// What a program's file says of it first, a line each; its units come next.
   std::vector<std::string> head() const;
 };
 

@@ -120,6 +120,34 @@ TEST(Mujoco, MovesTable1AsItsSpringsSay) {
   EXPECT_NEAR(2 * run.kinetic_energy_n_mm() / (rate * rate) * 1e3, 81.4, 0.2);
 }
 
+// Scaled by s, springs of the same stiffness hold s^2 the energy and panels have s^5 the moments of
+// inertia: it takes s^1.5 the time. That of the unscaled sheet is by other programs, as above.
+TEST(Mujoco, MovesSheetsOfAnySizeAlike) {
+  struct Size {
+    double scale, time_unit_s, mass_unit_t;
+  };
+  for (const Size& size : {Size{1. / 500, 1e-3, 1e-6}, Size{2e-6, 1e-6, 1e-12}}) {
+    SimulatedSheet sheet = Table1().released();
+    sheet.start_mm *= size.scale;
+    sheet.rest_mm *= size.scale;
+    sheet.flat_mm *= size.scale;
+    sheet.plates.thickness_mm *= size.scale;
+    schema::MjcfOptions held;
+    held.friction_n_mm_per_mm = 100 * size.scale;  // as far above critical friction at any scale
+    MujocoRun run = run_of(sheet), still = run_of(sheet, held);
+    const double mass_t = 2.7e-9 * sheet.plates.thickness_mm * area_mm2(sheet);
+    EXPECT_NEAR(run.mass_t() * size.mass_unit_t, mass_t, 1e-9 * mass_t);
+    EXPECT_NEAR(run.pilot_deg(), 36, 1e-9);
+    const double flat_s = 0.0972 * std::pow(size.scale, 1.5);  // to 5 degrees
+    while (run.pilot_deg() > 5 && run.time_s() * size.time_unit_s < 2 * flat_s) {
+      run.step();
+      still.step();
+    }
+    EXPECT_NEAR(run.time_s() * size.time_unit_s, flat_s, 0.01 * flat_s) << size.scale;
+    EXPECT_NEAR(still.pilot_deg(), 36, 0.05) << size.scale;
+  }
+}
+
 // Twice the thickness weighs twice; friction holds hinges of the tree.
 TEST(Mujoco, HasThicknessAndFriction) {
   const Table1 table1;
