@@ -44,7 +44,7 @@ class Guide {
   }
 
   std::string bill() const {
-    const char* made = input_.options.crease == CreaseCut::cut     ? "tape or textile"
+    const char* made = input_.options.crease == CreaseCut::cut     ? "film or textile"
                        : input_.options.crease == CreaseCut::score ? "scored"
                                                                    : "perforated";
     const solver::Plates plates = input_.design.plates();
@@ -126,8 +126,7 @@ class Guide {
     }
     text += "</li>\n" + exploded_picture(sheet_);
     text += input_.options.crease == CreaseCut::cut
-                ? "<li>Hinge the panels along all creases, each on the side on which it closes: "
-                  "valleys on the face that looks up, mountains on the other.</li>\n"
+                ? "<li>Hinge the panels along all creases, at half their thickness.</li>\n"
                 : "<li>Fold each crease once by hand, mountains away from you, valleys towards "
                   "you.</li>\n";
     text +=

@@ -43,22 +43,30 @@ std::string hinge_table(const solver::Sheet& sheet, std::optional<double> thickn
   std::string text =
       "<h2>Hinges</h2>\n<table>\n" +
       table_row(
-          {"hinges", "butted: on the face that", "fold at most to",
-           thickness_mm ? fmt::format("or a film at half thickness: gap for {:g} mm", *thickness_mm)
-                        : "or a film at half thickness: gap for each mm",
+          {"hinges", "fold at most to",
+           thickness_mm ? fmt::format("film at half thickness: gap for {:g} mm", *thickness_mm)
+                        : "film at half thickness: gap for each mm",
            "or edges bevelled by"},
-          2, "th");
+          1, "th");
   for (const bool valley : {false, true}) {
     const KitHinges some(sheet, valley, from_row);
-    text += table_row({some.name, some.face, fmt::format("{:.1f}°", some.fold_deg),
+    text += table_row({some.name, fmt::format("{:.1f}°", some.fold_deg),
                        fmt::format("{:.2f} mm", some.gap_mm(thickness_mm.value_or(1))),
                        fmt::format("{:.1f}°", some.bevel_deg())},
-                      2);
+                      1);
   }
-  return text + fmt::format(
-                    "</table>\n<p>Up to {:.10g}°. Panels that are butted close on the "
-                    "side of their hinge only.</p>\n",
-                    from_deg);
+  text += fmt::format(
+      "</table>\n<p>Up to {:.10g}°. Hinges belong to the mid-plane, at half the thickness.",
+      from_deg);
+  const FaceHingeMisfit misfit = face_hinge_misfit(sheet, from_row);
+  if (misfit.loop) {
+    text += fmt::format(
+        " On the faces on which creases close, panels would not meet round {}: by {:.2f} mm{}.",
+        misfit.place(sheet), misfit.per_mm * thickness_mm.value_or(1),
+        thickness_mm ? fmt::format(" if they are {:g} mm thick", *thickness_mm)
+                     : std::string(" for each mm of thickness"));
+  }
+  return text + "</p>\n";
 }
 
 SpringLengths diagonal_lengths(const solver::Sheet& sheet, const solver::Actuation& actuation,

@@ -18,7 +18,8 @@ inline constexpr const char* kPageEnd = "</body></html>\n";
 std::string table_row(const std::vector<std::string>& cells, std::size_t numbers,
                       const char* cell = "td");
 
-/// On which face hinges go, how far they fold in so many rows, and what plates need for it.
+/// How far hinges fold in so many rows, what plates need for it, and by how much plates that are
+/// hinged on their faces would not meet.
 std::string hinge_table(const solver::Sheet& sheet, std::optional<double> thickness_mm,
                         Eigen::Index from_row, double from_deg);
 
