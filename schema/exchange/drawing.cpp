@@ -38,9 +38,11 @@ class Sheet {
 LineDrawing crease_pattern_drawing(const Pattern& base, const Eigen::Matrix2Xd& vertices_mm,
                                    const solver::Mechanism& mechanism, const std::string& title) {
   const Sheet sheet(vertices_mm);
-  LineLayer springs{"springs", kGreen, true, {}, {}, {}},
-      labels{"labels", kGreen, true, {}, {}, {}}, mountains{"mountain", kRed, false, {}, {}, {}},
-      valleys{"valley", kBlue, false, {}, {}, {}}, cuts{"cut", kBlack, false, {}, {}, {}};
+  LineLayer springs{"springs", kGreen, LayerUse::hidden, {}, {}, {}},
+      labels{"labels", kGreen, LayerUse::hidden, {}, {}, {}},
+      mountains{"mountain", kRed, LayerUse::cut, {}, {}, {}},
+      valleys{"valley", kBlue, LayerUse::cut, {}, {}, {}},
+      cuts{"cut", kBlack, LayerUse::cut, {}, {}, {}};
   for (const auto& outline : solver::outlines(base.base.sheet, base.base.holes)) {
     cuts.paths.push_back(sheet.path(outline, true));
   }

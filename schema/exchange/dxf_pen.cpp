@@ -105,7 +105,7 @@ class DxfPen {
     to_->tableLayers(static_cast<int>(drawing_.layers.size()) + 1);
     dxf_.writeLayer(*to_, DL_LayerData("0", 0), DL_Attributes("", kBlack.aci, 0, kLine, 1.0));
     for (const LineLayer& layer : drawing_.layers) {
-      dxf_.writeLayer(*to_, DL_LayerData(capitals(layer.name), 0, layer.hidden),
+      dxf_.writeLayer(*to_, DL_LayerData(capitals(layer.name), 0, layer.use == LayerUse::hidden),
                       DL_Attributes("", layer.colour.aci, 0, kLine, 1.0));
     }
     to_->tableEnd();

@@ -33,10 +33,16 @@ struct DrawnText {
   double turned_deg = 0;  ///< counter-clockwise, about `at_mm`
 };
 
+enum class LayerUse {
+  cut,     ///< cut, scored or perforated
+  mark,    ///< shown, for a machine that engraves or for people
+  hidden,  ///< no machine follows it unless asked
+};
+
 struct LineLayer {
   std::string name;  ///< lower case letters and _
   LineColour colour;
-  bool hidden = false;  ///< no machine follows it unless asked
+  LayerUse use;
   std::vector<DrawnPath> paths;
   std::vector<DrawnCircle> circles;
   std::vector<DrawnText> texts;
@@ -49,6 +55,11 @@ struct LineDrawing {
   std::string title;
   Eigen::Vector2d least_mm, most_mm;  ///< opposite corners of the page
   std::vector<LineLayer> layers;
+
+  /// Without what is not cut: some programs follow hidden layers, too.
+  void keep_cuts() {
+    std::erase_if(layers, [](const LineLayer& layer) { return layer.use != LayerUse::cut; });
+  }
 };
 
 }  // namespace misalign::schema

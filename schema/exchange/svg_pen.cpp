@@ -71,7 +71,8 @@ std::string layer_of(const Page& page, const LineLayer& layer) {
   if (both) words = "    <g stroke=\"none\" " + type + ">\n" + words + "    </g>\n";
   return "  <g id=\"" + layer.name + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" +
          layer.name + "\" " + (lines.empty() && !words.empty() ? type : stroke) +
-         (layer.hidden ? " style=\"display:none\"" : "") + ">\n" + lines + words + "  </g>\n";
+         (layer.use == LayerUse::hidden ? " style=\"display:none\"" : "") + ">\n" + lines + words +
+         "  </g>\n";
 }
 
 }  // namespace

@@ -4,12 +4,12 @@ namespace misalign::schema {
 
 KitItem empty_item(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& most_mm) {
   KitItem item{{"", least_mm, most_mm, {}}, false};
-  const auto add = [&](const char* name, const LineColour& colour) {
-    item.drawing.layers.push_back({name, colour, false, {}, {}, {}});
+  const auto add = [&](const char* name, const LineColour& colour, LayerUse use = LayerUse::cut) {
+    item.drawing.layers.push_back({name, colour, use, {}, {}, {}});
   };
-  add("hatch", kGrey);
-  add("note", kCyan);
-  add("engrave", kGreen);
+  add("hatch", kGrey, LayerUse::mark);
+  add("note", kCyan, LayerUse::mark);
+  add("engrave", kGreen, LayerUse::mark);
   add("score_mountain", kRed);
   add("score_valley", kBlue);
   add("dash_mountain", kRed);

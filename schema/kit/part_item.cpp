@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "schema/kit/panel_room.hpp"
+#include "schema/kit/stroke_font.hpp"
 #include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::schema {
@@ -55,7 +56,7 @@ class Marks {
         text = room.place(words, height_mm, middles);
       }
       // Every panel has its number, over whatever there is.
-      engraved_.texts.push_back(text ? *text : DrawnText{room.middle_mm(), words, height_mm, true});
+      engrave(text ? *text : DrawnText{room.middle_mm(), words, height_mm, true});
     }
   }
 
@@ -99,8 +100,11 @@ class Marks {
   }
   bool add(PanelRoom& room, const std::string& words, const std::vector<Vector2d>& middles_mm) {
     const auto text = room.place(words, mark_height_mm(room), middles_mm);
-    if (text) engraved_.texts.push_back(*text);
+    if (text) engrave(*text);
     return text.has_value();
+  }
+  void engrave(const DrawnText& text) {
+    for (DrawnPath& stroke : strokes_of(text)) engraved_.paths.push_back(std::move(stroke));
   }
 
   const solver::Sheet& sheet_;

@@ -204,7 +204,8 @@ std::vector<solver::Filler> ExportFiles::fillers_of(const solver::Sheet& sheet,
 
 // A crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
 void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& label) {
-  const auto text_of = [&](const schema::LineDrawing& drawing) {
+  const auto text_of = [&](schema::LineDrawing drawing) {
+    if (options_.only_cut) drawing.keep_cuts();
     if constexpr (has("dxflib")) {
       if (options_.format == ExportFormat::dxf) return schema::dxf_of(drawing);
     }

@@ -30,6 +30,7 @@ struct ExportOptions {
   std::optional<double> friction_n_mm_per_mm;  ///< of `mjcf`, instead of the design's
   schema::DeckOptions deck;                    ///< of `inp`
   std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern
+  bool only_cut = false;                  ///< with `svg` and `dxf`: without layers that are not cut
   std::function<void(const std::string&)> warn;  ///< of what is not as it may seem
   /// With `stl`: what is trimmed off the plates' corners (none: as ContactOptions has it).
   std::optional<double> trim_mm;

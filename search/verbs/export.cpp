@@ -150,7 +150,9 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
   only_with("--thickness", files.is_simulated() || files.format == ExportFormat::stl,
             "--format stl, mjcf or inp");
   only_with("--trim", files.format == ExportFormat::stl, "--format stl");
-  only_with("--kit", files.is_drawn(), "--format svg or dxf");
+  for (const char* option : {"--kit", "--only-cut"}) {
+    only_with(option, files.is_drawn(), "--format svg or dxf");
+  }
   for (const char* option : kKitOptions) only_with(option, verb.count("--kit") > 0, "--kit");
   only_with("--bore-edge", kit.options.joint_bore_mm || kit.options.spring_bore_mm,
             "--joint-bore or --spring-bore");
@@ -216,7 +218,7 @@ constexpr const char* kExportFooter =
     "  Panels that creases join are one part; those that ball joints alone hold lie beside it.\n"
     "  Panel r1c2 is [1, 2] of pattern files and catalogues, A10 a vertex, s3 diagonal 3.\n"
     "  Layers: cut and bore (closed contours), slit, score or dash (_mountain, _valley); not to\n"
-    "  be cut: engrave (numbers), hatch (waste), note (title, 100 mm gauge, tables).\n"
+    "  be cut: engrave (numbers, as lines), hatch (waste), note (title, 100 mm gauge, tables).\n"
     "  Where two holes meet, the part's contours touch in the ball joint's point. With --kerf\n"
     "  they do not quite; slit cuts through there.\n"
     "  By --joint-bore each ball joint has a bore in both of its panels, on the bisector of the\n"
@@ -292,6 +294,9 @@ Action export_verb(CLI::App& verb) {
       ->check(within(0, 1e6))
       ->type_name("N");
   add_deck(verb, call->deck);
+  verb.add_flag("--only-cut", files.only_cut,
+                "svg and dxf: without the layers that are not to be cut, for programs that follow "
+                "hidden layers and marks, too");
   add_kit(verb, call->kit);
   verb.add_option("--output", files.directory,
                   "directory, made if it is not there; with --sqlite-compat a new file")

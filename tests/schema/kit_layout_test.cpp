@@ -122,7 +122,7 @@ TEST(KitHatching, StaysWithinAContour) {
 
 // Words of unknown origin stay one value on one line: nothing begins another group or a code.
 TEST(DxfPen, WordsAreOneLineOfAscii) {
-  LineDrawing drawing{"", {0, 0}, {100, 100}, {{"note", kCyan, false, {}, {}, {}}}};
+  LineDrawing drawing{"", {0, 0}, {100, 100}, {{"note", kCyan, LayerUse::mark, {}, {}, {}}}};
   drawing.layers[0].texts.push_back({{5, 5}, "a\n  0\nLINE 50%%d ^J \xc3\xa4 \xf0\x9f\x98\x80", 2});
   const std::string dxf = dxf_of(drawing);
   EXPECT_NE(dxf.find("a\\u000a  0\\u000aLINE 50% % d ^ J \\U+00E4 ?"), std::string::npos);

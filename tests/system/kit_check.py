@@ -1,12 +1,12 @@
 """Kits to cut beside the sheet that they are cut from, as the FOLD export has it. Standard input has a line for each:
 
     SHEET.fold [--kerf K] [--crease score|cut|dash] [--dash CUT BRIDGE] [--joint-bore D] [--spring-bore D]
-    [--spring-at vertex|panel] [--attached] [--point VERTEX PANEL]... [--against N] [--edge E] [--bed W H] [--plain] [--wrong] [--numbers] KIT...
+    [--spring-at vertex|panel] [--attached] [--point VERTEX PANEL]... [--against N] [--edge E] [--bed W H] [--plain] [--wrong] [--numbers] [--turned] KIT...
     [--spoil HOW...]
 
 The files are one kit. Prints what is wrong, and ends with 1 if anything is. --wrong: something must be; --spoil: one
 thing is spoilt first, and must be seen; --plain: only that DXF and SVG are one drawing; --numbers: also what was
-measured; --against: so many springs must contradict the verdict; --attached: that is about the springs as the pattern
+measured; --turned: some part must be; --against: so many springs must contradict the verdict; --attached: that is about the springs as the pattern
 attaches them, and not about its diagonals; --point: on this panel one has a point of its own. Geometry is its own: shoelace, distances of parallel
 lines; springs by the drawn bores, placed in the folded panels of the sheet's frames (one for each degree)."""
 
@@ -292,6 +292,7 @@ class Check:
             self.worst["offset"] = max(self.worst["offset"], part.residual)
         if self.faults:
             return
+        self.expect(not self.wish.turned or any(part.turned for part in self.parts), "no part is turned")
         self.whole_parts()
         self.areas()
         self.creases()
@@ -725,7 +726,7 @@ def arguments():
     words.add_argument("--crease", default="score")
     words.add_argument("--dash", nargs=2, type=float, default=(4, 1))
     words.add_argument("--bed", nargs=2, type=float)
-    for name in ("--plain", "--wrong", "--numbers"):
+    for name in ("--plain", "--wrong", "--numbers", "--turned"):
         words.add_argument(name, action="store_true")
     words.add_argument("--spoil", nargs="*", default=[])
     return words

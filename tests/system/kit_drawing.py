@@ -5,17 +5,24 @@ import xml.etree.ElementTree as xml
 
 import ezdxf
 
+from stroke_reader import words_of
+
 SVG = "{http://www.w3.org/2000/svg}"
 
 
 class Drawing:
-    """Layers by name in lower case: paths (points, closed), circles (x, y, r), texts (x, y, words, turned_deg)."""
+    """Layers by name in lower case: paths (points, closed), circles (x, y, r), texts (x, y, words, turned_deg). What is
+    engraved is read from its lines."""
 
     def __init__(self, path):
         self.path = path
         self.paths, self.circles, self.texts = {}, {}, {}
         self.faults = []
         (self.read_dxf if path.endswith(".dxf") else self.read_svg)(path)
+        if "engrave" in self.paths:
+            if "engrave" in self.texts:
+                self.faults.append("text where lines are engraved")
+            self.texts["engrave"] = list(words_of(self.paths["engrave"]))
 
     def add(self, kind, layer, item):
         getattr(self, kind).setdefault(layer, []).append(item)
