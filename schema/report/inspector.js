@@ -25,6 +25,7 @@ import { make_stress } from "./stress.js";
 import { end_of_path, heading, population_words } from "./page_kind.js";
 
 const kFirstPilot_deg = 80; // a pose that shows the fold well
+const kReplaced = "Another campaign is in this file now; load the page again.";
 
 function margin_words(values) {
   const name = values.miscut_margin_mm ? "miscut_margin_mm" : "slope_min_mm_per_deg";
@@ -94,6 +95,7 @@ export class Inspector {
       answer = { problem: "The program that serves this page does not answer." };
     }
     if (answer.problem) return answer.problem;
+    if (answer.identity !== report.campaign.identity) return kReplaced;
     if (!this.#candidates.detailed.has(draw)) {
       report.details.push(answer.detail);
       this.#candidates.detailed.add(draw);

@@ -91,11 +91,16 @@ Json detail_json(SQLite::Database& database, const schema::Campaign& campaign, F
 }
 
 Json details_json(SQLite::Database& database, const schema::Campaign& campaign, FoldingModel& model,
-                  const DetailedDraws& detailed, const ReportDetails& details) {
+                  const DetailedDraws& detailed, const ReportDetails& details,
+                  const ReportCall& call) {
   Json json = Json::array();
+  const bool is_large = campaign.pattern.base.sheet.vertex_count() > call.largest_detailed;
   std::size_t bytes = 0;
   for (std::size_t k = 0; k < detailed.draws.size(); ++k) {
-    if (k >= detailed.asked_for && bytes >= kMostDetailBytes) break;
+    if (k >= detailed.asked_for && (is_large || bytes >= kMostDetailBytes)) break;
+    if (call.is_stopped && call.is_stopped()) {
+      throw schema::UserError(schema::Cause::failure, "stopped before all sheets were looked at");
+    }
     show_work("sheets looked at closely", k, detailed.draws.size());
     json.push_back(detail_json(database, campaign, model, detailed.draws[k], details));
     bytes += json.back().dump().size();
@@ -272,15 +277,8 @@ Json report_of_catalogue(const ReportCall& call) {
                       {"configuration", schema::campaign_json(campaign)}};
   data.update(catalogue);
   data.update(folding_json(model));
-  data["details"] = details_json(*database, campaign, model, detailed, details);
+  data["details"] = details_json(*database, campaign, model, detailed, details, call);
   return data;
-}
-
-Json detail_of_draw(const ReportCall& call, std::uint64_t draw) {
-  const auto database = schema::open_for_reading(call.path);
-  const schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
-  FoldingModel model(campaign);
-  return detail_json(*database, campaign, model, draw, ReportDetails(model, call.detail));
 }
 
 Json report_of_pattern(const ReportCall& call) {

@@ -1,6 +1,8 @@
 // The data of a report's page: of a catalogue, or of a pattern file.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -24,16 +26,14 @@ struct ReportCall {
   std::map<std::string_view, bool> studies;  ///< of the table of studies, those that were asked for
   std::vector<std::string> columns;          ///< functions of sheets that the table has besides
   DetailOptions detail;
+  int largest_detailed = std::numeric_limits<int>::max();  ///< vertices; larger sheets if asked for
+  std::function<bool()> is_stopped;  ///< asked before each sheet that is looked at closely
 };
 
 /// What the page of a catalogue shows, all that the catalogue says of one moment. UserError:
-/// bad_request a choice of nothing; bad_input as from open_for_reading, or a stress file of no
-/// sheet of this page.
+/// bad_request a choice of nothing; failure it is stopped; bad_input as from open_for_reading, or a
+/// stress file of no sheet of this page.
 schema::Json report_of_catalogue(const ReportCall& call);
-
-/// Of any draw what that page carries of each sheet that can be looked at closely. UserError
-/// (bad_input).
-schema::Json detail_of_draw(const ReportCall& call, std::uint64_t draw);
 
 /// The same of a pattern file's one sheet. UserError (bad_input).
 schema::Json report_of_pattern(const ReportCall& call);

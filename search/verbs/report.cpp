@@ -69,13 +69,23 @@ void refuse_choice_of_candidates(const ReportCall& call, const CLI::App& verb,
   if (!chosen_by.empty()) throw only_of_a_catalogue(call.path, chosen_by);
 }
 
-void write_page(const ReportCall& call, const schema::Json& data) {
+void check_output(const ReportCall& call, bool json) {
+  if (json == call.output.empty()) return;
+  throw schema::UserError(schema::Cause::bad_request,
+                          json ? "--json has no meaning with --output (it writes to standard "
+                                 "output); take one of them out"
+                               : "--output is required");
+}
+
+void write(const ReportCall& call, const schema::Json& data) {
+  if (call.output.empty()) return put_json(data);
   schema::write_text_file(call.output, schema::report_page(data));
   put(schema::printable(call.output) + "\n");
 }
 
-int show_report(ReportCall& call, const CLI::App& verb, const CLI::App& group) {
-  schema::need("Node.js");
+int show_report(ReportCall& call, bool json, const CLI::App& verb, const CLI::App& group) {
+  check_output(call, json);
+  if (!json) schema::need("Node.js");
   if (call.studies["deploy"]) schema::need("SUNDIALS");
   call.detail.contact = call.studies["contact"];
   if (!has("SUNDIALS")) {
@@ -84,12 +94,12 @@ int show_report(ReportCall& call, const CLI::App& verb, const CLI::App& group) {
   if (is_pattern_file(call.path)) {
     refuse_choice_of_candidates(call, verb, group);
     refuse_own_input(call);
-    write_page(call, report_of_pattern(call));
+    write(call, report_of_pattern(call));
     return 0;
   }
   if (call.choice.where.empty()) check_by(call.choice);
   refuse_own_input(call);
-  write_page(call, report_of_catalogue(call));
+  write(call, report_of_catalogue(call));
   return 0;
 }
 
@@ -110,8 +120,10 @@ Action report_verb(CLI::App& verb) {
       "    --stress stress/miura-6x6-1234-stress.json --output report.html\n"
       "  misalign report search/patterns/table1.json --output table1.html");
   auto call = std::make_shared<ReportCall>();
+  auto json = std::make_shared<bool>(false);
   add_catalogue_or_pattern(verb, call->path);
-  verb.add_option("--output", call->output, "HTML file to write")->required()->type_name("FILE");
+  verb.add_option("--output", call->output, "HTML file to write")->type_name("FILE");
+  verb.add_flag("--json", *json, "instead of the page what it shows, as JSON");
   add_draws(verb, call->draws,
             "also this draw, accepted or not; of a splitting search only a stored one");
   verb.add_option("--rows", call->rows,
@@ -148,7 +160,7 @@ Action report_verb(CLI::App& verb) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE");
-  return [call, &verb, group] { return show_report(*call, verb, *group); };
+  return [call, json, &verb, group] { return show_report(*call, *json, verb, *group); };
 }
 
 }  // namespace misalign::search

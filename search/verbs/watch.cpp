@@ -5,6 +5,7 @@
 #include <atomic>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <thread>
 
 #include "schema/files/features.hpp"
@@ -40,7 +41,29 @@ void wait_for_the_end(const std::atomic<bool>& ended) {
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }
 
-void serve(PageServer& server, const PageHandler& handler) {
+// The program itself, once more.
+std::vector<std::string> words_that_fold(const std::string& path, std::uint64_t draw) {
+  return {"/proc/self/exe",
+          "report",
+          std::filesystem::absolute(path).string(),
+          "--json",
+          "--rows",
+          "0",
+          "--details",
+          "0",
+          "--draw",
+          std::to_string(draw),
+          "--log-level",
+          "error"};
+}
+
+void serve(PageServer& server, WatchedCatalogue& catalogue) {
+  const PageHandler handler = [&](const PageRequest& request) {
+    if (const auto draw = sheet_asked(request.path)) {
+      return catalogue.sheet(*draw, request.has_gone);
+    }
+    return request.path == kLivePath ? catalogue.live() : catalogue.page();
+  };
   std::atomic<bool> ended = false;
   std::exception_ptr failure;
   std::thread serving([&] {
@@ -52,6 +75,7 @@ void serve(PageServer& server, const PageHandler& handler) {
     ended = true;
   });
   wait_for_the_end(ended);
+  catalogue.end();
   server.stop();
   serving.join();
   if (failure) std::rethrow_exception(failure);
@@ -59,7 +83,8 @@ void serve(PageServer& server, const PageHandler& handler) {
 
 void watch(const WatchCall& call) {
   const std::string address = loopback_address(call.address, call.port.value_or(kUsualPort));
-  WatchedCatalogue catalogue(call.path, option_of);
+  WatchedCatalogue catalogue(call.path, option_of,
+                             [&](std::uint64_t draw) { return words_that_fold(call.path, draw); });
   const sigset_t signals = end_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before there are threads, which inherit it
   PageServer server(address, call.port, option_of);
@@ -70,10 +95,7 @@ void watch(const WatchCall& call) {
                  schema::printable(call.path));
   }
   spdlog::info("open this address in a browser of this machine; Ctrl-C ends");
-  serve(server, [&](const PageRequest& request) {
-    if (const auto draw = sheet_asked(request.path)) return catalogue.sheet(*draw);
-    return request.path == kLivePath ? catalogue.live() : catalogue.page();
-  });
+  serve(server, catalogue);
 }
 
 }  // namespace

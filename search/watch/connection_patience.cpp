@@ -71,6 +71,15 @@ void ConnectionPatience::heard(int peer_port) {
   heard_.insert(peer_port);
 }
 
+bool ConnectionPatience::has_gone(int peer_port) const {
+  for (const Connection& one : connections_to(port_)) {
+    char byte = 0;
+    if (one.peer_port != peer_port) continue;
+    return recv(one.descriptor, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+  }
+  return true;
+}
+
 void ConnectionPatience::look() {
   std::set<int> gone;  // of the ports that were heard before we look
   {

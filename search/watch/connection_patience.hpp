@@ -26,6 +26,8 @@ class ConnectionPatience {
 
   /// The request that came from this port of the other side is whole.
   void heard(int peer_port);
+  /// Whether the other side of a connection, which its server keeps open, has closed its end.
+  bool has_gone(int peer_port) const;
 
  private:
   using Clock = std::chrono::steady_clock;

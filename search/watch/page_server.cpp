@@ -28,7 +28,7 @@ const httplib::Headers& headers_of_all() {
   return headers;
 }
 
-PageRequest request_of(const httplib::Request& request) {
+PageRequest request_of(const httplib::Request& request, const ConnectionPatience& patience) {
   PageRequest made;
   made.method = request.method;
   made.path = request.path;
@@ -38,6 +38,7 @@ PageRequest request_of(const httplib::Request& request) {
   made.origin = request.get_header_value("Origin");
   made.fetch_site = request.get_header_value("Sec-Fetch-Site");
   made.has_range = request.has_header("Range");
+  made.has_gone = [&patience, port = request.remote_port] { return patience.has_gone(port); };
   return made;
 }
 
@@ -92,7 +93,7 @@ class PageServer::Impl {
     ConnectionPatience patience(place_.port, kThreads);
     server_.set_pre_routing_handler([&](const httplib::Request& got, httplib::Response& response) {
       patience.heard(got.remote_port);
-      const PageResponse response_page = response_to(request_of(got), handler);
+      const PageResponse response_page = response_to(request_of(got, patience), handler);
       if (response_page.status == 405) response.set_header("Allow", "GET, HEAD");
       give(response_page, response);
       return httplib::Server::HandlerResponse::Handled;

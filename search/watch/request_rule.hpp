@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ struct PageRequest {
   std::vector<std::string> hosts;  ///< every Host header
   std::string origin, fetch_site;  ///< Origin, Sec-Fetch-Site
   bool has_range = false;
+  /// Whether nobody waits for the answer any more; may be asked while it is being made.
+  std::function<bool()> has_gone = [] { return false; };
 };
 
 /// Where the page is served.

@@ -22,6 +22,10 @@ using schema::Json;
 // Of one core's time, whoever asks how often: ranks need the cores.
 constexpr double kShareForLive = 0.05, kShareForPages = 0.2;
 constexpr double kLeastRest_s = 0.5;
+// Vertices of a sheet whose folding takes a second at most; larger ones are folded on request.
+constexpr int kLargestDetailed = 200;
+// How long those wait who ask for what takes no time, while something else is read.
+constexpr std::chrono::seconds kSoon{2};
 
 constexpr const char* kHtml = "text/html; charset=utf-8";
 
@@ -32,10 +36,12 @@ double core_time_s() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-ReportCall call_for(const std::string& path) {
+ReportCall call_for(const std::string& path, const std::atomic<bool>& has_ended) {
   ReportCall call;
   call.path = path;
   call.output = "report.html";
+  call.largest_detailed = kLargestDetailed;
+  call.is_stopped = [&has_ended] { return has_ended.load(); };
   return call;
 }
 
@@ -67,8 +73,11 @@ PageResponse html_response(int status, const schema::ServedPage& page) {
 
 }  // namespace
 
-WatchedCatalogue::WatchedCatalogue(const std::string& path, schema::NameParameter name_parameter)
-    : call_(call_for(path)), name_parameter_(name_parameter) {
+WatchedCatalogue::WatchedCatalogue(const std::string& path, schema::NameParameter name_parameter,
+                                   FoldedSheets::Command folds_sheet)
+    : name_parameter_(name_parameter),
+      call_(call_for(path, has_ended_)),
+      sheets_(std::move(folds_sheet)) {
   page_.waits = true;
   page_about("");
   check_kind(path);
@@ -117,14 +126,18 @@ PageResponse WatchedCatalogue::live() {
   });
 }
 
-PageResponse WatchedCatalogue::sheet(std::uint64_t draw) {
+PageResponse WatchedCatalogue::sheet(std::uint64_t draw, const std::function<bool()>& has_gone) {
   try {
-    const std::lock_guard alone(computing_);
     check_readable(FileMark::of(call_.path));
-    return json_response(200, Json({{"detail", detail_of_draw(call_, draw)}}).dump());
+    return sheets_.sheet(draw, has_gone);
   } catch (const std::exception& error) {
     return problem_response(503, failure_of(error).sentence(name_parameter_));
   }
+}
+
+void WatchedCatalogue::end() {
+  has_ended_ = true;
+  sheets_.end();
 }
 
 PageResponse WatchedCatalogue::response(Kept& kept, double share_of_core, const Maker& make) {
@@ -137,7 +150,11 @@ PageResponse WatchedCatalogue::response(Kept& kept, double share_of_core, const 
   std::unique_lock reading(reading_, std::try_to_lock);
   if (!reading.owns_lock()) {
     if (PageResponse response = told(!kept.waits); response.body) return response;
-    reading.lock();
+    if (kept.waits) {
+      reading.lock();
+    } else if (!reading.try_lock_for(kSoon)) {
+      return problem_response(503, "the page is being made; wait for it");
+    }
     if (PageResponse response = told(false); response.body) return response;
   }
   const double begin_s = core_time_s();

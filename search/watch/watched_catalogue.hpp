@@ -1,6 +1,7 @@
 // A catalogue that is looked at again and again while a search may be writing it.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "search/report/report_data.hpp"
 #include "search/watch/file_mark.hpp"
+#include "search/watch/folded_sheets.hpp"
 #include "search/watch/page_response.hpp"
 
 namespace misalign::search {
@@ -24,7 +26,8 @@ class WatchedCatalogue {
   /// bad_input it is no catalogue, is damaged, or not even its directory is there; in_use it is
   /// being written where nobody may read meanwhile; foreign a newer schema. A file that is not
   /// there yet is waited for.
-  explicit WatchedCatalogue(const std::string& path, schema::NameParameter name_parameter);
+  WatchedCatalogue(const std::string& path, schema::NameParameter name_parameter,
+                   FoldedSheets::Command folds_sheet = {});
 
   bool exists() const { return FileMark::of(call_.path).exists(); }
   /// The report's page, which asks for live() every second.
@@ -32,8 +35,10 @@ class WatchedCatalogue {
   /// JSON: live_state_json with "writing": whether a search is at work, "read_at_s": when this was
   /// read, in seconds that only go on; or, with status 503, {"problem": a sentence}.
   PageResponse live();
-  /// JSON: {"detail": detail_of_draw}; or, with status 503, {"problem": a sentence}. One at a time.
-  PageResponse sheet(std::uint64_t draw);
+  /// As FoldedSheets has it.
+  PageResponse sheet(std::uint64_t draw, const std::function<bool()>& has_gone);
+  /// What is under way ends soon, with a sentence.
+  void end();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -49,10 +54,11 @@ class WatchedCatalogue {
   PageResponse page_about(const std::string& problem) const;
   void check_readable(const FileMark& mark) const;
 
-  const ReportCall call_;
   const schema::NameParameter name_parameter_;
-  std::mutex reading_;    // the file is open
-  std::mutex computing_;  // a sheet
+  std::atomic<bool> has_ended_ = false;
+  const ReportCall call_;
+  std::timed_mutex reading_;  // the file is open
+  FoldedSheets sheets_;
   Kept page_, live_;
 };
 

@@ -112,6 +112,16 @@ async function folding_check(page) {
     await by(page, "filter").fill(`draw = ${bare}`);
     await by(page, "grid").locator(".line").first().click();
     assert.equal(await by(page, "folding").isVisible(), false);
+    // Of another campaign, whose catalogue took the place of this one: nothing of that is shown.
+    await page.route("**/sheet/*", (route) =>
+      route.fulfill({ body: JSON.stringify({ detail: { draw: bare }, identity: "00000000" }) }),
+    );
+    await by(page, "compute").click();
+    await page.waitForFunction(() =>
+      document.querySelector('[data-testid="compute-says"]').textContent.startsWith("Another campaign"),
+    );
+    await page.unroute("**/sheet/*");
+    assert.equal(await by(page, "folding").isVisible(), false);
     await by(page, "compute").click();
     await by(page, "folding").waitFor({ state: "visible" });
     assert.equal(await by(page, "detailed").inputValue(), bare);

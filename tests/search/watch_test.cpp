@@ -6,9 +6,13 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <thread>
 
 #include "schema/catalogue/catalogue.hpp"
@@ -18,6 +22,7 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "search/watch/connection_patience.hpp"
 #include "search/watch/file_mark.hpp"
+#include "search/watch/folded_sheets.hpp"
 #include "search/watch/loopback.hpp"
 #include "search/watch/request_rule.hpp"
 #include "search/watch/watched_catalogue.hpp"
@@ -197,6 +202,135 @@ TEST_F(Patience, LeavesWhoWaitsInTheQueue) {
   EXPECT_TRUE(is_open(behind)) << "the first is still served, if only to be closed";
   close(first.server);  // which it is now
   EXPECT_TRUE(ends(behind));
+}
+
+// Sheets that a shell "folds" as soon as a file `go-DRAW` lets it; what began is in `begun`.
+class SlowSheets {
+ public:
+  SlowSheets()
+      : sheets([this](std::uint64_t draw) -> std::vector<std::string> {
+          const std::string number = std::to_string(draw);
+          return {"/bin/sh", "-c",
+                  "cd " + folder_.path().string() + "; echo $$ > pid-" + number + "; echo " +
+                      number + " >> begun; until [ -e go-" + number + " ]; do sleep 0.02; done; " +
+                      R"(echo '{"details": [{"draw": ")" + number +
+                      R"("}], "campaign": {"identity": "1a2b3c4d"}}')"};
+        }) {}
+  ~SlowSheets() {
+    sheets.end();
+    for (auto& [draw, request] : requests_) request.thread.join();
+  }
+
+  void ask(std::uint64_t draw) {
+    Request& request = requests_[draw];
+    request.thread = std::thread([this, draw, &request] {
+      request.answer = sheets.sheet(draw, [&request] { return request.has_gone.load(); });
+      request.is_answered = true;
+    });
+  }
+  void leave(std::uint64_t draw) { requests_[draw].has_gone = true; }
+  void let_go(std::uint64_t draw) const {
+    std::ofstream(folder_.file("go-" + std::to_string(draw)));
+  }
+  const PageResponse& answer(std::uint64_t draw) {
+    wait_until([&] { return requests_[draw].is_answered.load(); });
+    return requests_[draw].answer;
+  }
+  std::string begun() const {
+    std::ifstream file(folder_.file("begun"));
+    std::string all;
+    for (std::string line; std::getline(file, line);) all += line + " ";
+    return all;
+  }
+  bool is_alive(std::uint64_t draw) const {
+    int process = 0;
+    std::ifstream(folder_.file("pid-" + std::to_string(draw))) >> process;
+    return kill(process, 0) == 0;
+  }
+  static void wait_until(const std::function<bool()>& happens) {
+    const auto begin = std::chrono::steady_clock::now();
+    while (!happens()) {
+      ASSERT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
+ private:
+  struct Request {
+    std::thread thread;
+    std::atomic<bool> has_gone = false, is_answered = false;
+    PageResponse answer;
+  };
+  const Folder folder_{"sheets"};
+  std::map<std::uint64_t, Request> requests_;
+
+ public:
+  FoldedSheets sheets;
+};
+
+TEST(FoldedSheets, EndWithWhoAskedForThemAndTheNewestIsFirst) {
+  SlowSheets slow;
+  slow.ask(1);
+  SlowSheets::wait_until([&] { return slow.begun() == "1 "; });
+  slow.ask(2);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  slow.ask(3);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(slow.begun(), "1 ") << "one at a time";
+  slow.leave(1);
+  EXPECT_EQ(slow.answer(1).status, 503);
+  EXPECT_FALSE(slow.is_alive(1));
+  SlowSheets::wait_until([&] { return slow.begun() == "1 3 "; });
+  slow.let_go(3);
+  EXPECT_EQ(slow.answer(3).status, 200);
+  EXPECT_EQ(schema::Json::parse(*slow.answer(3).body),
+            schema::Json::parse(R"({"detail": {"draw": "3"}, "identity": "1a2b3c4d"})"));
+  SlowSheets::wait_until([&] { return slow.begun() == "1 3 2 "; });
+  slow.ask(4);
+  slow.leave(4);
+  EXPECT_EQ(slow.answer(4).status, 503) << "whoever goes while others are served is not served";
+  slow.sheets.end();
+  EXPECT_EQ(slow.answer(2).status, 503);
+  EXPECT_FALSE(slow.is_alive(2));
+}
+
+TEST(FoldedSheets, RefuseTheOldestOfTooMany) {
+  SlowSheets slow;
+  slow.ask(0);
+  SlowSheets::wait_until([&] { return slow.begun() == "0 "; });
+  for (std::uint64_t draw = 1; draw <= FoldedSheets::kMostWaiting; ++draw) {
+    slow.ask(draw);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  slow.ask(100);
+  EXPECT_EQ(slow.answer(1).status, 503);
+  slow.let_go(100);
+  slow.let_go(0);
+  EXPECT_EQ(slow.answer(100).status, 200);
+}
+
+TEST(FoldedSheets, SayWhatTheProgramSays) {
+  const auto never = [] { return false; };
+  FoldedSheets failing([](std::uint64_t) -> std::vector<std::string> {
+    return {"/bin/sh", "-c", "echo 'misalign: a.db: is no catalogue' >&2; exit 3"};
+  });
+  const PageResponse answer = failing.sheet(7, never);
+  EXPECT_EQ(answer.status, 503);
+  EXPECT_EQ(*answer.body, R"({"problem":"a.db: is no catalogue"})");
+  FoldedSheets missing([](std::uint64_t) -> std::vector<std::string> { return {"/no/such"}; });
+  EXPECT_EQ(missing.sheet(7, never).status, 503);
+  FoldedSheets babbling([](std::uint64_t) -> std::vector<std::string> { return {"/bin/echo"}; });
+  EXPECT_EQ(babbling.sheet(7, never).status, 503);
+}
+
+TEST_F(Patience, SeesThatTheOtherSideHasGone) {
+  const Pair stays = connected(), goes = connected();
+  const ConnectionPatience patience(port(), 8);
+  EXPECT_FALSE(patience.has_gone(stays.client_port));
+  EXPECT_FALSE(patience.has_gone(goes.client_port));
+  close(goes.client);
+  EXPECT_TRUE(patience.has_gone(goes.client_port));
+  EXPECT_FALSE(patience.has_gone(stays.client_port));
 }
 
 void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }

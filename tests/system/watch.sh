@@ -222,10 +222,36 @@ becomes "damaged" 503 "j ->> '$.problem' NOT GLOB '*is no catalogue*'"
 eventually "the page of a damaged one" page_is 503
 cp "$source_dir/tests/fixtures/catalogue-1.db" run.db
 becomes "replaced by an older one" 200 "j ->> '$.state.identity' != '$identity'"
+says 200 sheet/0 "j ->> '$.identity' = '$(live state.identity)' AND j ->> '$.detail.draw' = '0'" ||
+  fail "a sheet does not say of which campaign it is: $(head -c 300 body)"
 rm -f run.db
 mv away.db run.db
 becomes "back again" 200 "j ->> '$.state.identity' = '$identity'"
 ended INT
+
+# A sheet that takes minutes: /live does not wait for it, nobody's request goes on, and the end comes at once.
+echo '{ "name": "large", "pattern": { "family": "miura", "rows": 32, "columns": 32 }, "accept": { "deploys_from_deg": 150 } }' > large.json
+"$program" search large.json --catalogue large.db --draws 1 --progress none > /dev/null 2>&1 || fail "search of large sheets"
+watched large.db
+page_is 200 || fail "the page of large sheets"
+folds() { pgrep -P "$watcher" > /dev/null; }
+is_idle() { ! folds; }
+for draw in 1 2 3; do
+  get "${url}sheet/$draw" > /dev/null &
+  asking=$!
+  eventually "sheet $draw is folded" folds
+  kill $asking $(pgrep -P $asking)
+  wait $asking 2> /dev/null
+  eventually "nobody waits for sheet $draw" is_idle
+done
+for draw in $(seq 40); do
+  curl -s "${url}sheet/$draw" > /dev/null 2>&1 &
+  watchers+=($!)
+done
+eventually "a sheet is folded" folds
+answers 200 "${url}live"
+ended TERM
+is_idle || fail "a sheet is folded for nobody"
 
 # Where readers would keep the writer waiting it is not even opened.
 cat > statfs.c << 'END'
