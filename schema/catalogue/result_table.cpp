@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "schema/catalogue/candidate_words.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/storage.hpp"
@@ -24,6 +25,12 @@ UserError bad_sql(const std::string& what) {
                                            "); it must be one SELECT, or one "
                                            "of the names " +
                                            named_query_list());
+}
+
+// What a word that SQLite does not know may stand for.
+std::string meant_by(SQLite::Database& database, const std::string& refused) {
+  const UnknownWord word = unknown_word_of(refused);
+  return word.kind ? column_meant(word.typed, columns_of_candidates(database)) : "";
 }
 
 Json cell_json(const SQLite::Column& cell) {
@@ -207,7 +214,7 @@ auto ask(SQLite::Database& database, const std::string& sql, const Work& work) {
       case SQLITE_ABORT:  // by a function that this build has not, and says so
         throw UserError(Cause::failure, error.what());
       default:
-        throw bad_sql(error.what());
+        throw bad_sql(error.what() + meant_by(database, error.what()));
     }
   }
 }

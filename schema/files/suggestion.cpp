@@ -28,14 +28,22 @@ std::size_t letters_off(const std::string& a, const std::string& b) {
   return off[a.size()][b.size()];
 }
 
+// Its beginning, or whole words of it.
+bool is_part(const std::string& typed, const std::string& word) {
+  if (typed.size() <= 2) return false;
+  const std::size_t at = word.find(typed), end = at + typed.size();
+  if (at == std::string::npos) return false;
+  const auto divides = [&](std::size_t k) { return word[k] == '_' || word[k] == '-'; };
+  return at == 0 || (divides(at - 1) && (end == word.size() || divides(end)));
+}
+
 }  // namespace
 
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& known) {
   std::string nearest;
   std::size_t fewer_than = typed.size() / 3 + 1;
   for (const std::string& word : known) {
-    const bool begins = typed.size() > 2 && word.rfind(typed, 0) == 0;
-    const std::size_t off = begins ? 1 : letters_off(typed, word);
+    const std::size_t off = is_part(typed, word) ? 1 : letters_off(typed, word);
     if (off >= fewer_than) continue;
     fewer_than = off;
     nearest = word;

@@ -6,8 +6,8 @@
 
 namespace misalign::schema {
 
-/// The known word that `typed` is nearest to: its beginning, or some letters off (one in three);
-/// empty if there is none.
+/// The known word that `typed` is nearest to: its beginning, whole words of it (friction of
+/// critical_friction), or some letters off (one in three); empty if there is none.
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& known);
 
 /// "serch is no verb (did you mean search?)"

@@ -224,7 +224,7 @@ function stroke_words({ over_stroke }, report) {
   if (!stroke_limit) {
     const ways = is_pattern(report)
       ? "--stroke-limit sets one."
-      : "“actuators.stroke_limit” in the campaign file, or --stroke-limit, sets one.";
+      : "“design.springs.stroke_limit” in the campaign file, or --stroke-limit, sets one.";
     return `No stroke limit was given; ${ways}`;
   }
   const limit = `±${percent(stroke_limit, 2)}`;

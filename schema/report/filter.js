@@ -1,6 +1,6 @@
 // The filter of the table: plain conditions, all of which must hold.
 //   stroke_max < 0.05 deploys_from_deg >= 172        bump_deg is none        draw = 1234        details
-import { metric_of, metrics } from "./metrics.js";
+import { metric_of, metrics, of_studies } from "./metrics.js";
 
 const kNames = ["draw", ...metrics.map((metric) => metric.name)];
 const kToken = /\s*(?:(<=|>=|!=|==|<|>|=|≤|≥|≠)|([^\s<>=!≤≥≠,;&]+)|(,|;|&&))/y;
@@ -46,7 +46,8 @@ export function parse_filter(typed, candidates) {
       const made = condition("draw", "=", first.word, candidates); // a number alone is a draw's
       return made.error ? made : { holds: made.test };
     }
-    if (!is_value && !kNames.includes(first.word)) return { error: unknown_name(first.word) };
+    if (!is_value && !kNames.includes(first.word))
+      return { error: unknown_name(first.word, candidates) };
     const sign = tokens[i + 1]?.word === "is" ? "=" : tokens[i + 1]?.sign;
     const second = tokens[i + 2]?.word;
     if (!sign)
@@ -59,7 +60,7 @@ export function parse_filter(typed, candidates) {
     const [name, value, operator] = is_value
       ? [second, first.word, kMirror[sign]]
       : [first.word, second, sign];
-    if (!kNames.includes(name)) return { error: unknown_name(name) };
+    if (!kNames.includes(name)) return { error: unknown_name(name, candidates) };
     const made = condition(name, operator, value, candidates);
     if (made.error) return made;
     tests.push(made.test);
@@ -87,7 +88,7 @@ function number_of(word) {
 function condition(name, operator, word, { columns }) {
   const values = columns[name],
     holds = compare[operator];
-  if (!values) return { error: `This catalogue has no column “${name}”.` };
+  if (!values) return { error: without(name) };
   if (name === "draw") {
     if (!/^\d+$/.test(word)) return { error: `“${word}” is no number of a draw.` };
     const draw = BigInt(word);
@@ -107,13 +108,21 @@ function condition(name, operator, word, { columns }) {
   };
 }
 
-function unknown_name(word) {
-  const near = kNames.map((name) => [distance(word, name), name]).sort((a, b) => a[0] - b[0])[0];
-  const part = kNames.find(
-    (name) =>
-      name.includes(word.toLowerCase()) || name.replaceAll("_", "").includes(word.toLowerCase()),
-  );
+/** Of a metric that the page has not. */
+const without = (name) =>
+  of_studies.has(name)
+    ? `This page has no column “${name}”; “misalign report --column ${name}” adds it.`
+    : `This catalogue has no column “${name}”.`;
+
+function unknown_name(word, { columns }) {
+  const here = kNames.filter((name) => columns[name]);
+  const near = here.map((name) => [distance(word, name), name]).sort((a, b) => a[0] - b[0])[0];
+  const has_part = (name) =>
+    name.includes(word.toLowerCase()) || name.replaceAll("_", "").includes(word.toLowerCase());
+  const part = here.find(has_part);
   const guess = part ?? (near[0] <= 4 ? near[1] : null);
+  const elsewhere = guess ? null : kNames.find((name) => of_studies.has(name) && has_part(name));
+  if (elsewhere) return `“${word}” is no column of this page. ${without(elsewhere)}`;
   return (
     `“${word}” is no column` +
     (guess

@@ -116,6 +116,8 @@ const kOfStudies = words.columns_of_studies
   text: (v) => number(v),
   about: meaning,
 }));
+/** Names of columns that a page has only where they were asked for. */
+export const of_studies = new Set(kOfStudies.map(({ name }) => name));
 const kAfter = { reverses_at_deg: [...kCertified, ...kEnds], miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kOfStudies] };
 
 export const metrics = kStored.flatMap((metric) => [metric, ...(kAfter[metric.name] ?? [])]);

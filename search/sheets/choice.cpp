@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 
+#include "schema/catalogue/candidate_words.hpp"
 #include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
@@ -21,44 +22,11 @@ namespace {
 
 using schema::Json;
 
-std::vector<std::string> columns_of_candidates(SQLite::Database& database) {
-  return schema::reading(database, [&] {
-    const SQLite::Statement candidates(database, "SELECT * FROM candidates LIMIT 0");
-    std::vector<std::string> columns;
-    for (int k = 0; k < candidates.getColumnCount(); ++k) {
-      columns.emplace_back(candidates.getColumnName(k));
-    }
-    return columns;
-  });
-}
-
-// What may be asked of a candidate: columns, and functions of its sheet.
-std::vector<std::string> words_of_candidates(const std::vector<std::string>& columns) {
-  std::vector<std::string> words = columns;
-  for (const std::string& name : schema::study_functions()) words.push_back(name);
-  return words;
-}
-
-// "; did you mean stroke_max?", or nothing. D is the manual's word.
-std::string column_meant(const std::string& typed, const std::vector<std::string>& columns) {
-  const bool is_d = typed == "D" || typed == "d";
-  const std::string meant =
-      is_d ? "deploys_from_deg" : schema::nearest_word(typed, words_of_candidates(columns));
-  return meant.empty() ? "" : "; did you mean " + meant + "?";
-}
-
 // Of SQLite's words about a condition: which column or function is none.
 std::string unknown_column(const std::string& refused, const std::vector<std::string>& columns) {
-  for (const auto& [kind, said] :
-       {std::pair{"column", "no such column: "}, {"function", "no such function: "}}) {
-    const std::size_t before = refused.find(said);
-    if (before == std::string::npos) continue;
-    const std::size_t begin = before + std::string_view(said).size(),
-                      end = refused.find(')', begin);
-    const std::string typed = refused.substr(begin, end - begin);
-    return " (" + typed + " is no " + kind + column_meant(typed, columns) + ")";
-  }
-  return "";
+  const auto& [kind, typed] = schema::unknown_word_of(refused);
+  if (!kind) return "";
+  return " (" + typed + " is no " + kind + schema::column_meant(typed, columns) + ")";
 }
 
 std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& sql) {
@@ -184,7 +152,7 @@ void check_condition(SQLite::Database& database, const Choice& choice) {
     throw schema::UserError(
         solver::OptionFault{"where", choice.where,
                             fmt::format("is no condition on the columns {}, or {} of a draw{}",
-                                        fmt::join(columns_of_candidates(database), ", "),
+                                        fmt::join(schema::columns_of_candidates(database), ", "),
                                         fmt::join(schema::study_functions(), ", "), why),
                             "try \"stroke_max < 0.08\""});
   };
@@ -197,7 +165,7 @@ void check_condition(SQLite::Database& database, const Choice& choice) {
     }
   } catch (const schema::UserError& error) {
     if (error.cause() != schema::Cause::bad_request) throw;
-    refuse(unknown_column(error.what(), columns_of_candidates(database)));
+    refuse(unknown_column(error.what(), schema::columns_of_candidates(database)));
   }
 }
 
@@ -216,11 +184,12 @@ bool is_word_of_candidates(const std::string& typed, const std::vector<std::stri
 
 void check_column(SQLite::Database& database, const Choice& choice) {
   const std::string& by = *choice.by;
-  const std::vector<std::string> columns = columns_of_candidates(database);
+  const std::vector<std::string> columns = schema::columns_of_candidates(database);
   if (is_word_of_candidates(by, columns)) return;
   throw schema::UserError(solver::OptionFault{
-      "by", by, "is no column of a candidate" + column_meant(by.substr(0, by.find('(')), columns),
-      fmt::format("choose one of {}", fmt::join(words_of_candidates(columns), ", "))});
+      "by", by,
+      "is no column of a candidate" + schema::column_meant(by.substr(0, by.find('(')), columns),
+      fmt::format("choose one of {}", fmt::join(schema::words_of_candidates(columns), ", "))});
 }
 
 // In the order that "best" means, or by a column, the largest first, and the best first among
@@ -268,12 +237,13 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
 
 std::string column_sql(SQLite::Database& database, const std::string& word,
                        const std::string& parameter) {
-  const std::vector<std::string> columns = columns_of_candidates(database);
+  const std::vector<std::string> columns = schema::columns_of_candidates(database);
   const std::string name = word.substr(0, word.find('('));
   if (!is_word_of_candidates(word, columns)) {
     throw schema::UserError(solver::OptionFault{
-        parameter, word, "is no column or function of a candidate" + column_meant(name, columns),
-        fmt::format("choose one of {}", fmt::join(words_of_candidates(columns), ", "))});
+        parameter, word,
+        "is no column or function of a candidate" + schema::column_meant(name, columns),
+        fmt::format("choose one of {}", fmt::join(schema::words_of_candidates(columns), ", "))});
   }
   return schema::in_full(word) + " AS \"" + word + "\"";
 }

@@ -93,6 +93,7 @@ async function energy_check(page, data) {
 }
 
 async function mistake_check(page, data) {
+  const own = Object.keys(data.candidates.columns).find((name) => name.includes("friction"));
   await unfiltered(
     page,
     "mistakes in the filter are said in words, and change nothing",
@@ -106,6 +107,8 @@ async function mistake_check(page, data) {
         ["< 5", /name is missing/],
         ["stroke_max < 1 or bump_deg = none", /“or” is not understood/],
         ["stroke_max ! 5", /not understood/],
+        // No column is proposed that the page has not.
+        ["friction < 1", own ? new RegExp(`did you mean “${own}”`) : /page.*--column \w*friction/],
       ]) {
         await by(page, "filter").fill(text);
         assert.match(await by(page, "filter-says").textContent(), words, text);

@@ -50,5 +50,8 @@ for place in "export a.db --output o --where" "tolerance a.db --amplitude 0.01 -
   refused "did you mean thickness_mm?" $place "thicknes_mm(draw)"
 done
 refused "did you mean stall_deg?" report a.db --output p.html --column stal_deg
-refused "no such column: thicknes_mm" query a.db "SELECT thicknes_mm FROM candidates"
+refused "no such column: thicknes_mm; did you mean thickness_mm?" query a.db "SELECT thicknes_mm FROM candidates"
+for typed in friction "friction(draw)"; do
+  refused "did you mean [a-z_]*friction_n_mm_per_mm?" query a.db "SELECT $typed FROM candidates"
+done
 finish
