@@ -2,6 +2,8 @@
 // does a merge with a catalogue that holds the same draws.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "../schema/catalogue_fixture.hpp"
 #include "schema/campaign/campaign_file.hpp"
 #include "search/checks/merge.hpp"
@@ -18,7 +20,7 @@ class HostileAscents : public testing::Test {
     const schema::Campaign campaign = schema::read_campaign(
         schema::Json::parse(R"({"pattern": {"family": "miura", "rows": 4, "columns": 4},
           "accept": {"deploys_from_deg": 150},
-          "search": {"method": "optimise", "from_deg": 36, "most_steps": 3}})"),
+          "search": {"method": "optimise", "from_deg": 36}})"),
         "test");
     DrawEvaluator evaluator(campaign);
     optimise_if_asked(evaluator);
@@ -35,34 +37,34 @@ class HostileAscents : public testing::Test {
                                   " WHERE draw = (SELECT min(draw) FROM ascent WHERE steps > 0)");
     return path;
   }
+  static std::string sentences(const std::vector<schema::Finding>& findings) {
+    std::string all;
+    for (const schema::Finding& finding : findings) all += finding.sentence + "\n";
+    return all;
+  }
   static std::string findings(const std::string& path, std::uint64_t units) {
     VerifyOptions options;
     options.units = units;
-    std::string all;
-    for (const schema::Finding& finding :
-         verify(*schema::open_for_reading(path), path, options).findings) {
-      all += finding.sentence + "\n";
-    }
-    return all;
+    return sentences(verify(*schema::open_for_reading(path), path, options).findings);
   }
-  bool is_merged(const std::string& other) const {
+  std::string merged_with(const std::string& other) const {
     std::filesystem::remove(folder_.file("all.db"));
-    return merge({folder_.file("all.db"), {good_, other}, schema::kRun, schema::Builds::same})
-        .findings.empty();
+    const MergeOptions options{
+        folder_.file("all.db"), {good_, other}, schema::kRun, schema::Builds::mixed};
+    return sentences(merge(options).findings);
   }
 
-  static constexpr std::uint64_t kDraws = 5;
+  static constexpr std::uint64_t kDraws = 4;
   const Folder folder_{"hostile_ascents"};
   const std::string good_ = folder_.file("good.db");
 };
 
 TEST_F(HostileAscents, RowsThatDoNotAddUpAreFound) {
-  ASSERT_EQ(findings(good_, kDraws), "");
-  ASSERT_TRUE(is_merged(folder_.file("twin.db", bytes_of(good_))));
+  ASSERT_EQ(findings(good_, 1), "");
   for (const char* lie :
        {"start_value = NULL", "end_value = NULL", "start_value = NULL, end_value = NULL",
         "end_value = start_value", "end_value = 9e999", "start_value = -1", "steps = 0",
-        "steps = 9", "steps = -1", "sheets_folded = 0", "ended = 'breaks_a_limit'",
+        "steps = 200", "steps = -1", "sheets_folded = 0", "ended = 'breaks_a_limit'",
         "ended = 'has_no_value'",
         "ended = iif(ended = 'most_steps', 'no_step_is_better', 'most_steps')",
         "start_value = start_value * 1.001", "end_value = end_value * 1.001",
@@ -72,19 +74,19 @@ TEST_F(HostileAscents, RowsThatDoNotAddUpAreFound) {
     SCOPED_TRACE(lie);
     const std::string path = changed(lie);
     EXPECT_NE(findings(path, 0), "");
-    EXPECT_FALSE(is_merged(path));
   }
 }
 
 TEST_F(HostileAscents, RowsThatAddUpAreFoundByMakingThemAgain) {
-  for (const char* lie :
-       {"limited_by = NULL", "limited_by = '{}'", "sheets_folded = sheets_folded + 1",
-        "limited_by = json_set(limited_by, '$.per_mm_of_amplitude', 1.0)"}) {
+  ASSERT_EQ(merged_with(folder_.file("twin.db", bytes_of(good_))), "");
+  for (const char* lie : {"steps = steps + 1", "limited_by = NULL", "limited_by = '{}'",
+                          "sheets_folded = sheets_folded + 1",
+                          "limited_by = json_set(limited_by, '$.per_mm_of_amplitude', 1.0)"}) {
     SCOPED_TRACE(lie);
     const std::string path = changed(lie);
-    EXPECT_NE(findings(path, kDraws).find("ascent."), std::string::npos);
-    EXPECT_FALSE(is_merged(path));
+    EXPECT_NE(findings(path, 1).find("ascent."), std::string::npos);
   }
+  EXPECT_NE(merged_with(changed("steps = steps + 1")).find("ascent.steps"), std::string::npos);
 }
 
 }  // namespace
