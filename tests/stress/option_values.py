@@ -29,6 +29,7 @@ VALUES = [
     "no/such/file", "small.db", "\x1b[2J", "a\nb", "\r", "\u202etxt", "\u6298\u308a\u7d19", "\U0001f9a2", "%s%n",
     "$(id)", "-", "--", "--help", "=", "A1-A2=5", "0,0", "0,0,-1", "1,2,3,4", "A" * 5000, "9" * 400,
 ]
+NUMBERS = [value for value in VALUES if re.match(r"^[ +-]?[0-9.]", value)] + ["0.01", "7", "60", "1e-3", "100"]
 NOT_DECIMAL = re.compile(r"^\s*[+-]?(0x|0b|nan|inf)", re.IGNORECASE)
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f\x80-\x9f\u200e\u200f\u2028-\u202e]")
 SLOW = {"watch", "search", "stress", "bench", "optimise", "backlash", "tolerance", "certify", "verify", "doctor"}
@@ -67,7 +68,7 @@ class Calls:
             "export": [catalogue, "--output", "out"], "report": [catalogue, "--output", "out.html"],
             "stress": [pattern, "--output", "out"], "query": [catalogue, "best"], "replay": [catalogue, "3"],
             "status": [catalogue], "verify": [catalogue, "--sample", "1"], "merge": ["joined.db", catalogue],
-            "watch": [catalogue], "completion": ["bash"], "doctor": [], "help": [],
+            "watch": [catalogue], "completion": ["bash"], "doctor": ["."], "help": [],
         }
 
     def run(self, verb, option, value):
@@ -115,13 +116,13 @@ def main():
         kept = (Path(folder) / "small.db").read_bytes()
         for number in range(calls):
             verb, option, kind = pairs[number % len(pairs)]
-            value = dice.choice(VALUES)
+            value = dice.choice(NUMBERS if dice.random() < 0.5 else VALUES)
             code, out, err = tried.run(verb, option, value)
             codes[code] += 1
             fault = fault_of(verb, option, kind, value, code, out, err)
             if not fault and (Path(folder) / "small.db").read_bytes() != kept and verb not in ("search", "certify", "tolerance"):
                 fault = "the catalogue was changed"
-                (Path(folder) / "small.db").write_bytes(kept)
+            (Path(folder) / "small.db").write_bytes(kept)
             if fault:
                 faults += 1
                 print(f"{fault}: misalign {verb} {option}={value[:60]!r} ends with {code}: {err[-300:]!r}", flush=True)
