@@ -141,6 +141,7 @@ actuators $file $draw
 contact $file $draw
 deploy $source_dir/search/patterns/table1.json --from 156.3
 card $file $draw --from 60
+report $source_dir/search/patterns/table1.json
 bench --agree 5
 END
 for verb in $("$program" --help | sed -n 's/^  \([a-z]*\)  .*/\1/p'); do
