@@ -70,6 +70,7 @@ Json folding_json(const FoldingView& view) {
          {"fold_angle_deg", column_json(history.fold_angle_deg, static_cast<Eigen::Index>(i))}});
   }
   return {{"pattern", pattern_json(view.base, view.shifts_mm)},
+          {"mesh_off_mm", view.base.mesh_off_mm},
           {"unknowns", view.mechanism.unknowns},
           {"equations", view.mechanism.equations},
           {"degrees_of_freedom", 1},  // others are turned away, and spare equations are none

@@ -13,7 +13,10 @@ namespace misalign::schema {
 struct Pattern {
   Json family;  ///< "family" and the keys of that family, resolved: no default, no file left
   solver::PerforatedSheet base;
-  Eigen::Matrix2Xd shifts_mm;          ///< the file's displacements, one column per vertex
+  Eigen::Matrix2Xd shifts_mm;  ///< the file's displacements, one column per vertex
+  /// How far a mesh that does not fold rigidly is at most from the base that was found for it (its
+  /// own shifts are among `shifts_mm`, but for a campaign's); 0 where it is the base itself.
+  double mesh_off_mm = 0;
   std::vector<std::string> reading{};  ///< sentences: how a mesh was taken that leaves a choice
 
   solver::FlatVertices vertices_mm() const { return base.sheet.vertices_mm + shifts_mm; }

@@ -7,7 +7,7 @@
 #include "schema/pattern/carried_pattern.hpp"
 #include "schema/pattern/fold_format.hpp"
 #include "schema/pattern/fold_frames.hpp"
-#include "schema/pattern/folding_fault.hpp"
+#include "schema/pattern/mesh_base.hpp"
 #include "schema/pattern/mesh_family.hpp"
 #include "schema/pattern/pattern_document.hpp"
 #include "schema/pattern/perforation_check.hpp"
@@ -94,68 +94,6 @@ int read_pilot(ObjectReader& reader, const solver::CreasePattern& sheet,
   return e;
 }
 
-// The creases of a base whose mountains and valleys follow from others, or from the pilot.
-struct Unassigned {
-  int creases = 0;
-  bool are_all = true;
-};
-
-Unassigned unassigned(const solver::CreasePattern& sheet, const std::vector<int>& holes,
-                      const std::vector<int>& assignment) {
-  const auto is_hole = [&](int f) { return std::ranges::binary_search(holes, f); };
-  Unassigned found;
-  for (std::size_t e = 0; e < sheet.edges.size(); ++e) {
-    const solver::Edge& edge = sheet.edges[e];
-    if (edge.on_perimeter()) continue;
-    found.are_all = found.are_all && assignment[e] == 0;
-    found.creases += assignment[e] == 0 && !is_hole(edge.left) && !is_hole(edge.right);
-  }
-  return found;
-}
-
-// The folding of a pilot that is unassigned: where none is assigned, a valley; otherwise what the
-// others let it be.
-using Folded = std::variant<solver::BaseFolding, solver::NoBaseFolding>;
-Folded fold_unassigned(const solver::CreasePattern& sheet, std::vector<int> assignment, int pilot) {
-  const bool none = std::ranges::all_of(assignment, [](int sign) { return sign == 0; });
-  assignment[static_cast<std::size_t>(pilot)] = 1;
-  Folded valley = solver::fold_sequentially(sheet, assignment, pilot);
-  if (none) return valley;
-  assignment[static_cast<std::size_t>(pilot)] = -1;
-  Folded mountain = solver::fold_sequentially(sheet, assignment, pilot);
-  if (std::holds_alternative<solver::NoBaseFolding>(mountain)) return valley;
-  if (std::holds_alternative<solver::NoBaseFolding>(valley)) return mountain;
-  return solver::NoBaseFolding{solver::NoBaseFolding::Cause::ambiguous, sheet.edges[pilot].a,
-                               pilot};
-}
-
-// The base folding, or a sentence that names the vertex where there is none.
-void fold_base(const std::string& where, const std::vector<int>& assignment, int pilot,
-               Pattern& pattern, InputFaults& faults) {
-  auto folded = assignment[pilot] == 0
-                    ? fold_unassigned(pattern.base.sheet, assignment, pilot)
-                    : solver::fold_sequentially(pattern.base.sheet, assignment, pilot);
-  if (auto* folding = std::get_if<solver::BaseFolding>(&folded)) {
-    pattern.base.folding = std::move(*folding);
-  } else {
-    add_folding_fault(where, pattern.base.sheet, assignment,
-                      std::get<solver::NoBaseFolding>(folded), faults);
-  }
-}
-
-// Mountains and valleys that the file leaves open.
-void say_what_follows(const std::vector<int>& assignment, int pilot, Pattern& pattern) {
-  const solver::CreasePattern& sheet = pattern.base.sheet;
-  const auto [creases, are_all] = unassigned(sheet, pattern.base.holes, assignment);
-  if (creases == 0) return;
-  pattern.reading.push_back(
-      are_all ? "the mesh has no mountains and valleys: they follow from the pilot " +
-                    solver::line_label(sheet.edges[pilot].a, sheet.edges[pilot].b) +
-                    ", which is a valley"
-              : "unassigned creases: " + std::to_string(creases) +
-                    "; whether mountain or valley follows from the others");
-}
-
 void read_displacements(ObjectReader& reader, Pattern& pattern) {
   const Json* value = reader.find("displacements_mm");
   if (!value) return;
@@ -178,7 +116,7 @@ void read_displacements(ObjectReader& reader, Pattern& pattern) {
                           "write [0.4, 0.0]");
       good = false;
     } else {
-      pattern.shifts_mm.col(vertex) =
+      pattern.shifts_mm.col(vertex) +=
           Eigen::Vector2d(shift[0].get<double>(), shift[1].get<double>());
     }
   }
@@ -211,9 +149,7 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
   if (good()) {
     pattern.base.sheet = std::move(mesh.sheet);
     pattern.shifts_mm.setZero(2, pattern.base.sheet.vertex_count());
-    fold_base(mesh.place, mesh.assignment, pilot, pattern, faults);
-    pattern.reading = std::move(mesh.reading);
-    say_what_follows(mesh.assignment, pilot, pattern);
+    fold_base(mesh, pilot, displacements, pattern, faults);
   }
   if (good()) {
     pattern.family = std::move(mesh.family);

@@ -2,6 +2,7 @@
 // the sequential method: each vertex of degree four gives its other fold angles from one.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -19,6 +20,13 @@ inline constexpr double kBaseClosure = 1e-4;
 /// Mountains and valleys as seen from the side where the pilot is a valley.
 class BaseFolding {
  public:
+  /// One vertex: its creases counter-clockwise, the one whose angle is known first.
+  struct Step {
+    int vertex;
+    std::array<int, 4> edges;
+    DegreeFourVertex folds;
+  };
+
   int pilot_edge() const { return pilot_edge_; }
   /// +1 valley, -1 mountain, per edge of the sheet; 0 on the perimeter.
   const std::vector<int>& assignment() const { return assignment_; }
@@ -30,22 +38,19 @@ class BaseFolding {
   /// Half fold angles of all edges when the pilot's is `pilot`, up to end_deg.
   std::vector<HalfAngle<double>> fold_angles(const HalfAngle<double>& pilot) const;
 
+  /// All inner vertices, in order from the pilot.
+  const std::vector<Step>& steps() const { return steps_; }
+
  private:
   friend class SequentialMethod;
 
-  // One vertex: its creases counter-clockwise, the known one first.
-  struct Step {
-    int vertex;
-    std::array<int, 4> edges;
-    DegreeFourVertex folds;
-  };
   // Half fold angles so far, and the vertex that cannot fold that far; -1 if there is none.
   int follow(const HalfAngle<double>& pilot, double closed_rad,
              std::vector<HalfAngle<double>>& angles) const;
 
   int pilot_edge_ = -1, side_ = 1;
   std::vector<int> assignment_;
-  std::vector<Step> steps_;  // in order from the pilot
+  std::vector<Step> steps_;
   double end_deg_ = 0;
 };
 
@@ -71,6 +76,10 @@ struct NoBaseFolding {
     int wrong;
   };
   std::optional<Creases> creases{};
+
+  /// The way of folding whose loops are open by far the least next to flat, where the assignment
+  /// has one: that of a sheet near this one, maybe (nearest_base.hpp).
+  std::optional<BaseFolding> unclosed{};
 };
 
 /// Follows the folding from the pilot over all interior vertices (of degree four each) and checks

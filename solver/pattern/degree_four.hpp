@@ -40,6 +40,7 @@ class DegreeFourVertex {
   /// way with all of its creases.
   const std::optional<std::array<int, 3>>& signs() const { return signs_; }
   bool flat_foldable() const { return flat_foldable_; }
+  int opposite_sign() const { return opposite_sign_; }
 
   /// rho_2, rho_3, rho_4; none where it cannot fold that far, or where one of them would lie beyond
   /// 180 degrees by more than `closed_rad`.

@@ -34,12 +34,6 @@ struct Change {
 
 TEST(FoldFaults, NameThePlace) {
   const std::vector<Change> changes = {
-      {"vertex moved",
-       [](Json& m) {
-         m["vertices_coords"][12] = {163, 157};
-       },
-       1,
-       {"the unperforated sheet does not fold rigidly", "vertex A"}},
       {"two vertices in one place",
        [](Json& m) { m["vertices_coords"][24] = m["vertices_coords"][23]; },
        1,

@@ -102,10 +102,15 @@ s/"mm"/"furlong"/|frame_unit = "furlong" (is no unit
 s/\[\[0, 1, 8, 7\]/[[0, 1, 8]/|face 0 = .0,1,8. (must be four vertices
 s/\[\[0, 1, 8, 7\]/[[0, 8, 1, 7]/|is no convex quadrilateral
 s/\[1, 2, 9, 8\], //|edge A2-A3 (belongs to no face
-s/90.697145317, /95.697145317, /|does not fold rigidly: .*vertex A
 s/"vertices_coords": .*/"vertices_coords": [],/|vertices_coords (must be a list that is not empty
 s/"V"/"F"/|is "F" (must be a mountain or a valley
 CASES
+mesh 's/90.697145317, /95.697145317, /'
+"$program" fold ../p.json > ../out 2> ../err || fail "a mesh that does not fold rigidly: $(cat ../err)"
+grep -q "its base is the nearest sheet found that does, off by at most [0-9.]* mm" ../err ||
+  fail "how far off the base is: $(cat ../err)"
+refused 3 "mesh.fold (does not fold rigidly, and the nearest sheet found that does is off by [0-9.]* mm" \
+  search ../campaign.json
 printf 'not { JSON' > ../mesh.fold
 refused 3 "mesh.fold: is not JSON, FOLD or OBJ" fold ../p.json
 rm ../mesh.fold
