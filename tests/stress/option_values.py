@@ -32,7 +32,7 @@ VALUES = [
 NUMBERS = [value for value in VALUES if re.match(r"^[ +-]?[0-9.]", value)] + ["0.01", "7", "60", "1e-3", "100"]
 NOT_DECIMAL = re.compile(r"^\s*[+-]?(0x|0b|nan|inf)", re.IGNORECASE)
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f\x80-\x9f\u200e\u200f\u2028-\u202e]")
-SLOW = {"watch", "search", "stress", "bench", "optimise", "backlash", "tolerance", "certify", "verify", "doctor"}
+SLOW = {"card", "deploy", "watch", "search", "stress", "bench", "optimise", "backlash", "tolerance", "certify", "verify", "doctor"}
 
 
 def text(program, *words):
