@@ -15,6 +15,7 @@
 #include <map>
 #include <thread>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/writer_lock.hpp"
 #include "schema/files/features.hpp"
