@@ -36,6 +36,15 @@ inline pybind11::array array_of_given(const pybind11::object& given, const char*
   return pybind11::module_::import("numpy").attr(maker)(given);
 }
 
+/// The same as numbers of one type, one after another. What NumPy refuses, such as memory, is
+/// Python's error: `ensure` would answer null.
+template <class Value>
+pybind11::array_t<Value, pybind11::array::c_style | pybind11::array::forcecast> numbers_of(
+    const pybind11::array& array) {
+  return pybind11::array_t<Value, pybind11::array::c_style | pybind11::array::forcecast>(
+      pybind11::object(array));
+}
+
 /// A row for each entry, of equal length.
 template <class Value, std::size_t Columns>
 pybind11::array_t<Value> table_of(const std::vector<std::array<Value, Columns>>& rows) {

@@ -13,6 +13,7 @@
 #include "search/python/draw_numbers.hpp"
 #include "search/python/folding.hpp"
 #include "search/python/histories.hpp"
+#include "search/python/made.hpp"
 #include "search/python/signals.hpp"
 #include "search/python/table_columns.hpp"
 #include "search/sheets/campaign_sheet.hpp"
@@ -128,16 +129,12 @@ class Catalogue {
     });
   }
 
-  std::string tolerance(const py::object& number, double amplitude_mm, std::uint64_t trials,
-                        int jobs, const std::optional<double>& from_deg) const {
+  std::string tolerance(const py::object& number, double amplitude_mm, std::int64_t trials,
+                        std::int64_t jobs, const std::optional<double>& from_deg) const {
     const std::uint64_t draw = draw_number(number);
-    const auto refuse = [](const std::string& sentence) {
-      return schema::UserError(schema::Cause::bad_request, sentence);
-    };
-    if (!(amplitude_mm >= 0)) throw refuse("amplitude_mm: must not be negative; try 0.05");
-    if (trials == 0) throw refuse("trials: must be positive; try 1000");
-    if (jobs < 1) throw refuse("jobs: must be positive; try 1");
     ToleranceOptions options = copies_of(trials, jobs);
+    check_design("amplitude_mm", "miscut_mm", amplitude_mm);
+    if (from_deg) check_design("from_deg", "from_deg", *from_deg);
     options.amplitude_mm = amplitude_mm;
     return unlocked([&] {
       const std::vector<Eigen::Matrix2Xd> shifts_mm = shifts_of({draw});
@@ -192,18 +189,18 @@ class Catalogue {
 }  // namespace
 
 void bind_catalogues(py::module_& module) {
-  py::class_<Catalogue>(module, "Catalogue")
+  py::class_<Catalogue, std::shared_ptr<Catalogue>>(module, "Catalogue")
       .def(py::init<std::string>(), py::arg("path"))
-      .def("sheet", &Catalogue::sheet)
-      .def("candidates", &Catalogue::candidates, py::arg("where"), py::arg("by"), py::arg("limit"),
-           py::arg("columns"))
-      .def("query", &Catalogue::query, py::arg("name_or_sql"))
-      .def("shifts", &Catalogue::shifts, py::arg("draws"))
-      .def("histories", &Catalogue::histories, py::arg("draws"))
-      .def("replay", &Catalogue::replay, py::arg("draw"), py::arg("stations"))
-      .def("pattern", &Catalogue::pattern, py::arg("draw"))
-      .def("springs", &Catalogue::springs, py::arg("draw"))
-      .def("tolerance", &Catalogue::tolerance, py::arg("draw"), py::arg("amplitude_mm"),
+      .def("sheet", made(&Catalogue::sheet))
+      .def("candidates", made(&Catalogue::candidates), py::arg("where"), py::arg("by"),
+           py::arg("limit"), py::arg("columns"))
+      .def("query", made(&Catalogue::query), py::arg("name_or_sql"))
+      .def("shifts", made(&Catalogue::shifts), py::arg("draws"))
+      .def("histories", made(&Catalogue::histories), py::arg("draws"))
+      .def("replay", made(&Catalogue::replay), py::arg("draw"), py::arg("stations"))
+      .def("pattern", made(&Catalogue::pattern), py::arg("draw"))
+      .def("springs", made(&Catalogue::springs), py::arg("draw"))
+      .def("tolerance", made(&Catalogue::tolerance), py::arg("draw"), py::arg("amplitude_mm"),
            py::arg("trials"), py::arg("jobs"), py::arg("from_deg"));
 }
 

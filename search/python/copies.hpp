@@ -4,20 +4,25 @@
 #include <cstdint>
 
 #include "search/python/signals.hpp"
+#include "search/sheets/parameters.hpp"
 #include "search/sheets/tolerance.hpp"
 
 namespace misalign::search::python {
 
+/// A number of copies, or of threads, as check_parameter() has it.
+template <class Count>
+Count checked_count(const char* study, const char* name, std::int64_t count) {
+  check_parameter(study, name, static_cast<double>(count));
+  return static_cast<Count>(count);
+}
+
 /// So many, on the widest registers there are; Ctrl-C ends them.
-inline ToleranceOptions copies_of(std::uint64_t trials, int jobs) {
+inline ToleranceOptions copies_of(std::int64_t trials, std::int64_t jobs) {
   ToleranceOptions options;
-  options.trials = trials;
-  options.jobs = jobs;
+  options.trials = checked_count<std::uint64_t>("tolerance", "trials", trials);
+  options.jobs = checked_count<int>("", "jobs", jobs);
   options.set = solver::available_instruction_sets().back();
-  options.progress = [](const CopiesDone&) {
-    const pybind11::gil_scoped_acquire lock;
-    check_signals();
-  };
+  options.progress = [](const CopiesDone&) { watch_signals(); };
   return options;
 }
 

@@ -24,11 +24,11 @@ inline std::vector<std::uint64_t> draw_numbers(const pybind11::object& draws) {
   if (kind != 'i' && kind != 'u') throw refuse("holds what are no whole numbers");
   std::vector<std::uint64_t> numbers;
   if (kind == 'u') {
-    const auto list = py::array_t<std::uint64_t, py::array::forcecast>::ensure(all);
+    const auto list = numbers_of<std::uint64_t>(all);
     const auto cells = list.unchecked<1>();
     for (py::ssize_t k = 0; k < cells.shape(0); ++k) numbers.push_back(cells(k));
   } else {
-    const auto list = py::array_t<std::int64_t, py::array::forcecast>::ensure(all);
+    const auto list = numbers_of<std::int64_t>(all);
     const auto cells = list.unchecked<1>();
     for (py::ssize_t k = 0; k < cells.shape(0); ++k) {
       if (cells(k) < 0) throw refuse("holds " + std::to_string(cells(k)));

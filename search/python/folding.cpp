@@ -6,6 +6,7 @@
 #include "search/draws/decision_stream.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
+#include "search/python/made.hpp"
 #include "search/python/shift_blocks.hpp"
 #include "search/python/signals.hpp"
 
@@ -104,14 +105,14 @@ py::dict fold(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
 }
 
 void bind_foldings(py::module_& module) {
-  module.def(
-      "fold",
-      [](const PatternSource& source, const py::object& shifts_mm, const py::object& stations) {
-        const Eigen::Matrix2Xd shifts =
-            shifts_mm.is_none() ? source.sheet.shifts_mm : shifts_of_one(shifts_mm, source);
-        return fold(source, shifts, stations_of(stations));
-      },
-      py::arg("sheet"), py::arg("shifts_mm"), py::arg("stations"));
+  module.def("fold",
+             made(+[](const PatternSource& source, const py::object& shifts_mm,
+                      const py::object& stations) {
+               const Eigen::Matrix2Xd shifts =
+                   shifts_mm.is_none() ? source.sheet.shifts_mm : shifts_of_one(shifts_mm, source);
+               return fold(source, shifts, stations_of(stations));
+             }),
+             py::arg("sheet"), py::arg("shifts_mm"), py::arg("stations"));
 }
 
 }  // namespace misalign::search::python

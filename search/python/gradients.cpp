@@ -4,6 +4,7 @@
 
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
+#include "search/python/made.hpp"
 #include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
 #include "search/python/stations.hpp"
@@ -37,6 +38,7 @@ Gradients gradients_of(const PatternSource& source, const std::vector<double>& s
   const Index coordinates = 2 * sheet.shifts_mm().cols();
   const double none = std::numeric_limits<double>::quiet_NaN();
   for (const double pilot_deg : stations_deg) {
+    watch_signals();
     const bool is_on = pilot_deg <= sheet.way()->end_deg();
     auto found = is_on ? gradients.at(pilot_deg) : std::nullopt;
     if (!found) {  // beyond its end: no numbers
@@ -134,7 +136,7 @@ py::dict gradient(const PatternSource& source, const py::object& stations) {
 }  // namespace
 
 void bind_gradients(py::module_& module) {
-  module.def("gradient", &gradient, py::arg("sheet"), py::arg("stations"));
+  module.def("gradient", made(&gradient), py::arg("sheet"), py::arg("stations"));
 }
 
 }  // namespace misalign::search::python

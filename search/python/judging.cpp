@@ -116,9 +116,9 @@ py::tuple fault_names() {
 
 void bind_judging(py::module_& module) {
   module.attr("faults") = fault_names();
-  module.def("accepted", &accepted, py::arg("sheet"), py::arg("shifts_mm"),
+  module.def("accepted", &accepted, py::arg("sheet").none(false), py::arg("shifts_mm"),
              py::arg("threshold_deg"));
-  module.def("verdicts", &verdicts, py::arg("sheet"), py::arg("shifts_mm"));
+  module.def("verdicts", &verdicts, py::arg("sheet").none(false), py::arg("shifts_mm"));
 }
 
 }  // namespace misalign::search::python

@@ -6,10 +6,12 @@
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/draw_numbers.hpp"
+#include "search/python/made.hpp"
 #include "search/python/pattern_source.hpp"
 #include "search/python/shift_blocks.hpp"
 #include "search/python/signals.hpp"
 #include "solver/kinematics/mechanism.hpp"
+#include "solver/pattern/outline.hpp"
 
 namespace misalign::search::python {
 namespace {
@@ -55,13 +57,17 @@ py::dict describe(const PatternSource& source) {
   for (const solver::Diagonal& diagonal : mechanism.diagonals) {
     diagonals.add(diagonal.from, diagonal.to);
   }
+  std::vector<std::array<int, 4>> panels;
+  for (const int facet : solver::kept_facets(base.base.sheet, base.base.holes)) {
+    panels.push_back(base.base.sheet.facets[static_cast<std::size_t>(facet)]);
+  }
   std::vector<std::string> vertices;
   for (int v = 0; v < source.vertices(); ++v) vertices.push_back(solver::vertex_label(v));
   const schema::Json bumps = schema::between_samples_json(source.criterion.bumps);
   return py::dict(
       "name"_a = source.sheet.pattern, "vertices_mm"_a = points_of(source.pattern().vertices_mm),
       "shifts_mm"_a = points_of(source.sheet.shifts_mm),
-      "facets"_a = table_of(source.pattern().facets),
+      "facets"_a = table_of(source.pattern().facets), "panels"_a = table_of(panels),
       "places"_a = table_of(source.pattern().places), "holes"_a = list_of(base.base.holes),
       "creases"_a = table_of(creases.ends), "valley"_a = valley,
       "diagonals"_a = table_of(diagonals.ends), "vertex_labels"_a = vertices,
@@ -110,9 +116,9 @@ py::array_t<double> shifts(const PatternSource& source, const py::object& draws)
 
 void bind_sheets(py::module_& module) {
   py::class_<PatternSource, std::shared_ptr<PatternSource>>(module, "Sheet")
-      .def("describe", &describe)
-      .def("shifts", &shifts, py::arg("draws"))
-      .def(py::pickle(&text_of, [](const std::string& text) {
+      .def("describe", made(&describe))
+      .def("shifts", made(&shifts), py::arg("draws"))
+      .def(py::pickle(made(&text_of), [](const std::string& text) {
         return unlocked([&] { return source_of_text(text); });
       }));
   module.def(
@@ -123,16 +129,14 @@ void bind_sheets(py::module_& module) {
       py::arg("text"), py::arg("name"));
   module.def(
       "with_shifts",
-      [](const PatternSource& source, const py::object& shifts_mm, const std::string& name) {
+      made(+[](const PatternSource& source, const py::object& shifts_mm, const std::string& name) {
         return with_shifts(source, shifts_of_one(shifts_mm, source), name);
-      },
+      }),
       py::arg("sheet"), py::arg("shifts_mm"), py::arg("name"));
-  module.def(
-      "write",
-      [](const PatternSource& source, const std::string& path) {
-        unlocked([&] { write_source(source, path); });
-      },
-      py::arg("sheet"), py::arg("path"));
+  module.def("write", made(+[](const PatternSource& source, const std::string& path) {
+               unlocked([&] { write_source(source, path); });
+             }),
+             py::arg("sheet"), py::arg("path"));
   module.def(
       "read", [](const std::string& path) { return unlocked([&] { return read_source(path); }); },
       py::arg("path"));

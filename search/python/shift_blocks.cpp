@@ -75,8 +75,7 @@ ShiftBlocks::ShiftBlocks(const py::object& shifts_mm, const PatternSource& sourc
 const double* ShiftBlocks::rows(std::uint64_t first, std::uint64_t count) {
   if (is_ready_) return static_cast<const double*>(array_.data()) + first * per_sheet_;
   const py::slice some(static_cast<py::ssize_t>(first), static_cast<py::ssize_t>(first + count), 1);
-  made_ = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array_[some]);
-  if (!made_) throw py::error_already_set();
+  made_ = numbers_of<double>(py::array(array_[some]));
   return made_.data();
 }
 
@@ -135,9 +134,7 @@ void ShiftBlocks::check_sheet(const double* row, std::uint64_t number) const {
 
 Eigen::Matrix2Xd shifts_of_one(const py::object& shifts_mm, const PatternSource& source) {
   const py::array array = array_of(shifts_mm, {source.vertices(), 2}, form_of(source, ""));
-  const auto doubles =
-      py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
-  if (!doubles) throw py::error_already_set();
+  const auto doubles = numbers_of<double>(array);
   const Eigen::Matrix2Xd columns =
       Eigen::Map<const Eigen::Matrix2Xd>(doubles.data(), 2, source.vertices());
   check(source, columns, "");

@@ -11,6 +11,12 @@ inline void check_signals() {
   if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
 }
 
+/// The same without the GIL, for work to call in between.
+inline void watch_signals() {
+  const pybind11::gil_scoped_acquire lock;
+  check_signals();
+}
+
 /// Does the work without the GIL, so that other threads go on.
 template <class Work>
 auto unlocked(const Work& work) {

@@ -23,7 +23,7 @@ std::optional<std::vector<double>> stations_of(const py::object& stations) {
   if (all.ndim() != 1) throw refuse("has " + std::to_string(all.ndim()) + " axes, not one");
   if (all.size() == 0) throw refuse("is empty");
   if (kind != 'f' && kind != 'i' && kind != 'u') throw refuse("holds what are no numbers");
-  const auto list = py::array_t<double, py::array::forcecast | py::array::c_style>::ensure(all);
+  const auto list = numbers_of<double>(all);
   const std::vector<double> angles_deg(list.data(), list.data() + list.size());
   for (std::size_t k = 0; k < angles_deg.size(); ++k) {
     if (angles_deg[k] != 0 && !(angles_deg[k] >= kLeast_deg && angles_deg[k] <= 180)) {

@@ -6,6 +6,7 @@
 #include "schema/files/suggestion.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/copies.hpp"
+#include "search/python/made.hpp"
 #include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
 #include "search/sheets/card.hpp"
@@ -31,6 +32,7 @@ schema::Design design_of(const std::string& said) {
 
 std::string contact(const PatternSource& source, const std::string& design,
                     const std::optional<double>& trim_mm) {
+  if (trim_mm) check_parameter("", "trim_mm", *trim_mm);
   return unlocked(
       [&] { return contact_said(Subject(source.sheet, design_of(design)), trim_mm).dump(); });
 }
@@ -57,7 +59,16 @@ std::string optimise(const PatternSource& source, const std::string& design,
                      const std::vector<std::string>& subject_to,
                      const std::vector<double>& stiffness_n_per_mm,
                      const std::vector<double>& preload_n, std::optional<double> rest_deg,
-                     double miscut_mm, std::uint64_t trials) {
+                     double miscut_mm, std::int64_t trials) {
+  const auto check = [](const char* name, const std::optional<double>& value) {
+    if (value) check_parameter("optimise", name, *value);
+  };
+  check("amplitude_mm", amplitude_mm);
+  check("deploys_from_deg", deploys_from_deg);
+  check("grid_mm", grid_mm);
+  check("rest_deg", rest_deg);
+  check("miscut_mm", miscut_mm);
+  const auto copies = checked_count<std::uint64_t>("optimise", "trials", trials);
   return unlocked([&] {
     const schema::GoalName* const named = schema::goal_named(goal);
     if (!named) {
@@ -77,16 +88,19 @@ std::string optimise(const PatternSource& source, const std::string& design,
                                                       .preload_n = preload_n,
                                                       .rest_deg = rest_deg,
                                                       .miscut_mm = miscut_mm,
-                                                      .trials = trials}))
+                                                      .trials = copies,
+                                                      .watch = watch_signals}))
         .dump();
   });
 }
 
-std::string card(const PatternSource& source, const std::string& design, std::uint64_t trials,
-                 int jobs) {
+std::string card(const PatternSource& source, const std::string& design, std::int64_t trials,
+                 std::int64_t jobs) {
+  const CardOptions options{checked_count<std::uint64_t>("card", "trials", trials),
+                            checked_count<int>("", "jobs", jobs)};
   return unlocked([&] {
     const Subject subject(source.sheet, design_of(design));
-    return card_said(subject, card_of(subject, {trials, jobs}).card).dump();
+    return card_said(subject, card_of(subject, options).card).dump();
   });
 }
 
@@ -104,8 +118,8 @@ std::string certify(const PatternSource& source, const std::string& design, bool
   });
 }
 
-std::string tolerance(const PatternSource& source, const std::string& said, std::uint64_t trials,
-                      int jobs) {
+std::string tolerance(const PatternSource& source, const std::string& said, std::int64_t trials,
+                      std::int64_t jobs) {
   ToleranceOptions options = copies_of(trials, jobs);
   return unlocked([&] {
     const schema::Design design = design_of(said).instead_of(source.sheet.design);
@@ -124,18 +138,20 @@ std::string tolerance(const PatternSource& source, const std::string& said, std:
 }  // namespace
 
 void bind_studies(py::module_& module) {
-  module.def("contact", &contact, py::arg("sheet"), py::arg("design"), py::arg("trim_mm"));
-  module.def("actuators", &actuators, py::arg("sheet"), py::arg("design"));
-  module.def("deploy", &deploy, py::arg("sheet"), py::arg("design"), py::arg("bends"));
-  module.def("optimise", &optimise, py::arg("sheet"), py::arg("design"), py::arg("goal"),
+  module.def("contact", made(&contact), py::arg("sheet"), py::arg("design"), py::arg("trim_mm"));
+  module.def("actuators", made(&actuators), py::arg("sheet"), py::arg("design"));
+  module.def("deploy", made(&deploy), py::arg("sheet"), py::arg("design"), py::arg("bends"));
+  module.def("optimise", made(&optimise), py::arg("sheet"), py::arg("design"), py::arg("goal"),
              py::arg("amplitude_mm"), py::arg("deploys_from_deg"), py::arg("ternary"),
              py::arg("grid_mm"), py::arg("within_family"), py::arg("subject_to"),
              py::arg("stiffness_n_per_mm"), py::arg("preload_n"), py::arg("rest_deg"),
              py::arg("miscut_mm"), py::arg("trials"));
-  module.def("card", &card, py::arg("sheet"), py::arg("design"), py::arg("trials"),
+  module.def("card", made(&card), py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));
-  module.def("certify", &certify, py::arg("sheet"), py::arg("design"), py::arg("contact"));
-  module.def("tolerance", &tolerance, py::arg("sheet"), py::arg("design"), py::arg("trials"),
+  module.def("certify", made(&certify), py::arg("sheet"), py::arg("design"), py::arg("contact"));
+  module.def("check_design", &check_design, py::arg("name"), py::arg("design_key"),
+             py::arg("value"));
+  module.def("tolerance", made(&tolerance), py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));
 }
 

@@ -1,5 +1,7 @@
 """What is wrong is a sentence, never a crash and never an answer."""
 
+import functools
+import inspect
 import os
 import pickle
 import subprocess
@@ -100,6 +102,55 @@ class Sentences(unittest.TestCase):
         pattern = misalign.read(TABLE1)
         for bad in ([], [10, 5], [10, 10], [-1], [1e-6], [181], [np.nan], [[1, 2]], ["a"]):
             self.refused(2, "stations", pattern.fold, bad)
+
+    def test_numbers_of_every_call(self):
+        """What the program refuses, every function refuses, by the parameter's name."""
+        pattern, catalogue, campaign = misalign.read(TABLE1), misalign.Catalogue(CATALOGUE), misalign.read(SMALL)
+        needed = {"draw": 1, "draws": [1], "amplitude_mm": 0.05, "shifts_mm": pattern.shifts_mm, "stations": [30], "name": "x"}
+        numbers = (np.nan, np.inf, -np.inf, -1, 1e308, -1e308, "much", [1, 2, 3], {}, 10**400)
+        ranges = ([1], [1, 2, 3], [np.nan, 2], [1, np.inf], [-1, 5], [5, 1], [1, 1e308], ["a", "b"], 3)
+        methods = [getattr(owner, name) for owner in (pattern, catalogue, campaign) for name in dir(owner)
+                   if not name.startswith("_") and inspect.ismethod(getattr(owner, name))]
+        tried = 0
+        for call in [*methods, functools.partial(misalign.judge, campaign, campaign.shifts([0]))]:
+            signature = inspect.signature(call).parameters
+            base = {name: needed[name] for name, one in signature.items() if one.default is one.empty and name in needed}
+            for name, one in signature.items():
+                kind = str(one.annotation)
+                is_range = kind.startswith("Sequence[float]")
+                if not is_range and kind.split(" ")[0] not in ("float", "int"):
+                    continue
+                for bad in ranges if is_range else numbers:
+                    with self.subTest(call=str(call), name=name, bad=str(bad)[:20]):
+                        with self.assertRaises((misalign.Error, TypeError, ValueError, OverflowError)) as caught:
+                            call(**{**base, name: bad})
+                        if isinstance(caught.exception, misalign.Error):
+                            self.assertEqual(caught.exception.exit_code, 2)
+                            self.assertIn(name.removesuffix("_n_per_mm"), str(caught.exception))
+                        tried += 1
+        self.assertGreater(tried, 250)
+
+    def test_what_no_memory_holds(self):
+        """NumPy refuses to copy it: its error, not null."""
+        endless = np.broadcast_to(np.float32(90), (2**45,))
+        with self.assertRaises(MemoryError):
+            misalign.read(TABLE1).fold(endless)
+        with self.assertRaises(MemoryError):
+            misalign.read(SMALL).shifts(np.broadcast_to(np.int8(1), (2**45,)))
+
+    def test_private_classes_made_from_nothing(self):
+        from misalign import _misalign
+        catalogue, sheet = (kind.__new__(kind) for kind in (_misalign.Catalogue, _misalign.Sheet))
+        zeros = np.zeros((1, 25, 2))
+        for call in (catalogue.sheet, lambda: catalogue.query("best"), lambda: catalogue.candidates("", None, None, []),
+                     lambda: catalogue.shifts([0]), lambda: catalogue.histories([0]), lambda: catalogue.replay(0, None),
+                     lambda: catalogue.pattern(0), lambda: catalogue.springs(0),
+                     lambda: catalogue.tolerance(0, 0.1, 1, 1, None), sheet.describe, lambda: sheet.shifts([0]),
+                     lambda: _misalign.fold(sheet, None, None), lambda: _misalign.verdicts(sheet, zeros),
+                     lambda: _misalign.verdicts(None, zeros), lambda: _misalign.accepted(None, zeros, 100),
+                     lambda: _misalign.card(None, "{}", 1, 1), lambda: _misalign.Sheet(), lambda: _misalign.Catalogue(None)):
+            with self.assertRaises((TypeError, RuntimeError, misalign.Error)):
+                call()
 
     def test_draws(self):
         catalogue = misalign.Catalogue(CATALOGUE)

@@ -161,6 +161,11 @@ class Processes(unittest.TestCase):
         self.interrupted(lambda: catalogue.histories(range(100000)))
         for jobs in (1, 2):
             self.interrupted(lambda: catalogue.tolerance(draw, 0.05, 1000000, jobs))
+        large = misalign.read({"family": "miura", "rows": 10, "columns": 10, "displacements_mm": {"A14": [1, 1]}})
+        self.interrupted(lambda: large.gradient(np.linspace(1, 60, 100000)))
+        sheet = catalogue.pattern(draw)
+        self.interrupted(lambda: sheet.optimise("yield", trials=1000000))
+        self.interrupted(lambda: [sheet.optimise(amplitude_mm=2) for _ in range(1000)])
         numbers = "WITH RECURSIVE n(k) AS (SELECT 1 UNION ALL SELECT k + 1 FROM n) SELECT k FROM n "
         self.interrupted(lambda: catalogue.query(numbers + "WHERE k < 0"))
         self.interrupted(lambda: catalogue.query(numbers + "WHERE k % 100000 = 0"))

@@ -119,6 +119,31 @@ class Studies(unittest.TestCase):
             misalign.read({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "design": {"from_deg": 200}})
         self.assertIn("design.from_deg = 200", str(refused.exception))
 
+    def test_numbers_of_numpy(self):
+        said = {"family": "miura", "rows": 4, "columns": 4, "displacements_mm": {"A7": [0.4, 0]}}
+        of_numpy = {"family": "miura", "rows": np.int64(4), "columns": np.uint8(4),
+                    "displacements_mm": {"A7": np.array([0.4, 0])}, "design": {"thickness_mm": np.float32(0.5)}}
+        sheet, same = misalign.read(said), misalign.read(of_numpy)
+        np.testing.assert_array_equal(sheet.shifts_mm, same.shifts_mm)
+        self.assertEqual(same.design["thickness_mm"], 0.5)
+        self.same(same.contact(np.float32(90), trim_mm=np.float64(3)), plain(same.contact(90, trim_mm=3)))
+        for bad in ({**said, "rows": np.nan}, {**said, "rows": object()}, {**said, "rows": {1, 2}}):
+            with self.assertRaisesRegex(misalign.Error, "give "):
+                misalign.read(bad)
+
+    def test_facets_holes_and_panels(self):
+        sheet = misalign.read(TABLE1)
+        np.testing.assert_array_equal(sheet.panels, np.delete(sheet.facets, sheet.holes, axis=0))
+
+    def test_folded_vertices_are_from_a1(self):
+        """Of gradient the first panel lies as on the flat sheet, less where A1 lies."""
+        sheet = misalign.read(TABLE1)
+        flat_mm = sheet.vertices_mm + sheet.shifts_mm
+        folded_mm = sheet.gradient([40])["folded_mm"][0]
+        first = sheet.panels[0]
+        np.testing.assert_allclose(folded_mm[first, :2], flat_mm[first] - flat_mm[0], atol=1e-9)
+        np.testing.assert_allclose(folded_mm[first, 2], 0, atol=1e-9)
+
     def test_the_vocabulary(self):
         names = [line.split()[0] for line in program("query", "--help").splitlines()
                  if line.startswith("  ") and line.split()[0].endswith(("_deg", "_mm", "_s", "_per_mm"))]

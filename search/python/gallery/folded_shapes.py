@@ -7,18 +7,16 @@ Vertices of the folded sheet come with every folding, so any plotting library ca
 
 import matplotlib.pyplot as plt
 import misalign
-import numpy as np
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 table1 = misalign.read("search/patterns/table1.json")
 angles_deg = (10, 40, 70, 100, 130, 156)
 folding = table1.fold(angles_deg)
-panels = np.delete(table1.facets, table1.holes, axis=0)
 
 figure = plt.figure(figsize=(9, 6), layout="constrained")
 for place, (angle_deg, shape_mm) in enumerate(zip(angles_deg, folding.vertices_mm)):
     axes = figure.add_subplot(2, 3, place + 1, projection="3d")
-    axes.add_collection3d(Poly3DCollection(shape_mm[panels], facecolor="#f4e3bd", edgecolor="#444444", linewidth=0.5,
+    axes.add_collection3d(Poly3DCollection(shape_mm[table1.panels], facecolor="#f4e3bd", edgecolor="#444444", linewidth=0.5,
                                            alpha=0.95))
     middle_mm = (shape_mm.max(axis=0) + shape_mm.min(axis=0)) / 2
     axes.set(**{f"{axis}lim": (middle_mm[k] - 240, middle_mm[k] + 240) for k, axis in enumerate("xyz")})

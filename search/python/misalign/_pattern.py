@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from misalign import _misalign
-from misalign._arrays import arrays
+from misalign._arrays import arrays, text
 from misalign._error import Error
 from misalign._folding import Folding
 
@@ -21,12 +21,15 @@ def _design(from_deg: float | None = None, stiffness_n_per_mm: float | None = No
             thickness_mm: float | None = None, miscut_mm: float | None = None,
             preload_n: float | None = None) -> str:
     """What a call says before the pattern's design does."""
+    for name, value in list(locals().items()):
+        if value is not None and not (isinstance(value, (int, float, np.number)) and np.isfinite(value)):
+            raise Error(f"{name}={value}: is no finite number; name one", 2)
     springs = {"stiffness_n_per_mm": stiffness_n_per_mm, "stroke_limit": stroke_limit, "preload_n": preload_n}
     said: dict[str, Any] = {"from_deg": from_deg, "thickness_mm": thickness_mm, "miscut_mm": miscut_mm}
     said["springs"] = {key: value for key, value in springs.items() if value is not None}
     if friction_n_mm_per_mm is not None:
         said["hinges"] = {"friction_n_mm_per_mm": friction_n_mm_per_mm}
-    return json.dumps({key: value for key, value in said.items() if value is not None})
+    return text({key: value for key, value in said.items() if value is not None})
 
 
 def _said(text: str) -> dict[str, Any]:
@@ -44,7 +47,7 @@ class Pattern:
     `vertices_mm`      [V, 2]: x and y of the correct, flat sheet, without shifts
     `shifts_mm`        [V, 2]: of the file; the sheet that is cut has its vertices at their sum
     `facets`           [F, 4]: vertices, counter-clockwise; `places` [F, 2]: row and column of each
-    `holes`            facets that are taken out
+    `holes`            facets that are taken out; `panels` [P, 4]: vertices of those that are left
     `creases`          [C, 2]: vertices; `valley` [C]: whether it is one, or a mountain, seen from +z
     `pilot`            the crease whose fold angle is prescribed
     `diagonals`        [G, 2]: vertices; two of each hole, in the order of the holes
@@ -68,6 +71,7 @@ class Pattern:
     vertices_mm: npt.NDArray[np.float64]
     shifts_mm: npt.NDArray[np.float64]
     facets: npt.NDArray[np.int32]
+    panels: npt.NDArray[np.int32]
     places: npt.NDArray[np.int32]
     holes: npt.NDArray[np.int32]
     creases: npt.NDArray[np.int32]
@@ -195,7 +199,8 @@ class Pattern:
         Arrays: `length_mm` [S, G] and `length_by_mm` [S, G, V, 2] of the diagonals, `fold_deg` [S, C] and `fold_by_mm`
         [S, C, V, 2] of the creases (degrees per mm), `slope_mm_per_rad` [S, G] and `slope_by_mm` [S, G, V, 2] of the
         diagonals by the pilot's angle, `folded_mm` [S, V, 3] and `folded_by_mm` [S, V, 3, V, 2] of the folded sheet, its
-        first panel held (NaN flat), `fold_limit_by_mm` [V, 2], None where it folds to 180 degrees.
+        first panel held where it lies on the flat sheet whose A1 is moved to the origin (NaN flat; `fold` lays its shapes over
+        the flat sheet as it is), `fold_limit_by_mm` [V, 2], None where it folds to 180 degrees.
 
         >>> found = misalign.read("search/patterns/table1.json").gradient([36, 90])
         >>> found["length_by_mm"].shape, found["fold_by_mm"].shape, found["fold_limit_by_mm"].shape
@@ -237,7 +242,7 @@ class Pattern:
             self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit, None, thickness_mm, preload_n=preload_n),
             goal, amplitude_mm, deploys_from_deg, ternary, grid_mm, within_family, list(subject_to),
             list(stiffness_within), list(preload_within), rest_deg, miscut_mm, trials))
-        return Pattern(_misalign.read_document(json.dumps(said["pattern"]), "optimised")), said
+        return Pattern(_misalign.read_document(text(said["pattern"]), "optimised")), said
 
     def card(self, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:
         """What its design asks and what was found: what `misalign card --json` says.
@@ -248,8 +253,6 @@ class Pattern:
         >>> card["passes"], [line["key"] for line in card["lines"]][:2]
         (True, ['deploys_from_deg', 'certified_deg'])
         """
-        if trials < 1 or jobs < 1:
-            raise Error("trials and jobs: must be positive; try 1000 and 1", 2)
         return _said(_misalign.card(self._sheet, _design(), trials, jobs))
 
     def tolerance(self, amplitude_mm: float | None = None, trials: int = 1000, jobs: int = 1,
@@ -264,8 +267,8 @@ class Pattern:
         >>> pattern.tolerance(0.01, trials=20, from_deg=90)["from_threshold"]["copies"]
         20
         """
-        if trials < 1 or jobs < 1:
-            raise Error("trials and jobs: must be positive; try 1000 and 1", 2)
+        if amplitude_mm is not None:
+            _misalign.check_design("amplitude_mm", "miscut_mm", amplitude_mm)
         return _said(_misalign.tolerance(self._sheet, _design(from_deg, miscut_mm=amplitude_mm), trials, jobs))
 
     def certify(self, from_deg: float | None = None, contact: bool = False) -> dict[str, Any]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from typing import Any
 
 from misalign import _misalign
+from misalign._arrays import text
 from misalign._campaign import Campaign
 from misalign._pattern import Pattern
 
@@ -25,7 +25,7 @@ def read(path: str | os.PathLike[str] | Mapping[str, Any]) -> Pattern | Campaign
     <misalign.Pattern sheet: 25 vertices, 2 holes>
     """
     if isinstance(path, Mapping):
-        sheet = _misalign.read_document(json.dumps(path), "sheet")
+        sheet = _misalign.read_document(text(path), "sheet")
         return Campaign(sheet) if sheet.describe()["campaign"] else Pattern(sheet)
     sheet = _misalign.read(os.fspath(path))
     return Campaign(sheet) if sheet.describe()["campaign"] else Pattern(sheet)
