@@ -2,6 +2,7 @@
 // under other numbers.
 #pragma once
 
+#include <algorithm>
 #include <numeric>
 
 #include "families.hpp"
@@ -41,6 +42,9 @@ inline PerforatedSheet seen_base(const CarriedFamily& family, const View& view) 
     for (Json& vertices : mesh[key]) {
       for (Json& v : vertices) v = view.number[v.get<int>()];
     }
+  }
+  if (view.linear.determinant() < 0) {  // faces run counter-clockwise where letters are read
+    for (Json& face : mesh["faces_vertices"]) std::reverse(face.begin(), face.end());
   }
   if (view.from_below) {
     for (Json& letter : mesh["edges_assignment"]) {
