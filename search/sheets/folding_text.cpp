@@ -31,10 +31,9 @@ std::string shortest_strokes(const schema::FoldingView& view, double miscut_mm) 
       std::ranges::count_if(strokes_mm, [&](double stroke_mm) { return stroke_mm < miscut_mm; });
   const solver::Diagonal& diagonal =
       view.mechanism.diagonals[static_cast<std::size_t>(least - strokes_mm.begin())];
-  return fmt::format(
-      "\nstrokes of {} of {} diagonals are below {:g} mm, {:.3g} mm of {}: cutting is off by more",
-      shorter, strokes_mm.size(), miscut_mm, *least,
-      solver::line_label(diagonal.from, diagonal.to));
+  return fmt::format("\nstrokes of {} of {} diagonals are below {:g} mm: {} has {:.3g} mm", shorter,
+                     strokes_mm.size(), miscut_mm, solver::line_label(diagonal.from, diagonal.to),
+                     *least);
 }
 
 // Verdict and limits in words.

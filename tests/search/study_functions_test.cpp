@@ -193,8 +193,8 @@ TEST_F(FunctionsOfSheets, AQuotedNameIsNoText) {
   Choice choice;
   choice.where = R"("D" > 999)";
   EXPECT_THROW(chosen_draws(*database_, choice), schema::UserError);
-  choice.where = R"("deploys_from_deg" > 999)";
-  EXPECT_TRUE(chosen_draws(*database_, choice).empty());
+  choice.where = R"("deploys_from_deg" > 0)";
+  EXPECT_FALSE(chosen_draws(*database_, choice).empty());
 }
 
 TEST_F(FunctionsOfSheets, NearNamesAreNamed) {

@@ -65,7 +65,7 @@ grep -q '<td>A[0-9]*-A[0-9]*</td>' card.html && grep -q '<svg' card.html || fail
 
 # Shifts of 0.04 micrometres, as a mesh written with four decimals has them: it deploys on paper alone.
 sed 's/0\.4/0.00004/g' "$table1" > tiny.json
-"$program" fold tiny.json > words && grep -q '^strokes of 16 of 16 diagonals are below 0.01 mm, ' words || fail "strokes in words: $(head -4 words)"
+"$program" fold tiny.json > words && grep -q '^strokes of 16 of 16 diagonals are below 0.01 mm: ' words || fail "strokes in words: $(head -4 words)"
 "$program" fold "$table1" > words && ! grep -q '^strokes' words || fail "strokes of table1 in words"
 "$program" card "$table1" --from 150 --json > card.json && least=$(line least_stroke_mm found) || fail "the least stroke of table1"
 "$program" card tiny.json --from 150 --json > card.json || fail "card of tiny shifts"
