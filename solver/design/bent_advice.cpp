@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace misalign::solver {
 namespace {
@@ -22,26 +23,44 @@ std::optional<double> critical_of(const BentWay& way, double n_per_mm, BendMetho
 
 // Springs so stiff that panels alone give: over the stiffest that panels have against any forces.
 constexpr double kStiffSprings = 1e4;
+// Springs so much softer than these overcome next to nothing.
+constexpr double kSoftSprings = 1e12;
 
-// The least stiffness from which on, up to `much`, the critical friction is at least this.
+// The least stiffness from which on, up to `much` with its critical friction, that is at least so
+// much. Springs and panels give in series: one over the friction is nearly linear in one over the
+// stiffness, and false position on these (Illinois) takes few steps.
 std::optional<double> least_stiffness(const BentWay& way, BendMethod method, double wanted,
-                                      double much) {
-  double little = much;
-  do {
-    much = little;
-    little /= 4;
-    const auto critical = critical_of(way, little, method);
+                                      double much, double critical_of_much) {
+  struct Point {
+    double mm_per_n, above;  // one over the stiffness; one over the friction, less what is wanted
+  };
+  const auto at = [&](double mm_per_n) -> std::optional<Point> {
+    const auto critical = critical_of(way, 1 / mm_per_n, method);
     if (!critical) return {};
-    if (*critical < wanted) break;
-  } while (little > 1e-12 * much);
-  const double close = method == BendMethod::linear ? 1.003 : 1.03;
-  while (much > close * little) {
-    const double middle = std::sqrt(much * little);
-    const auto critical = critical_of(way, middle, method);
-    if (!critical) return {};
-    (*critical >= wanted ? much : little) = middle;
+    return Point{mm_per_n, 1 / *critical - 1 / wanted};
+  };
+  Point stiff{1 / much, 1 / critical_of_much - 1 / wanted}, soft = stiff;
+  while (soft.above <= 0 && soft.mm_per_n * much < kSoftSprings) {
+    const auto softer = at(16 * soft.mm_per_n);
+    if (!softer) return {};
+    stiff = std::exchange(soft, *softer);
   }
-  return much;
+  if (soft.above <= 0) return 1 / soft.mm_per_n;
+  const double close = method == BendMethod::linear ? 1.003 : 1.03;
+  int stiffer_in_turn = 0;  // negative: softer
+  while (soft.mm_per_n > close * stiff.mm_per_n) {
+    // At least this far into the bracket, also where springs so soft overcome nothing.
+    const double share = std::clamp(stiff.above / (stiff.above - soft.above), 0.02, 0.98);
+    const auto next = at(stiff.mm_per_n + share * (soft.mm_per_n - stiff.mm_per_n));
+    if (!next) return {};
+    const bool suffices = next->above <= 0;
+    (suffices ? stiff : soft) = *next;
+    stiffer_in_turn =
+        suffices ? std::max(stiffer_in_turn, 0) + 1 : std::min(stiffer_in_turn, 0) - 1;
+    if (stiffer_in_turn > 1) soft.above /= 2;
+    if (stiffer_in_turn < -1) stiff.above /= 2;
+  }
+  return 1 / stiff.mm_per_n;
 }
 
 std::optional<double> least_thickness(const Sheet& sheet, const BentPanels& study,
@@ -80,14 +99,14 @@ std::optional<double> useful_stiffness_n_per_mm(const BentWay& way) {
   const double most = critical_of(way, much, BendMethod::linear).value_or(0);
   if (most <= 0) return {};
   // With these Newton's method finds as much as it ever does, but for a percent.
-  const auto stiff = least_stiffness(way, BendMethod::linear, 0.99 * most, much);
+  const auto stiff = least_stiffness(way, BendMethod::linear, 0.99 * most, much, most);
   const DiagonalSprings springs{stiff.value(), way.panels().flat_lengths_mm()};
   if (way.bending(springs).method == BendMethod::linear) {
-    return least_stiffness(way, BendMethod::linear, kUseful * most, much);
+    return least_stiffness(way, BendMethod::linear, kUseful * most, much, most);
   }
   const auto far = critical_of(way, *stiff, BendMethod::newton);
   if (!far || *far <= 0) return {};
-  return least_stiffness(way, BendMethod::newton, kUseful * *far, *stiff);
+  return least_stiffness(way, BendMethod::newton, kUseful * *far, *stiff, *far);
 }
 
 BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,
