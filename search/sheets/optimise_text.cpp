@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "schema/exchange/actuators_json.hpp"
+#include "solver/design/low_slopes.hpp"
 
 namespace misalign::search {
 namespace {
@@ -68,6 +69,17 @@ std::string springs_text(const solver::Optimised& found) {
   return text.empty() ? text : "springs" + text + "\n";
 }
 
+// A start below the floor is only kept from getting worse.
+std::string slope_text(const solver::Sheet& sheet, const solver::Optimised& found) {
+  const solver::OptimiseOptions& options = found.options;
+  if (options.ternary || sheet.model().has_spare_equations()) return {};
+  const double least =
+      solver::least_slope_mm_per_deg(sheet, sheet.sample_deg(options.deploys_from_sample));
+  if (least >= options.least_slope_mm_per_deg) return {};
+  return fmt::format("its least slope is {:.3g} mm/deg, less than the {:g} that was asked\n", least,
+                     options.least_slope_mm_per_deg);
+}
+
 }  // namespace
 
 std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
@@ -83,7 +95,7 @@ std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
                   sheet.deploys_from_deg(),
                   certified_deg ? fmt::format(", proven up to {:g}", *certified_deg) : "",
                   100 * sheet.metrics()->stroke_max, found.best().shifts_mm.cwiseAbs().maxCoeff());
-  text += springs_text(found);
+  text += springs_text(found) + slope_text(sheet, found);
   if (found.limits) text += limits_text(sheet.mechanism(), found);
   return text;
 }

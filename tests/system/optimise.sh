@@ -23,6 +23,8 @@ cp said.json free.json
 [ "$(field of_file.json after_n_mm_per_mm)" = "$(field of_draw.json after_n_mm_per_mm)" ] || fail "an export ends elsewhere"
 "$program" optimise "$table1" --deploys-from 150 --stroke-limit 0.1 > words || fail "words"
 grep -q '^table1: critical friction, panels rigid from 36 deg' words && grep -q 'proven up to 150' words || fail "words: $(cat words)"
+"$program" optimise "$table1" --deploys-from 150 --least-slope 0.01 --steps 1 > words || fail "a start below the least slope"
+grep -q '^its least slope is 0.000[0-9]* mm/deg, less than the 0.01 that was asked$' words || fail "a start below the least slope: $(cat words)"
 "$program" optimise "$table1" --deploys-from 150 --goal static_friction_n_mm_per_mm --thickness 2 --preload 0.1 --ternary --json > bent.json ||
   fail "panels that bend"
 json_test bent.json "json_extract(j, '\$.after_n_mm_per_mm') > 2 * json_extract(j, '\$.before_n_mm_per_mm')" || fail "static friction"

@@ -81,8 +81,11 @@ kill -USR1 "$(cat pid)"
 wait $terminal
 while IFS= read -r line; do [ ${#line} -lt 60 ] || fail "a live line of ${#line} columns: $line"; done < lines
 
-# said: what is on standard error but the line that every run begins with, and what is left out where draws take long.
-said() { grep -v "^misalign: campaign \|^misalign: stopped without the draws under way" err; }
+# said: what is on standard error but the line that every run begins with, and what is left out where draws or a
+# commit take long: mpirun ends the ranks that are left by the signal that asks them to stop.
+said() {
+  grep -v "^misalign: campaign \|^misalign: stopped without the draws under way\|^misalign: asked to stop while the" err
+}
 
 # Signals, to the program as to the program alone: everything is kept, and the exit code is 0. INT comes
 # from a terminal, to all of its processes.
