@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/design/tolerance.hpp"
+#include "solver/play/tolerance.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "schema/campaign/share_interval.hpp"
 #include "schema/files/input.hpp"
-#include "solver/design/backlash.hpp"
+#include "solver/play/backlash.hpp"
 
 namespace misalign::schema {
 

@@ -3,8 +3,8 @@
 
 #include "schema/files/input.hpp"
 #include "schema/pattern/material.hpp"
-#include "solver/design/bent_advice.hpp"
-#include "solver/design/preload.hpp"
+#include "solver/bending/bent_advice.hpp"
+#include "solver/bending/preload.hpp"
 
 namespace misalign::schema {
 

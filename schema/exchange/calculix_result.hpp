@@ -9,7 +9,7 @@
 
 #include "schema/exchange/panel_mesh.hpp"
 #include "schema/exchange/simulated_sheet.hpp"
-#include "solver/design/stress.hpp"
+#include "solver/motion/stress.hpp"
 
 namespace misalign::schema {
 

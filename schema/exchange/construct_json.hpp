@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/design/construct.hpp"
+#include "solver/optimise/construct.hpp"
 
 namespace misalign::schema {
 

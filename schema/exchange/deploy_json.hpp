@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
-#include "solver/design/pin_friction.hpp"
+#include "solver/motion/pin_friction.hpp"
 
 namespace misalign::schema {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
-#include "solver/design/filler.hpp"
+#include "solver/motion/filler.hpp"
 
 namespace misalign::schema {
 

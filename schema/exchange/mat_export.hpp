@@ -6,7 +6,7 @@
 #include <string>
 
 #include "schema/exchange/folding_json.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 
 namespace misalign::schema {
 

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "schema/exchange/xml_text.hpp"
-#include "solver/design/joint_tree.hpp"
+#include "solver/motion/joint_tree.hpp"
 #include "solver/pattern/half_angle.hpp"
 
 namespace misalign::schema {

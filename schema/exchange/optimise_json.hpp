@@ -3,7 +3,7 @@
 
 #include "schema/campaign/optimise_bounds.hpp"
 #include "schema/exchange/folding_json.hpp"
-#include "solver/design/optimise.hpp"
+#include "solver/optimise/optimise.hpp"
 
 namespace misalign::schema {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/design/plate_solid.hpp"
+#include "solver/contact/plate_solid.hpp"
 
 namespace misalign::schema {
 

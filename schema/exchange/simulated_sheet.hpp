@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/design/plates.hpp"
+#include "solver/motion/plates.hpp"
 #include "solver/sheet/panels.hpp"
 
 namespace misalign::schema {

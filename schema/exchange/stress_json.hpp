@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/exchange/calculix_deck.hpp"
-#include "solver/design/stress.hpp"
+#include "solver/motion/stress.hpp"
 
 namespace misalign::schema {
 

@@ -3,8 +3,8 @@
 
 #include "schema/campaign/share_interval.hpp"
 #include "schema/files/input.hpp"
-#include "solver/design/miscut_gap.hpp"
-#include "solver/design/tolerance.hpp"
+#include "solver/play/miscut_gap.hpp"
+#include "solver/play/tolerance.hpp"
 
 namespace misalign::schema {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/design/option_fault.hpp"
+#include "solver/studies/option_fault.hpp"
 
 namespace misalign::schema {
 

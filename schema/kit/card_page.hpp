@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/exchange/card_json.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 
 namespace misalign::schema {
 

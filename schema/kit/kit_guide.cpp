@@ -12,7 +12,7 @@
 #include "schema/kit/kit_springs.hpp"
 #include "schema/kit/page_parts.hpp"
 #include "schema/kit/sheet_pictures.hpp"
-#include "solver/design/plates.hpp"
+#include "solver/motion/plates.hpp"
 
 namespace misalign::schema {
 namespace {

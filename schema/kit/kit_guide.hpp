@@ -4,8 +4,8 @@
 #include <string>
 
 #include "schema/kit/kit_options.hpp"
-#include "solver/design/actuation.hpp"
-#include "solver/design/contact.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/motion/actuation.hpp"
 
 namespace misalign::schema {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 
 namespace misalign::schema {
 

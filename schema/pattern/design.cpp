@@ -7,7 +7,7 @@
 
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/preload_json.hpp"
-#include "solver/design/wanted.hpp"
+#include "solver/studies/wanted.hpp"
 
 namespace misalign::schema {
 namespace {

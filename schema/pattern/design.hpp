@@ -8,9 +8,9 @@
 
 #include "schema/files/input.hpp"
 #include "schema/pattern/material.hpp"
-#include "solver/design/actuators.hpp"
-#include "solver/design/film_hinge.hpp"
-#include "solver/design/plates.hpp"
+#include "solver/motion/actuators.hpp"
+#include "solver/motion/film_hinge.hpp"
+#include "solver/motion/plates.hpp"
 
 namespace misalign::schema {
 

@@ -1,4 +1,4 @@
-// The mesh of a perforated sheet with fillers in its holes (solver/design/filler.hpp), as FOLD has
+// The mesh of a perforated sheet with fillers in its holes (solver/motion/filler.hpp), as FOLD has
 // it.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/design/filler.hpp"
+#include "solver/motion/filler.hpp"
 
 namespace misalign::schema {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "schema/files/input.hpp"
-#include "solver/design/actuators.hpp"
+#include "solver/motion/actuators.hpp"
 
 namespace misalign::schema {
 

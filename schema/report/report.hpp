@@ -4,7 +4,7 @@
 
 #include "schema/catalogue/database.hpp"
 #include "schema/exchange/actuators_json.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/motion/deploy.hpp"
 
 namespace misalign::schema {
 

@@ -10,9 +10,9 @@
 #include "search/draws/models.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/optimised_draw.hpp"
-#include "solver/design/ascent.hpp"
-#include "solver/design/worth.hpp"
 #include "solver/model/miscut_margin.hpp"
+#include "solver/optimise/ascent.hpp"
+#include "solver/optimise/worth.hpp"
 
 namespace misalign::search {
 using schema::Json;

@@ -7,7 +7,7 @@
 
 #include "schema/records/ascent_record.hpp"
 #include "search/checks/folded_check.hpp"
-#include "solver/design/optimise.hpp"
+#include "solver/optimise/optimise.hpp"
 #include "solver/records/metrics.hpp"
 
 namespace misalign::search {

@@ -21,7 +21,7 @@
 #include "search/sheets/query_text.hpp"
 #include "search/sheets/study_functions.hpp"
 #include "search/sheets/tolerance.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 
 namespace misalign::search::python {
 namespace {

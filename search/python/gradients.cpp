@@ -8,7 +8,7 @@
 #include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
 #include "search/python/stations.hpp"
-#include "solver/design/path_gradients.hpp"
+#include "solver/optimise/path_gradients.hpp"
 
 namespace misalign::search::python {
 namespace {

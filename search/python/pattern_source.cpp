@@ -5,7 +5,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/text_file.hpp"
 #include "schema/pattern/pattern_document.hpp"
-#include "solver/design/tolerance.hpp"
+#include "solver/play/tolerance.hpp"
 
 namespace misalign::search::python {
 namespace {

@@ -13,7 +13,7 @@
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/sheet_said.hpp"
 #include "search/sheets/tolerance.hpp"
-#include "solver/design/angle_of_use.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search::python {
 namespace {

@@ -6,10 +6,10 @@
 #include "schema/exchange/contact_json.hpp"
 #include "schema/report/report.hpp"
 #include "search/sheets/deploy_input.hpp"
-#include "solver/design/actuation.hpp"
-#include "solver/design/angle_of_use.hpp"
-#include "solver/design/contact.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/motion/actuation.hpp"
+#include "solver/motion/deploy.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::search {

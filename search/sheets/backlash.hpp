@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "search/sheets/tolerance.hpp"
-#include "solver/design/backlash.hpp"
+#include "solver/play/backlash.hpp"
 
 namespace misalign::search {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "schema/exchange/backlash_json.hpp"
-#include "solver/design/tolerance.hpp"
+#include "solver/play/tolerance.hpp"
 
 namespace misalign::search {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/design/backlash.hpp"
+#include "solver/play/backlash.hpp"
 
 namespace misalign::search {
 

@@ -14,7 +14,7 @@
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/certificate/member_proof.hpp"
-#include "solver/design/least_box.hpp"
+#include "solver/contact/least_box.hpp"
 #include "solver/records/strokes.hpp"
 
 namespace misalign::search {

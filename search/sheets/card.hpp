@@ -3,7 +3,7 @@
 
 #include "schema/exchange/card_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 
 namespace misalign::search {
 

@@ -13,9 +13,9 @@
 #include "schema/catalogue/sql_tokens.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/files/suggestion.hpp"
+#include "search/sheets/farthest_first.hpp"
 #include "search/sheets/study_functions.hpp"
 #include "search/terminal/shell_word.hpp"
-#include "solver/design/farthest_first.hpp"
 
 namespace misalign::search {
 namespace {
@@ -227,7 +227,7 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
   if (among.empty()) return {};
   const Eigen::MatrixXd places = places_of(database, differences_of(database, among));
   std::vector<std::uint64_t> spread;
-  for (const int k : solver::farthest_first(places, *choice.diverse)) {
+  for (const int k : farthest_first(places, *choice.diverse)) {
     spread.push_back(among[static_cast<std::size_t>(k)]);
   }
   return spread;

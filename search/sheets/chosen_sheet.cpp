@@ -12,7 +12,7 @@
 #include "schema/pattern/obj_format.hpp"
 #include "schema/pattern/pattern_document.hpp"
 #include "search/sheets/campaign_sheet.hpp"
-#include "solver/design/angle_of_use.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
 StationOptions station_of_use(const schema::Design& design, const schema::Sampling& sampling) {

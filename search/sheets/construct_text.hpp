@@ -4,7 +4,7 @@
 #include <string>
 
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/design/construct.hpp"
+#include "solver/optimise/construct.hpp"
 
 namespace misalign::search {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/design/contact.hpp"
+#include "solver/contact/contact.hpp"
 
 namespace misalign::search {
 

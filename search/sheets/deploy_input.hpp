@@ -7,7 +7,7 @@
 
 #include "schema/exchange/bent_panels_json.hpp"
 #include "search/sheets/folding_model.hpp"
-#include "solver/design/pin_friction.hpp"
+#include "solver/motion/pin_friction.hpp"
 
 namespace misalign::search {
 

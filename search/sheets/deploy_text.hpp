@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solver/design/pin_friction.hpp"
+#include "solver/motion/pin_friction.hpp"
 
 namespace misalign::search {
 

@@ -22,7 +22,7 @@
 #include "search/sheets/contact_text.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/terminal/terminal.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/motion/deploy.hpp"
 
 namespace misalign::search {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/models.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 
 namespace misalign::search {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "schema/files/user_error.hpp"
-#include "solver/design/studied.hpp"
+#include "solver/studies/studied.hpp"
 
 namespace misalign::search {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "schema/exchange/actuators_json.hpp"
-#include "solver/design/low_slopes.hpp"
+#include "solver/optimise/low_slopes.hpp"
 
 namespace misalign::search {
 namespace {

@@ -7,7 +7,7 @@
 #include "schema/exchange/optimise_json.hpp"
 #include "schema/files/hash.hpp"
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/design/ascent.hpp"
+#include "solver/optimise/ascent.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {

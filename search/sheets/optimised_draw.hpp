@@ -3,7 +3,7 @@
 
 #include "search/draws/draw_evaluator.hpp"
 #include "search/splitting/climber.hpp"
-#include "solver/design/optimise.hpp"
+#include "solver/optimise/optimise.hpp"
 
 namespace misalign::search {
 

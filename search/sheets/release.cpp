@@ -6,7 +6,7 @@
 
 #include "schema/files/user_error.hpp"
 #include "search/sheets/springs_at_vertices.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/motion/deploy.hpp"
 
 namespace misalign::search {
 namespace {

@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "search/sheets/deploy_input.hpp"
-#include "solver/design/contact.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/motion/deploy.hpp"
 
 namespace misalign::search {
 namespace {

@@ -18,7 +18,7 @@
 #include "search/sheets/sheet_numbers.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/usable_threads.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/motion/deploy.hpp"
 
 namespace misalign::search {
 namespace {

@@ -9,7 +9,7 @@
 #include "schema/pattern/perforation_check.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/on_threads.hpp"
-#include "solver/design/angle_of_use.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
 namespace {

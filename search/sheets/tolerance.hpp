@@ -5,7 +5,7 @@
 
 #include "search/draws/draw_evaluator.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "solver/design/tolerance.hpp"
+#include "solver/play/tolerance.hpp"
 
 namespace misalign::search {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/design/miscut_gap.hpp"
-#include "solver/design/tolerance.hpp"
+#include "solver/play/miscut_gap.hpp"
+#include "solver/play/tolerance.hpp"
 
 namespace misalign::search {
 

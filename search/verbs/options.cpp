@@ -4,8 +4,8 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/draw_range.hpp"
-#include "solver/design/contact.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/motion/deploy.hpp"
 
 namespace misalign::search {
 

@@ -9,7 +9,7 @@
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "search/verbs/choice_options.hpp"
-#include "solver/design/backlash_follower.hpp"
+#include "solver/play/backlash_follower.hpp"
 
 namespace misalign::search {
 

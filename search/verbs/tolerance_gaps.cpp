@@ -4,7 +4,7 @@
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/tolerance_call.hpp"
-#include "solver/design/angle_of_use.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
 namespace {

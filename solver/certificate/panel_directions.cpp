@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "solver/design/panel_distance.hpp"
+#include "solver/contact/panel_distance.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "solver/design/contact_finder.hpp"
+#include "solver/contact/contact_finder.hpp"
 
 namespace misalign::solver {
 

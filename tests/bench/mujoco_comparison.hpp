@@ -14,7 +14,7 @@
 #include "schema/files/text_file.hpp"
 #include "search/sheets/folding_model.hpp"
 #include "search/sheets/release.hpp"
-#include "solver/design/joint_tree.hpp"
+#include "solver/motion/joint_tree.hpp"
 #include "tests/bench/mujoco_run.hpp"
 #include "tests/folder.hpp"
 

@@ -10,7 +10,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/base64.hpp"
 #include "schema/report/stress_result.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {

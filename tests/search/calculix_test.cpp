@@ -13,7 +13,7 @@
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/release.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 
 namespace misalign::search {
 namespace {

@@ -11,7 +11,7 @@
 #include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/study_table.hpp"
-#include "solver/design/farthest_first.hpp"
+#include "search/sheets/farthest_first.hpp"
 
 namespace misalign::search {
 namespace {
@@ -33,7 +33,7 @@ TEST(FarthestFirst, IsAtLeastHalfAsFarApartAsPossible) {
   for (int trial = 0; trial < 20; ++trial) {
     const Eigen::MatrixXd points =
         Eigen::MatrixXd::NullaryExpr(2, 12, [&] { return coordinate(words); });
-    const std::vector<int> taken = solver::farthest_first(points, 4);
+    const std::vector<int> taken = farthest_first(points, 4);
     ASSERT_EQ(taken.size(), 4u);
     EXPECT_EQ(taken[0], 0) << "the best one is among them";
     double best = 0;
@@ -51,7 +51,7 @@ TEST(FarthestFirst, IsAtLeastHalfAsFarApartAsPossible) {
 
 TEST(FarthestFirst, TakesEachOnceEvenAmongEquals) {
   const Eigen::MatrixXd points = Eigen::MatrixXd::Zero(3, 5);
-  EXPECT_EQ(solver::farthest_first(points, 9), (std::vector<int>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(farthest_first(points, 9), (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
 // Candidates without a catalogue: draw and a column of every kind, and the functions of deploying,

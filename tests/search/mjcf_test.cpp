@@ -12,7 +12,7 @@
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/release.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 #include "tests/bench/mujoco_comparison.hpp"
 #include "tests/folder.hpp"
 

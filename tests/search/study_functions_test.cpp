@@ -16,9 +16,9 @@
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/query_text.hpp"
 #include "search/sheets/sheet_numbers.hpp"
-#include "solver/design/actuation.hpp"
-#include "solver/design/contact.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/motion/actuation.hpp"
+#include "solver/motion/deploy.hpp"
 
 namespace misalign::search {
 namespace {

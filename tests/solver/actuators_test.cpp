@@ -8,7 +8,7 @@
 
 #include "blocks.hpp"
 #include "own_sheet.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/motion/actuation.hpp"
 #include "solver/records/metrics.hpp"
 #include "vertex_coordinates.hpp"
 

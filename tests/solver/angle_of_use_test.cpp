@@ -1,13 +1,13 @@
 // Studies of a sheet that is used between an angle and flat: contact and springs up to there, by
 // the sheet's own history at its samples.
-#include "solver/design/angle_of_use.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 #include <gtest/gtest.h>
 
 #include "own_sheet.hpp"
 #include "sheets.hpp"
-#include "solver/design/actuation.hpp"
-#include "solver/design/contact.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/motion/actuation.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "blocks.hpp"
 #include "panel_poses.hpp"
-#include "solver/design/backlash_follower.hpp"
+#include "solver/play/backlash_follower.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {

@@ -8,8 +8,8 @@
 #include "families.hpp"
 #include "own_sheet.hpp"
 #include "sheets.hpp"
-#include "solver/design/bent_advice.hpp"
-#include "solver/design/preload.hpp"
+#include "solver/bending/bent_advice.hpp"
+#include "solver/bending/preload.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "solver/certificate/certifier.hpp"
 #include "solver/certificate/proven_interval.hpp"
-#include "solver/design/contact_finder.hpp"
+#include "solver/contact/contact_finder.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "tests/solver/own_spring_ends.hpp"
 #include "tests/solver/sheets.hpp"

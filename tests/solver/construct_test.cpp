@@ -1,4 +1,4 @@
-#include "solver/design/construct.hpp"
+#include "solver/optimise/construct.hpp"
 
 #include <Eigen/LU>
 #include <numeric>

@@ -7,7 +7,7 @@
 #include "coordinate_mass.hpp"
 #include "families.hpp"
 #include "own_sheet.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/motion/deploy.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "solver/design/plates.hpp"
+#include "solver/motion/plates.hpp"
 #include "solver/pattern/outline.hpp"
 #include "solver/pattern/perforation.hpp"
 

@@ -7,8 +7,8 @@
 #include "coordinate_mass.hpp"
 #include "own_sheet.hpp"
 #include "sheets.hpp"
-#include "solver/design/deploy.hpp"
-#include "solver/design/joint_forces.hpp"
+#include "solver/motion/deploy.hpp"
+#include "solver/motion/joint_forces.hpp"
 
 namespace misalign::solver {
 namespace {

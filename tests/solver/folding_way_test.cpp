@@ -8,8 +8,8 @@
 #include "coordinate_mass.hpp"
 #include "own_sheet.hpp"
 #include "sheets.hpp"
-#include "solver/design/deploy.hpp"
-#include "solver/design/joint_forces.hpp"
+#include "solver/motion/deploy.hpp"
+#include "solver/motion/joint_forces.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

@@ -1,15 +1,15 @@
 // What sheets are optimised for, against their own studies; and what is foreseen next to a sheet,
 // against its neighbours.
 #include "optimising.hpp"
+#include "solver/bending/preload.hpp"
+#include "solver/bending/rest_stiffness.hpp"
 #include "solver/certificate/certifier.hpp"
-#include "solver/design/actuation.hpp"
-#include "solver/design/ascent.hpp"
-#include "solver/design/contact.hpp"
-#include "solver/design/preload.hpp"
-#include "solver/design/rest_stiffness.hpp"
-#include "solver/design/spare_diagonals.hpp"
-#include "solver/design/thickness_changes.hpp"
-#include "solver/design/worth.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/motion/actuation.hpp"
+#include "solver/optimise/ascent.hpp"
+#include "solver/optimise/spare_diagonals.hpp"
+#include "solver/optimise/thickness_changes.hpp"
+#include "solver/optimise/worth.hpp"
 
 namespace misalign::solver {
 namespace {

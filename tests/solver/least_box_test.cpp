@@ -1,5 +1,5 @@
 // The least box around shapes whose least boxes are known.
-#include "solver/design/least_box.hpp"
+#include "solver/contact/least_box.hpp"
 
 #include <gtest/gtest.h>
 

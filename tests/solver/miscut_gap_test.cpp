@@ -1,5 +1,5 @@
 // Gaps of miscut copies against Newton's method on the panels' places, and where there are none.
-#include "solver/design/miscut_gap.hpp"
+#include "solver/play/miscut_gap.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>

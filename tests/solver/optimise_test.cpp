@@ -1,12 +1,12 @@
 // Better sheets, against what their own studies and all of their neighbours say.
-#include "solver/design/optimise.hpp"
+#include "solver/optimise/optimise.hpp"
 
 #include "few_holes.hpp"
 #include "optimising.hpp"
-#include "solver/design/actuation.hpp"
-#include "solver/design/equilibria.hpp"
-#include "solver/design/local_model.hpp"
-#include "solver/design/worth.hpp"
+#include "solver/motion/actuation.hpp"
+#include "solver/motion/equilibria.hpp"
+#include "solver/optimise/local_model.hpp"
+#include "solver/optimise/worth.hpp"
 
 namespace misalign::solver {
 namespace {

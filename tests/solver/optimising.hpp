@@ -4,7 +4,7 @@
 #include <random>
 
 #include "blocks.hpp"
-#include "solver/design/optimise.hpp"
+#include "solver/optimise/optimise.hpp"
 
 namespace misalign::solver {
 

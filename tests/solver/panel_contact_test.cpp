@@ -8,7 +8,7 @@
 
 #include "../stress/signed_volumes.hpp"
 #include "sheets.hpp"
-#include "solver/design/plate_solid.hpp"
+#include "solver/contact/plate_solid.hpp"
 
 namespace misalign::solver {
 namespace {

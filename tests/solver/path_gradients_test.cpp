@@ -1,6 +1,6 @@
 // Gradients along a way, against differences between whole ways of sheets that are cut a little
 // otherwise.
-#include "solver/design/path_gradients.hpp"
+#include "solver/optimise/path_gradients.hpp"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 // Pins under load: what they take, against angles and axes of the folded panels' coordinates.
-#include "solver/design/pin_friction.hpp"
+#include "solver/motion/pin_friction.hpp"
 
 #include <gtest/gtest.h>
 

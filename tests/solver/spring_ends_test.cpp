@@ -6,9 +6,9 @@
 #include "families.hpp"
 #include "own_sheet.hpp"
 #include "own_spring_ends.hpp"
-#include "solver/design/deploy.hpp"
-#include "solver/design/joint_forces.hpp"
 #include "solver/kinematics/diagonals.hpp"
+#include "solver/motion/deploy.hpp"
+#include "solver/motion/joint_forces.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/sheet/sheet.hpp"
 

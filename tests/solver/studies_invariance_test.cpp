@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <map>
 
-#include "solver/design/actuation.hpp"
-#include "solver/design/backlash.hpp"
-#include "solver/design/deploy.hpp"
-#include "solver/design/plate_thickness.hpp"
+#include "solver/contact/plate_thickness.hpp"
+#include "solver/motion/actuation.hpp"
+#include "solver/motion/deploy.hpp"
+#include "solver/play/backlash.hpp"
 #include "solver/records/metrics.hpp"
 #include "solver/records/path_record.hpp"
 #include "viewed_family.hpp"

@@ -20,8 +20,8 @@
 #include "search/terminal/stopwatch.hpp"
 #include "solver/certificate/certificate_check.hpp"
 #include "solver/certificate/certifier.hpp"
-#include "solver/design/contact_finder.hpp"
-#include "solver/design/panel_motion.hpp"
+#include "solver/contact/contact_finder.hpp"
+#include "solver/contact/panel_motion.hpp"
 
 namespace misalign {
 namespace {

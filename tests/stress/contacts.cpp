@@ -12,7 +12,7 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
 #include "signed_volumes.hpp"
-#include "solver/design/contact_finder.hpp"
+#include "solver/contact/contact_finder.hpp"
 #include "solver/linear/held_correction.hpp"
 
 namespace misalign {

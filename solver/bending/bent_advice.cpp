@@ -1,0 +1,127 @@
+#include "solver/bending/bent_advice.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace misalign::solver {
+namespace {
+
+// At every angle, and by Newton's method sure of each; none otherwise.
+std::optional<double> critical_of(const BentWay& way, double n_per_mm, BendMethod method) {
+  const DiagonalSprings springs{n_per_mm, way.panels().flat_lengths_mm()};
+  const std::vector<BentAngle> angles = way.bend(springs, method);
+  if (!std::all_of(angles.begin(), angles.end(), [](const auto& angle) { return angle.is_sure; })) {
+    return {};
+  }
+  const auto nothing = [](double) { return OtherMoments{0, 0, 0}; };
+  return find_bent_friction(way.curve(springs, angles), way.pilot_deg()(0), 0, nothing)
+      .critical_n_mm_per_mm.value_or(0);
+}
+
+// Springs so stiff that panels alone give: over the stiffest that panels have against any forces.
+constexpr double kStiffSprings = 1e4;
+// Springs so much softer than these overcome next to nothing.
+constexpr double kSoftSprings = 1e12;
+
+// The least stiffness from which on, up to `much` with its critical friction, that is at least so
+// much. Springs and panels give in series: one over the friction is nearly linear in one over the
+// stiffness, and false position on these (Illinois) takes few steps.
+std::optional<double> least_stiffness(const BentWay& way, BendMethod method, double wanted,
+                                      double much, double critical_of_much) {
+  struct Point {
+    double mm_per_n, above;  // one over the stiffness; one over the friction, less what is wanted
+  };
+  const auto at = [&](double mm_per_n) -> std::optional<Point> {
+    const auto critical = critical_of(way, 1 / mm_per_n, method);
+    if (!critical) return {};
+    return Point{mm_per_n, 1 / *critical - 1 / wanted};
+  };
+  Point stiff{1 / much, 1 / critical_of_much - 1 / wanted}, soft = stiff;
+  while (soft.above <= 0 && soft.mm_per_n * much < kSoftSprings) {
+    const auto softer = at(16 * soft.mm_per_n);
+    if (!softer) return {};
+    stiff = std::exchange(soft, *softer);
+  }
+  if (soft.above <= 0) return 1 / soft.mm_per_n;
+  const double close = method == BendMethod::linear ? 1.003 : 1.03;
+  int stiffer_in_turn = 0;  // negative: softer
+  while (soft.mm_per_n > close * stiff.mm_per_n) {
+    // At least this far into the bracket, also where springs so soft overcome nothing.
+    const double share = std::clamp(stiff.above / (stiff.above - soft.above), 0.02, 0.98);
+    const auto next = at(stiff.mm_per_n + share * (soft.mm_per_n - stiff.mm_per_n));
+    if (!next) return {};
+    const bool suffices = next->above <= 0;
+    (suffices ? stiff : soft) = *next;
+    stiffer_in_turn =
+        suffices ? std::max(stiffer_in_turn, 0) + 1 : std::min(stiffer_in_turn, 0) - 1;
+    if (stiffer_in_turn > 1) soft.above /= 2;
+    if (stiffer_in_turn < -1) stiff.above /= 2;
+  }
+  return 1 / stiff.mm_per_n;
+}
+
+std::optional<double> least_thickness(const Sheet& sheet, const BentPanels& study,
+                                      const DiagonalSprings& springs, double friction,
+                                      double wanted_margin, const OtherMomentsAt& others) {
+  const double to_deg = study.options.to_deg;
+  const auto suffices = [&](double thickness_mm) {
+    const BentWay way(sheet, study.options.material, thickness_mm, to_deg, study.from_deg,
+                      study.options.angles);
+    if (!way.is_known()) return false;
+    const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
+    const auto margin = find_bent_friction(curve, to_deg, friction, others).static_margin;
+    return margin && *margin >= wanted_margin;
+  };
+  double enough_mm = kMostThick_mm, little_mm = 1e-3;
+  if (!suffices(enough_mm)) return {};
+  while (enough_mm > 1.003 * little_mm) {
+    const double middle_mm = std::sqrt(enough_mm * little_mm);
+    (suffices(middle_mm) ? enough_mm : little_mm) = middle_mm;
+  }
+  return enough_mm;
+}
+
+}  // namespace
+
+std::optional<double> useful_stiffness_n_per_mm(const BentWay& way) {
+  double least_mm_per_n = std::numeric_limits<double>::infinity();
+  for (const Compliance& compliance : way.compliances()) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(compliance.mm_per_n,
+                                                             Eigen::EigenvaluesOnly);
+    // Below 1e-12 of the largest it is rounding.
+    least_mm_per_n = std::min(least_mm_per_n, std::max(own.eigenvalues().minCoeff(),
+                                                       1e-12 * own.eigenvalues().maxCoeff()));
+  }
+  const double much = kStiffSprings / least_mm_per_n;
+  const double most = critical_of(way, much, BendMethod::linear).value_or(0);
+  if (most <= 0) return {};
+  // With these Newton's method finds as much as it ever does, but for a percent.
+  const auto stiff = least_stiffness(way, BendMethod::linear, 0.99 * most, much, most);
+  const DiagonalSprings springs{stiff.value(), way.panels().flat_lengths_mm()};
+  if (way.bending(springs).method == BendMethod::linear) {
+    return least_stiffness(way, BendMethod::linear, kUseful * most, much, most);
+  }
+  const auto far = critical_of(way, *stiff, BendMethod::newton);
+  if (!far || *far <= 0) return {};
+  return least_stiffness(way, BendMethod::newton, kUseful * *far, *stiff, *far);
+}
+
+BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,
+                  double wanted_margin) {
+  const DeployingOptions& held = deploying.sheet;
+  const BentWay way(sheet, study.options.material, study.thickness_mm, study.options.to_deg,
+                    study.from_deg, study.options.angles);
+  BentAdvice advice{useful_stiffness_n_per_mm(way), wanted_margin, {}};
+  const double friction = held.joints.friction_n_mm_per_mm;
+  if (friction <= 0) return advice;
+  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
+  const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
+  advice.least_thickness_mm =
+      least_thickness(sheet, study, springs, friction, wanted_margin, other_moments(rigid));
+  return advice;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,287 @@
+#include "solver/bending/bent_panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/linear/newton.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+// How far below the lowest angle that is asked for the first of the angles lies.
+constexpr double kBelow = 0.9;
+// Angles in proportion to each other at which friction is looked at.
+constexpr int kRows = 40;
+
+std::vector<Matrix3Xd> shapes_at(const Sheet& sheet, const VectorXd& pilot_deg) {
+  std::vector<Matrix3Xd> shapes_mm;
+  for (const double angle_deg : pilot_deg) shapes_mm.push_back(rigid_shape_mm(sheet, angle_deg));
+  return shapes_mm;
+}
+
+double angle_of_row(double from_deg, double to_deg, int row, int rows) {
+  return from_deg * std::pow(to_deg / from_deg, static_cast<double>(row) / rows);
+}
+
+// Of an equilibrium at one of the angles.
+struct Followed {
+  double turned_mm, n_mm, moment_n;
+};
+
+// Whether the energy rises from one to the other as the moments of both have it: between powers of
+// the sum, whose exponents change slowly. Another equilibrium has some times the energy.
+constexpr double kSameEnergy = 0.1;
+
+bool is_same(const Followed& below, const Followed& above) {
+  const auto exponent = [](const Followed& at) { return at.moment_n * at.turned_mm / at.n_mm; };
+  const double expected =
+      (exponent(below) + exponent(above)) / 2 * std::log(above.turned_mm / below.turned_mm);
+  return below.n_mm < above.n_mm &&
+         std::abs(std::log(above.n_mm / below.n_mm) - expected) <= kSameEnergy;
+}
+
+// The first place down from the start, between two rows, where a moment is no longer enough.
+double stall_between(const EnergyCurve& curve, const OtherMomentsAt& others, double friction,
+                     double moves_deg, double held_deg) {
+  for (int k = 0; k < 40; ++k) {
+    const double middle_deg = (moves_deg + held_deg) / 2;
+    const OtherMoments other = others(middle_deg);
+    const bool moves = curve.at(middle_deg).moment_n + other.moment_n > friction + other.balls_n;
+    (moves ? moves_deg : held_deg) = middle_deg;
+  }
+  return held_deg;
+}
+
+// The largest friction of the creases with which it gets from the start to flat.
+void find_critical(const EnergyCurve& curve, const OtherMomentsAt& others, BentFriction& found) {
+  const double from_deg = curve.most_deg();
+  constexpr int kSteps = 200;
+  const EnergyCurve::At start = curve.at(from_deg);
+  const OtherMoments other = others(from_deg);
+  double least = start.moment_n + other.moment_n - other.balls_n, least_deg = from_deg;
+  double balls_n_mm = 0, balls_n = other.balls_n, turned_mm = start.turned_mm;
+  const auto see = [&](double energy_n_mm, double turned_here_mm, double at_deg) {
+    const double value =
+        (start.n_mm + other.n_mm - energy_n_mm - balls_n_mm) / (start.turned_mm - turned_here_mm);
+    if (value < least) least = value, least_deg = at_deg;
+  };
+  for (int k = 1; k <= kSteps; ++k) {
+    const double at_deg = angle_of_row(from_deg, curve.least_deg(), k, kSteps);
+    const EnergyCurve::At here = curve.at(at_deg);
+    const OtherMoments rest = others(at_deg);
+    balls_n_mm += (balls_n + rest.balls_n) / 2 * (turned_mm - here.turned_mm);
+    balls_n = rest.balls_n;
+    turned_mm = here.turned_mm;
+    see(here.n_mm + rest.n_mm, here.turned_mm, at_deg);
+  }
+  balls_n_mm += balls_n * turned_mm;
+  see(0, 0, 0);
+  if (least <= 0) return;
+  found.critical_n_mm_per_mm = least;
+  found.critical_deg = least_deg;
+}
+
+}  // namespace
+
+OtherMomentsAt other_moments(const DeployingSheet& sheet) {
+  const double flat_n_mm = sheet.all_else(0).energy;
+  return [&sheet, flat_n_mm](double pilot_deg) {
+    const double x = sheet.way().x_of(pilot_deg);
+    const DeployingSheet::Potential rest = sheet.all_else(x);
+    const DeployingSheet::Turning turning = sheet.turning(x);
+    return OtherMoments{
+        rest.energy - flat_n_mm, rest.slope / turning.creases_mm,
+        sheet.options().joints.ball_friction_n_mm * turning.balls / turning.creases_mm};
+  };
+}
+
+Matrix3Xd rigid_shape_mm(const Sheet& sheet, double pilot_deg) {
+  const FoldingWay& way = *sheet.way();
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism(), sheet.vertices_mm(), geometry);
+  FoldState<double> state = way.stations().front().state;
+  // Between stations the way is off by what would stress panels: near a limit by micrometres.
+  way.find_state(way.x_of(pilot_deg), state);
+  if (!sheet.model().has_spare_equations()) Newton(sheet.mechanism()).correct(geometry, state);
+  return sheet.model().shape().vertices_mm(geometry, state);
+}
+
+BentWay::BentWay(const Sheet& sheet, const PanelMaterial& material, double thickness_mm,
+                 double to_deg, double from_deg, int angles)
+    : panels_(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals, material,
+              thickness_mm),
+      least_deg_(kBelow * to_deg),
+      from_deg_(from_deg),
+      pilot_deg_(EnergyCurve::angles_deg(least_deg_, from_deg, angles)),
+      folded_mm_(shapes_at(sheet, pilot_deg_)) {
+  for (const Matrix3Xd& folded_mm : folded_mm_) {
+    std::optional<Compliance> found = find_compliance(panels_, folded_mm);
+    is_known_ = is_known_ && found;
+    if (!is_known_) return;
+    compliances_.push_back(std::move(*found));
+  }
+}
+
+std::vector<BentAngle> BentWay::bend(const DiagonalSprings& springs, BendMethod method) const {
+  std::vector<BentAngle> angles;
+  for (std::size_t k = 0; k < compliances_.size(); ++k) {
+    const Compliance& compliance = compliances_[k];
+    const double rigid_n_mm =
+        springs.n_per_mm / 2 * (compliance.lengths_mm - springs.relaxed_mm).squaredNorm();
+    angles.push_back(
+        {pilot_deg_(static_cast<Index>(k)), rigid_n_mm, solver::bend(compliance, springs), true});
+  }
+  if (method == BendMethod::newton) bend_far(springs, angles);
+  return angles;
+}
+
+// Down from the start; where the equilibrium is lost, from the rigid sheet again.
+void BentWay::bend_far(const DiagonalSprings& springs, std::vector<BentAngle>& angles) const {
+  const bool is_relaxed_flat = springs.relaxed_mm == panels_.flat_lengths_mm();
+  std::optional<BentFollower> follower;
+  std::optional<Followed> above;
+  for (std::size_t k = angles.size(); k-- > 0;) {
+    const double turned_mm = compliances_[k].turned_mm;
+    bool found = follower && follower->follow(turned_mm, springs.relaxed_mm);
+    if (!found) {
+      follower.emplace(panels_, folded_mm_[k], springs.n_per_mm);
+      found = follower->follow(turned_mm, springs.relaxed_mm);
+    }
+    BentAngle& angle = angles[k];
+    angle.is_sure = found;
+    if (!found) {
+      follower.reset();
+      continue;
+    }
+    const Followed here{turned_mm, follower->state().n_mm, follower->state().moment_n};
+    if (is_relaxed_flat && above && !is_same(here, *above)) {
+      angle.is_sure = false;
+      continue;
+    }
+    angle.bent = follower->state();
+    above = here;
+  }
+}
+
+Bending BentWay::bending(const DiagonalSprings& springs) const {
+  const auto far = solver::bend_far(panels_, folded_mm_.back(), springs);
+  if (!far) return {BendMethod::newton, 1};
+  const double ratio = far->n_mm / solver::bend(compliances_.back(), springs).n_mm;
+  return {std::abs(ratio - 1) <= kLinearError ? BendMethod::linear : BendMethod::newton, ratio};
+}
+
+EnergyCurve BentWay::curve(const DiagonalSprings& springs,
+                           const std::vector<BentAngle>& angles) const {
+  const VectorXd pulled_mm = panels_.flat_lengths_mm() - springs.relaxed_mm;
+  const double flat_n_mm = springs.n_per_mm / 2 * pulled_mm.squaredNorm();
+  VectorXd above(pilot_deg_.size()), reference(pilot_deg_.size()), turned(pilot_deg_.size());
+  for (Index k = 0; k < pilot_deg_.size(); ++k) {
+    const Compliance& compliance = compliances_[static_cast<std::size_t>(k)];
+    above(k) = angles[static_cast<std::size_t>(k)].bent.n_mm - flat_n_mm;
+    turned(k) = compliance.turned_mm;
+    const Eigen::ArrayXd longer = (compliance.lengths_mm - panels_.flat_lengths_mm()).array();
+    const Eigen::ArrayXd give = compliance.mm_per_n.diagonal().array() + 1 / springs.n_per_mm;
+    reference(k) = ((longer.square() / 2 + (pulled_mm.array() * longer).abs()) / give).sum();
+  }
+  return {least_deg_, from_deg_, above, reference, turned};
+}
+
+BentFriction find_bent_friction(const EnergyCurve& curve, double to_deg,
+                                double friction_n_mm_per_mm, const OtherMomentsAt& others) {
+  BentFriction found;
+  find_critical(curve, others, found);
+  found.static_n_mm_per_mm = std::numeric_limits<double>::infinity();
+  const double from_deg = curve.most_deg();
+  for (int row = 0; row <= kRows; ++row) {
+    const double at_deg = angle_of_row(from_deg, to_deg, row, kRows);
+    const OtherMoments other = others(at_deg);
+    StaticMargin here{at_deg, curve.at(at_deg).moment_n + other.moment_n, {}};
+    if (here.available_n - other.balls_n < found.static_n_mm_per_mm) {
+      found.static_n_mm_per_mm = here.available_n - other.balls_n;
+      found.static_deg = at_deg;
+    }
+    const double resisting = friction_n_mm_per_mm + other.balls_n;
+    if (resisting > 0) {
+      here.margin = here.available_n / resisting - 1;
+      found.static_margin = std::min(found.static_margin.value_or(*here.margin), *here.margin);
+      if (*here.margin <= 0 && !found.static_stall_deg) {
+        found.static_stall_deg = row == 0 ? at_deg
+                                          : stall_between(curve, others, friction_n_mm_per_mm,
+                                                          found.rows.back().pilot_deg, at_deg);
+      }
+    }
+    found.rows.push_back(here);
+  }
+  return found;
+}
+
+const BentAngle& BentPanels::most_bent() const {
+  return *std::max_element(angles.begin(), angles.end(), [](const auto& a, const auto& b) {
+    return a.largest_stress_mpa < b.largest_stress_mpa;
+  });
+}
+
+int BentPanels::unsure() const {
+  return static_cast<int>(std::count_if(angles.begin(), angles.end(),
+                                        [](const auto& angle) { return !angle.is_sure; }));
+}
+
+Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
+                                const BentPanelsOptions& options) {
+  const Studied<DeployOptions> fitted = fitted_release(sheet, deploying);
+  if (fitted.fault) return *fitted.fault;
+  if (!fitted.study) return {};
+  const double from_deg = fitted.study->motion.from_deg;
+  const DeployingOptions& held = deploying.sheet;
+  if (!sheet.base().springs.at_vertices()) {
+    return OptionFault{
+        "panels", "bend",
+        "bent panels are those of springs on the vertices, and these end beside them",
+        "take rigid panels, or \"springs\" out of the pattern"};
+  }
+  if (held.springs.pull_only) {
+    return OptionFault{"pull_only",
+                       {},
+                       "panels are bent by springs that pull and push",
+                       "leave it out, or take panels that do not bend"};
+  }
+  if (options.to_deg >= from_deg) {
+    return OptionFault{
+        "margin_to_deg", shown("%g", options.to_deg),
+        "margins are asked from the start, " + shown("%g", from_deg) + " deg, down to this angle",
+        "name a smaller one, such as 1"};
+  }
+  const double thickness_mm = held.plates.thickness_mm;
+  const BentWay way(sheet, options.material, thickness_mm, options.to_deg, from_deg,
+                    options.angles);
+  if (!way.is_known()) return {};
+  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
+  const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
+  const auto [method, newton_over_linear] =
+      options.method ? Bending{*options.method, 1} : way.bending(springs);
+  std::vector<BentAngle> angles = way.bend(springs, method);
+  const VectorXd stress_mpa_per_mm = way.panels().stress_mpa_per_mm();
+  for (BentAngle& angle : angles) {
+    const VectorXd saddles_mm = angle.bent.saddles_mm.cwiseAbs();
+    angle.largest_saddle_mm = saddles_mm.maxCoeff();
+    angle.largest_stress_mpa = saddles_mm.cwiseProduct(stress_mpa_per_mm).maxCoeff();
+  }
+  const EnergyCurve curve = way.curve(springs, angles);
+  const OtherMomentsAt others = other_moments(rigid);
+  const double friction = held.joints.friction_n_mm_per_mm;
+  return BentPanels{options,
+                    from_deg,
+                    thickness_mm,
+                    method,
+                    newton_over_linear,
+                    std::move(angles),
+                    curve,
+                    find_bent_friction(curve, options.to_deg, friction, others)};
+}
+
+}  // namespace misalign::solver

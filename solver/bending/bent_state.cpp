@@ -1,0 +1,177 @@
+#include "solver/bending/bent_state.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+std::vector<int> coordinates_but(Index count, const std::vector<int>& held) {
+  std::vector<int> free;
+  for (int i = 0; i < count; ++i) {
+    if (!std::binary_search(held.begin(), held.end(), i)) free.push_back(i);
+  }
+  return free;
+}
+
+// The same where A is not positive: by elimination of all at once.
+HeldStiffness::Step unstable_step(const MatrixXd& a, const VectorXd& g, const VectorXd& r,
+                                  double c) {
+  const Index n = g.size();
+  MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
+  bordered.topLeftCorner(n, n) = a;
+  bordered.col(n).head(n) = g;
+  bordered.row(n).head(n) = g.transpose();
+  VectorXd wanted(n + 1);
+  wanted << r, c;
+  const VectorXd found = bordered.partialPivLu().solve(wanted);
+  return {found.head(n), found(n)};
+}
+
+}  // namespace
+
+HeldStiffness::HeldStiffness(const MatrixXd& a, const VectorXd& g) : g_(g) {
+  beta_ = a.diagonal().mean() / g.squaredNorm();
+  MatrixXd b = a;
+  b.selfadjointView<Eigen::Lower>().rankUpdate(g, beta_);
+  factors_.compute(b);
+  is_positive_ = factors_.info() == Eigen::Success;
+  if (is_positive_) lower_g_ = factors_.matrixL().solve(g);
+}
+
+MatrixXd HeldStiffness::lower(const MatrixXd& r) const {
+  MatrixXd lower = factors_.matrixL().solve(r);
+  lower -= lower_g_ * (lower_g_.transpose() * lower) / lower_g_.squaredNorm();
+  return lower;
+}
+
+MatrixXd HeldStiffness::upper(const MatrixXd& lower) const {
+  return factors_.matrixU().solve(lower);
+}
+
+HeldStiffness::Step HeldStiffness::solve(const VectorXd& r, double c) const {
+  const VectorXd lower = factors_.matrixL().solve(r);
+  const double mu = (lower_g_.dot(lower) - c) / lower_g_.squaredNorm();
+  return {factors_.matrixU().solve(lower - mu * lower_g_), mu + beta_ * c};
+}
+
+BentFollower::BentFollower(const ElasticSheet& sheet, const Matrix3Xd& folded_mm, double n_per_mm,
+                           const BendOptions& options)
+    : sheet_(sheet),
+      n_per_mm_(n_per_mm),
+      options_(options),
+      free_(coordinates_but(sheet.coordinates(), sheet.supports(folded_mm))),
+      load_{sheet.turned_mm(folded_mm), sheet.lengths_mm(folded_mm)} {
+  state_.at_mm = folded_mm;
+}
+
+bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
+  if (!held_ && !correct(load_, sheet_.panel_width_mm(), state_)) return false;
+  const Load from = load_;
+  double left = 1;  // of the way to the new load
+  int steps = 0;
+  for (double share = 1; left > 0; share = std::min(2 * share, left)) {
+    const VectorXd pushed_n = n_per_mm_ * (relaxed_mm - from.relaxed_mm);
+    const auto rate =
+        held_->solve(sheet_.length_slopes(state_.at_mm)(Eigen::all, free_).transpose() * pushed_n,
+                     turned_mm - from.turned_mm);
+    for (;; share /= 2) {
+      if (share < options_.least_step || ++steps > options_.most_steps) return false;
+      const double to = left > share ? 1 - left + share : 1;
+      const Load load{from.turned_mm + to * (turned_mm - from.turned_mm),
+                      from.relaxed_mm + to * (relaxed_mm - from.relaxed_mm)};
+      FarBentState next = state_;
+      next.moment_n -= share * rate.lambda;
+      const double moved_mm = move(rate.u, share, next);
+      if (!correct(load, moved_mm, next)) continue;
+      state_ = std::move(next);
+      load_ = load;
+      left = left > share ? left - share : 0;
+      break;
+    }
+  }
+  ElasticEnergy energy = sheet_.panels_energy(state_.at_mm);
+  sheet_.add_springs(state_.at_mm, n_per_mm_, relaxed_mm, energy);
+  state_.n_mm = energy.n_mm;
+  state_.forces_n = n_per_mm_ * (sheet_.lengths_mm(state_.at_mm) - relaxed_mm);
+  state_.saddles_mm = sheet_.saddles_mm(state_.at_mm);
+  return true;
+}
+
+// Whether Newton's method gets to a stable state close to a prediction that moved nothing by more
+// than this.
+bool BentFollower::correct(const Load& load, double moved_mm, FarBentState& state) {
+  const double enough_mm = options_.step_widths * sheet_.panel_width_mm();
+  const Matrix3Xd predicted_mm = state.at_mm;
+  for (int k = 0; k < options_.most_corrections; ++k) {
+    ElasticEnergy energy = sheet_.panels_energy(state.at_mm);
+    sheet_.add_springs(state.at_mm, n_per_mm_, load.relaxed_mm, energy);
+    sheet_.add_turned_bend(state.at_mm, -state.moment_n, energy.bend);
+    const MatrixXd bend = energy.bend(free_, free_);
+    const VectorXd turned_slope = sheet_.turned_slope(state.at_mm)(free_);
+    HeldStiffness held(bend, turned_slope);
+    ++corrections_;
+    const VectorXd push = -energy.slope(free_);
+    const double short_mm = load.turned_mm - sheet_.turned_mm(state.at_mm);
+    // Off its equilibrium a thin panel is compressed in its plane, and need not be stable.
+    const auto step = held.is_positive() ? held.solve(push, short_mm)
+                                         : unstable_step(bend, turned_slope, push, short_mm);
+    const double longest_mm = move(step.u, 1, state);
+    state.moment_n = -step.lambda;
+    if (!(longest_mm < sheet_.panel_width_mm())) return false;
+    if (longest_mm >= enough_mm) continue;
+    const double off_mm = (state.at_mm - predicted_mm).colwise().norm().maxCoeff();
+    if (!held.is_positive() || off_mm > std::max(options_.closeness * moved_mm, 100 * enough_mm)) {
+      return false;
+    }
+    held_ = std::move(held);
+    return true;
+  }
+  return false;
+}
+
+double BentFollower::move(const VectorXd& by, double share, FarBentState& state) const {
+  VectorXd moved = VectorXd::Zero(sheet_.coordinates());
+  moved(free_) = share * by;
+  const auto by_vertex = moved.reshaped(3, sheet_.vertices());
+  state.at_mm += by_vertex;
+  return by_vertex.colwise().norm().maxCoeff();
+}
+
+std::optional<Compliance> find_compliance(const ElasticSheet& sheet, const Matrix3Xd& folded_mm) {
+  const std::vector<int> free = coordinates_but(sheet.coordinates(), sheet.supports(folded_mm));
+  const MatrixXd bend = sheet.panels_energy(folded_mm).bend(free, free);
+  const HeldStiffness held(bend, sheet.turned_slope(folded_mm)(free));
+  if (!held.is_positive()) return {};
+  const MatrixXd lower = held.lower(sheet.length_slopes(folded_mm)(Eigen::all, free).transpose());
+  return Compliance{sheet.turned_mm(folded_mm), sheet.lengths_mm(folded_mm),
+                    lower.transpose() * lower,
+                    -sheet.saddle_slopes(folded_mm)(Eigen::all, free) * held.upper(lower)};
+}
+
+BentState bend(const Compliance& compliance, const DiagonalSprings& springs) {
+  const VectorXd pull = compliance.lengths_mm - springs.relaxed_mm;
+  MatrixXd give = compliance.mm_per_n;
+  give.diagonal().array() += 1 / springs.n_per_mm;
+  BentState state;
+  state.forces_n = give.llt().solve(pull);
+  state.n_mm = state.forces_n.dot(pull) / 2;
+  state.saddles_mm = compliance.saddle_mm_per_n * state.forces_n;
+  return state;
+}
+
+std::optional<FarBentState> bend_far(const ElasticSheet& sheet, const Matrix3Xd& folded_mm,
+                                     const DiagonalSprings& springs, const BendOptions& options) {
+  BentFollower follower(sheet, folded_mm, springs.n_per_mm, options);
+  if (!follower.follow(sheet.turned_mm(folded_mm), springs.relaxed_mm)) return {};
+  return follower.state();
+}
+
+}  // namespace misalign::solver

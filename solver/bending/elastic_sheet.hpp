@@ -1,0 +1,131 @@
+// A sheet whose panels give, as an elastic structure of its vertices: panels bend into saddles and
+// stretch a little, creases turn freely, springs pull on the diagonals.
+//
+// Creases stay straight, since each lies in a panel that is stiff in its own plane; so what panels
+// do to each other goes through their corners, and the places of the vertices say everything. With
+// x all of them, a column each:
+//   energy = sum over panels of K q^2 / 2 + mu q^4 / 2 + edges and shears, squared
+//          + sum over springs of k / 2 pull^2.
+// The first is exact for saddles that are small beside the thickness. In larger ones the panel's
+// middle plane has to stretch: mu = E t I / area^4, with I the volume under a clamped plate of that
+// size, load over rigidity being 1 (von Karman's equation for w = q x y / area, edges free in the
+// plane): 0.3 % of the energy in a square where q = t, 3 % where q = 3 t.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "solver/bending/saddle_plate.hpp"
+#include "solver/kinematics/mechanism.hpp"
+#include "solver/sheet/panels.hpp"
+
+namespace misalign::solver {
+
+/// The paper's, section 5: aluminium.
+struct PanelMaterial {
+  double e_gpa = 70;
+  double poisson = 0.33;
+
+  double e_mpa() const { return 1e3 * e_gpa; }
+};
+
+/// Along a side a panel gives like a strip with this share of its width: forces enter at corners.
+/// Chosen on Table 1 (results/bending/README.md), tested on other sheets.
+inline constexpr double kEdgeShare = 0.12;
+/// What a plate that twists loses at each edge (Saint-Venant): 0.315 t of its width.
+inline constexpr double kFreeEdge = 0.315;
+
+/// Energy, its gradient and its second derivatives by all coordinates: those of vertex v from 3 v
+/// on.
+struct ElasticEnergy {
+  double n_mm = 0;
+  Eigen::VectorXd slope;
+  Eigen::MatrixXd bend;
+};
+
+class ElasticSheet {
+ public:
+  /// `stiffer`: times the stiffness of panels in their planes, to come near panels that only bend.
+  ElasticSheet(const FlatVertices& flat_mm, const Panels& panels,
+               const std::vector<Diagonal>& diagonals, const PanelMaterial& material,
+               double thickness_mm, double stiffer = 1);
+
+  Eigen::Index vertices() const { return flat_mm_.cols(); }
+  Eigen::Index coordinates() const { return 3 * vertices(); }
+  Eigen::Index panels() const { return static_cast<Eigen::Index>(plates_.size()); }
+  Eigen::Index diagonals() const { return static_cast<Eigen::Index>(diagonals_.size()); }
+  const std::array<int, 4>& corners(Eigen::Index panel) const {
+    return corners_[static_cast<std::size_t>(panel)];
+  }
+  double panel_width_mm() const { return panel_width_mm_; }
+  Eigen::Matrix3Xd flat_shape_mm() const;
+
+  /// Lengths of the diagonals flat; and how long they are, and their rates: a row for each.
+  const Eigen::VectorXd& flat_lengths_mm() const { return flat_lengths_mm_; }
+  Eigen::VectorXd lengths_mm(const Eigen::Matrix3Xd& at_mm) const;
+  Eigen::MatrixXd length_slopes(const Eigen::Matrix3Xd& at_mm) const;
+  /// q of each panel, and its rates.
+  Eigen::VectorXd saddles_mm(const Eigen::Matrix3Xd& at_mm) const;
+  Eigen::MatrixXd saddle_slopes(const Eigen::Matrix3Xd& at_mm) const;
+  /// K of each panel, N/mm.
+  const Eigen::VectorXd& saddle_n_per_mm() const { return saddle_n_per_mm_; }
+  /// The largest von Mises stress at each panel's faces for each mm of q, but next to its corners
+  /// (saddle_stress): some ms for a sheet.
+  Eigen::VectorXd stress_mpa_per_mm() const;
+
+  /// Sum over the creases of length times |fold angle| (mm): dry friction of so much for each mm of
+  /// crease takes this times its change. Fold angles are those between the panels' mean normals,
+  /// the cross products of their diagonals.
+  double turned_mm(const Eigen::Matrix3Xd& at_mm) const;
+  Eigen::VectorXd turned_slope(const Eigen::Matrix3Xd& at_mm) const;
+  /// Adds `factor` times its second derivatives, by central differences of the gradient: to 1e-8.
+  void add_turned_bend(const Eigen::Matrix3Xd& at_mm, double factor, Eigen::MatrixXd& bend) const;
+
+  /// Of the panels; of springs that are this long when relaxed.
+  ElasticEnergy panels_energy(const Eigen::Matrix3Xd& at_mm) const;
+  void add_springs(const Eigen::Matrix3Xd& at_mm, double n_per_mm,
+                   const Eigen::VectorXd& relaxed_mm, ElasticEnergy& energy) const;
+
+  /// Six coordinates of the first panel that hold it still in space, for a shape that lies like
+  /// this; ascending.
+  std::vector<int> supports(const Eigen::Matrix3Xd& at_mm) const;
+
+ private:
+  struct Bar {  // between two corners of a panel
+    int from, to;
+    double flat_mm;
+  };
+  struct Plate {
+    std::array<Bar, 6> bars;  // four sides, two diagonals
+    std::array<double, 4> side_n_per_mm;
+    std::array<double, 6> shear;  // of each bar's square: the panel's shear angle
+    double shear_n_mm;
+    double area_mm2;
+    double stretch_n_per_mm3;
+  };
+  struct Fold {
+    int one, other;  // panels
+    double length_mm;
+  };
+  struct Outline {
+    std::array<Eigen::Vector2d, 4> corners_mm;
+    std::array<bool, 4> is_straight{};  // from each corner to the next
+  };
+  static Plate plate_of(const std::array<Eigen::Vector2d, 4>& corners_mm, double modulus_n_per_mm,
+                        double poisson);
+  void add_plate(std::size_t panel, const Eigen::Matrix3Xd& at_mm, ElasticEnergy& energy) const;
+  Eigen::Matrix<double, 3, 8> fold_slope(const Fold& fold, const Eigen::Matrix3Xd& at_mm) const;
+
+  const FlatVertices flat_mm_;
+  const std::vector<std::array<int, 4>> corners_;
+  const std::vector<Diagonal> diagonals_;
+  const PanelMaterial material_;
+  const double thickness_mm_;
+  double panel_width_mm_;
+  std::vector<Outline> outlines_;
+  std::vector<Plate> plates_;
+  std::vector<Fold> folds_;
+  Eigen::VectorXd flat_lengths_mm_, saddle_n_per_mm_;
+};
+
+}  // namespace misalign::solver

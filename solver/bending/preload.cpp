@@ -1,0 +1,133 @@
+#include "solver/bending/preload.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Panels so much stiffer in their planes that these give less than 1e-3 of what bending does there.
+constexpr double kStiffer = 1e4;
+// Below this, of the largest eigenvalue, a panel does not bend; and of the stiffest panel's, a
+// force does not push.
+constexpr double kNoPush = 1e-9;
+
+// The flat sheet as its springs' forces leave it in its plane.
+Matrix3Xd settled_in_plane(const ElasticSheet& sheet, const DiagonalSprings& springs) {
+  Matrix3Xd at_mm = sheet.flat_shape_mm();
+  const std::vector<int> held = sheet.supports(at_mm);
+  std::vector<int> free;
+  for (int i = 0; i < sheet.coordinates(); ++i) {
+    if (i % 3 != 2 && !std::binary_search(held.begin(), held.end(), i)) free.push_back(i);
+  }
+  for (int step = 0; step < 4; ++step) {
+    ElasticEnergy energy = sheet.panels_energy(at_mm);
+    sheet.add_springs(at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
+    const MatrixXd bend = energy.bend(free, free);
+    const VectorXd slope = energy.slope(free), moved = bend.ldlt().solve(slope);
+    for (Index i = 0; i < moved.size(); ++i) {
+      const int at = free[static_cast<std::size_t>(i)];
+      at_mm(at % 3, at / 3) -= moved(i);
+    }
+  }
+  return at_mm;
+}
+
+}  // namespace
+
+PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
+                              double thickness_mm, const VectorXd& shares) {
+  const ElasticSheet panels(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals,
+                            material, thickness_mm, kStiffer);
+  const Compliance near = find_compliance(panels, rigid_shape_mm(sheet, kNearFlat_deg)).value();
+  const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2);
+  const VectorXd longer = near.lengths_mm - panels.flat_lengths_mm(),
+                 forces = shares.cwiseProduct(longer.cwiseSign());
+  return {forces.dot(longer) / square, forces.dot(near.mm_per_n * forces) / square};
+}
+
+FlatModes find_flat_modes(const ElasticSheet& sheet, const DiagonalSprings& springs) {
+  const Matrix3Xd at_mm = settled_in_plane(sheet, springs);
+  ElasticEnergy energy = sheet.panels_energy(at_mm);
+  sheet.add_springs(at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
+  const Index count = sheet.vertices();
+  MatrixXd across(count, count), saddles(sheet.panels(), count);
+  const MatrixXd slopes = sheet.saddle_slopes(at_mm);
+  for (Index v = 0; v < count; ++v) {
+    saddles.col(v) = slopes.col(3 * v + 2);
+    for (Index w = 0; w < count; ++w) across(v, w) = energy.bend(3 * v + 2, 3 * w + 2);
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> bending(saddles.transpose() * saddles);
+  const double least = kNoPush * bending.eigenvalues().maxCoeff();
+  const Index rigid = (bending.eigenvalues().array() < least).count();
+  const MatrixXd modes = bending.eigenvectors().leftCols(rigid);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(modes.transpose() * across * modes);
+  const double push = kNoPush * sheet.saddle_n_per_mm().maxCoeff();
+  constexpr int kOfSpace = 3;  // a shift and two turns
+  return {static_cast<int>(rigid) - kOfSpace,
+          static_cast<int>((pushed.eigenvalues().array() < -push).count())};
+}
+
+BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
+                         const PreloadAtFlat& at_flat, const VectorXd& shares) {
+  const VectorXd longer = way.compliances().front().lengths_mm - way.panels().flat_lengths_mm(),
+                 forces = shares.cwiseProduct(longer.cwiseSign());
+  const auto with = [&](double preload_n) {
+    const DiagonalSprings springs{n_per_mm,
+                                  way.panels().flat_lengths_mm() - preload_n / n_per_mm * forces};
+    const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
+    return find_bent_friction(curve, to_deg, 0,
+                              [](double) {
+                                return OtherMoments{0, 0, 0};
+                              })
+        .static_n_mm_per_mm;
+  };
+  // One maximum in between: golden sections.
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  double low = 0, high = at_flat.none_left_n();
+  double one = high - golden * (high - low), other = low + golden * (high - low);
+  double with_one = with(one), with_other = with(other);
+  for (int k = 0; k < 24; ++k) {
+    if (with_one >= with_other) {
+      high = other, other = one, with_other = with_one;
+      one = high - golden * (high - low);
+      with_one = with(one);
+    } else {
+      low = one, one = other, with_one = with_other;
+      other = low + golden * (high - low);
+      with_other = with(other);
+    }
+  }
+  const double best_n = (low + high) / 2, best = with(best_n);
+  const double without = with(0);
+  return best > without ? BestPreload{best_n, best} : BestPreload{0, without};
+}
+
+PreloadStudy study_preload(const Sheet& sheet, const DeployOptions& deploying,
+                           const BentPanels& bent) {
+  const Springs& springs = deploying.sheet.springs;
+  const PanelMaterial& material = bent.options.material;
+  const BentWay way(sheet, material, bent.thickness_mm, bent.options.to_deg, bent.from_deg,
+                    bent.options.angles);
+  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
+  const double n_per_mm = springs.stiffness_n_per_mm;
+  const double preload_n = springs.preload.largest_n();
+  const VectorXd shares = springs.preload.forces_n(sheet.mechanism().diagonals) / preload_n;
+  const PreloadAtFlat at_flat = preload_at_flat(sheet, material, bent.thickness_mm, shares);
+  const double pilot_rate = sheet.way()->pilot_rate(0);
+  const double mass = rigid.at(0).mass / (pilot_rate * pilot_rate),  // t mm^2 by the pilot's angle
+      stiffness = std::max(0.0, at_flat.stiffness_n_mm(preload_n));
+  return {preload_n, at_flat, find_flat_modes(way.panels(), {n_per_mm, rigid.relaxed_mm()}),
+          best_preload(way, n_per_mm, bent.options.to_deg, at_flat, shares),
+          std::sqrt(stiffness / mass) / (2 * std::numbers::pi)};
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,45 @@
+#include "solver/contact/contact.hpp"
+
+#include <algorithm>
+
+#include "solver/studies/angle_of_use.hpp"
+
+namespace misalign::solver {
+
+Studied<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options) {
+  const double largest_mm = largest_trim_mm(sheet.panels(), sheet.vertices_mm());
+  if (options.from_deg) {
+    if (auto fault = beyond_d(sheet, *options.from_deg)) return *fault;
+  }
+  ContactStudy study;
+  study.trim_mm = options.trim_mm.value_or(kTrimPart * sheet.mechanism().panel_width_mm);
+  if (!(study.trim_mm < largest_mm)) {
+    return OptionFault{"trim_mm", shown("%g", study.trim_mm),
+                       "leaves nothing of an edge of " + sheet.name() + " (that takes " +
+                           shown("%.4g", largest_mm) + " mm)",
+                       "trim less"};
+  }
+  const std::optional<PanelMotion> motion = resolved_motion(sheet);
+  if (!motion) return {};
+  const FoldingWay& way = motion->way();
+  const double known = motion->resolved_until();
+  study.deploys_from_deg = sheet.deploys_from_deg();
+  study.end_deg = way.end_deg();
+  study.known_until_deg = way.pilot_deg(known);
+  const ContactFinder finder(sheet.panels(), *motion);
+  study.first = finder.first(known);
+  const double last_deg = study.first ? study.first->pilot_deg : study.known_until_deg;
+  for (double pilot_deg = 0; pilot_deg <= last_deg; pilot_deg += kClearanceStep_deg) {
+    study.pilot_deg.push_back(pilot_deg);
+    study.clearances.push_back(finder.clearance(way.x_of(pilot_deg)));
+  }
+  study.used_from_deg = options.from_deg.value_or(study.deploys_from_deg);
+  study.reach_deg = std::min(study.used_from_deg, last_deg);
+  if (study.reach_deg > 0) {
+    study.thickness =
+        largest_thickness(sheet.panels(), *motion, way.x_of(study.reach_deg), {study.trim_mm});
+  }
+  return study;
+}
+
+}  // namespace misalign::solver

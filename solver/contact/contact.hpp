@@ -1,0 +1,40 @@
+// The study of contact: where the panels of one sheet first meet, how close they come before, and
+// how thick they may be.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/contact/plate_thickness.hpp"
+#include "solver/studies/studied.hpp"
+
+namespace misalign::solver {
+
+/// Corners are trimmed by this part of the panel width where nothing else is said: 5 mm on the
+/// paper's sheet.
+inline constexpr double kTrimPart = 1.0 / 16;
+/// Clearances are shown at multiples of this pilot angle.
+inline constexpr double kClearanceStep_deg = 1;
+
+struct ContactOptions {
+  std::optional<double> trim_mm = {};  ///< of corners; none: kTrimPart of the panel width
+  /// The plates are to fold from flat up to this pilot angle; none: up to D.
+  std::optional<double> from_deg = {};
+};
+
+struct ContactStudy {
+  double deploys_from_deg = 0, end_deg = 0;
+  double known_until_deg = 0;  ///< as far as the motion is resolved
+  double used_from_deg = 0;    ///< as asked; D where nothing was
+  double reach_deg = 0;        ///< that, or the first contact where it comes before
+  double trim_mm = 0;
+  std::optional<Contact> first;
+  std::vector<double> pilot_deg;
+  std::vector<Clearance> clearances;        ///< at these
+  std::optional<PlateThickness> thickness;  ///< none where the sheet deploys from nothing
+};
+
+/// Faults: from_deg lies beyond D; trim_mm leaves nothing of an edge.
+Studied<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options = {});
+
+}  // namespace misalign::solver

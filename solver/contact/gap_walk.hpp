@@ -1,0 +1,110 @@
+// Follows a folding way until a gap closes (conservative advancement, Mirtich 1996, along one
+// direction at a time): certain between any two places, not only at them.
+//
+// Seen from one panel, take the direction in which the other is nearest. Along it each corner of
+// the other is so far off, and goes at a rate that is known at nodes along the way. Between two
+// nodes a rate is the straight line through both within h^2/8 of its second derivative, which its
+// second differences tell. So the gap is at least a parabola, and open up to where that has its
+// first root. From there one looks again.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "solver/contact/panel_motion.hpp"
+
+namespace misalign::solver {
+
+/// Rates between two nodes differ from a straight line by an eighth of the larger of the second
+/// differences at both, times this (up to 7.9 was seen: results/deployment/contact.md).
+inline constexpr double kRateSafety = 20;
+/// And by what the nodes' own rates are off by, per mm and unit of x: next to flat, where states
+/// are singular, up to 3e-7.
+inline constexpr double kRateError = 1e-6;
+
+class GapWalk {
+ public:
+  virtual ~GapWalk() = default;
+
+  /// The gap at x, in mm, and not more than that; looks from there from now on.
+  virtual double look(double x) = 0;
+  /// How far, up to `end`, the gap is certain to stay above `level_mm`, which it is now.
+  double certain_until(double level_mm, double end) const;
+
+ protected:
+  explicit GapWalk(const PanelMotion& motion) : motion_(motion) {}
+  /// Of every corner, seen from the other panel, mm per unit of x. Nodes before flat, -1 and so
+  /// on, are the mirror images of 0 and so on.
+  virtual void find_rates(int node, PolygonCorners& rates) const = 0;
+  /// Rates at both ends of the segment that ends at this node, or behind the last one; and an
+  /// eighth of the largest second differences around it.
+  struct Segment {
+    PolygonCorners from, to;
+    Eigen::Array<double, 1, 8> error;
+  };
+  const Segment& segment(int index) const;
+
+  const PanelMotion& motion_;
+  double x_ = 0;
+  Eigen::Vector3d direction_ = Eigen::Vector3d::UnitZ();
+  Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 8> gaps_mm_;  // of the corners
+
+ private:
+  const PolygonCorners& rates(int node) const;
+
+  static constexpr int kNone = std::numeric_limits<int>::min();
+  // Of the last segment that was asked for, and of the nodes round it: the next one needs three of
+  // the same four.
+  mutable std::array<int, 4> nodes_{kNone, kNone, kNone, kNone};
+  mutable std::array<PolygonCorners, 4> rates_;
+  mutable int segment_index_ = kNone;
+  mutable Segment segment_;
+};
+
+/// Between a polygon of one panel and one of another, or a segment of it.
+class PolygonWalk : public GapWalk {
+ public:
+  PolygonWalk(const PanelMotion& motion, int a, int b, PolygonCorners of_a, PolygonCorners of_b)
+      : GapWalk(motion), a_(a), b_(b), of_a_(std::move(of_a)), of_b_(std::move(of_b)) {}
+
+  double look(double x) override;
+  /// Not more than the gap at x is, by spheres round both.
+  double least_mm(double x) const;
+  /// As last looked at, in flat coordinates of panel a.
+  const Separation& separation() const { return separation_; }
+  int a() const { return a_; }
+  int b() const { return b_; }
+
+ protected:
+  void find_rates(int node, PolygonCorners& rates) const override;
+
+ private:
+  const int a_, b_;
+  const PolygonCorners of_a_, of_b_;
+  Separation separation_;
+};
+
+/// Between two panels with a common crease: how far its fold angle is from +-180 degrees, times the
+/// panel width.
+class CreaseWalk : public GapWalk {
+ public:
+  CreaseWalk(const PanelMotion& motion, int crease) : GapWalk(motion), crease_(crease) {}
+
+  double look(double x) override;
+
+ protected:
+  void find_rates(int node, PolygonCorners& rates) const override;
+
+ private:
+  const int crease_;
+};
+
+/// The first x, up to `end`, at which the gap is at most `touch_mm`; it is more than half of that
+/// up to there. Infinity: it is more than half of it all the way.
+double first_touch(GapWalk& walk, double touch_mm, double end);
+
+/// Whether the gap gets smaller than `least_mm` up to `end`; then that is lowered to a gap that is
+/// reached, and the others are larger but for a `slack` of it.
+bool lower_to_least(GapWalk& walk, double slack, double end, double& least_mm, double& at_x);
+
+}  // namespace misalign::solver

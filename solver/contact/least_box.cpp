@@ -1,0 +1,78 @@
+#include "solver/contact/least_box.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "solver/pattern/half_angle.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+// Steps of a descent: the first, and where it ends.
+constexpr double kFirstTurn_deg = 15, kLastTurn_deg = 1e-3;
+// Starts beside the principal axes turn by multiples of this about each axis.
+constexpr double kBetweenStarts_deg = 30;
+// Points in a plane have an area to be compared.
+constexpr double kThin_mm = 1e-3;
+
+struct Box {
+  Matrix3d axes;
+  Vector3d sides_mm;
+
+  double volume() const { return (sides_mm.array() + kThin_mm).prod(); }
+};
+
+Box box_along(const Matrix3d& axes, const Matrix3Xd& points_mm) {
+  const Matrix3Xd along_mm = axes.transpose() * points_mm;
+  return {axes, along_mm.rowwise().maxCoeff() - along_mm.rowwise().minCoeff()};
+}
+
+Matrix3d turned_by(const Vector3d& by_deg) {
+  const double angle_rad = by_deg.norm() * kRadPerDeg;
+  if (angle_rad == 0) return Matrix3d::Identity();
+  return AngleAxisd(angle_rad, by_deg.normalized()).toRotationMatrix();
+}
+
+// A pattern search: the best neighbour of a cube of rotations, whose size is halved where there is
+// none.
+Box descended(Box best, const Matrix3Xd& points_mm) {
+  for (double step_deg = kFirstTurn_deg; step_deg > kLastTurn_deg;) {
+    const Box from = best;
+    for (int neighbour = 0; neighbour < 27; ++neighbour) {
+      const Vector3d way(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
+      const Box next = box_along(from.axes * turned_by(step_deg * way), points_mm);
+      if (next.volume() < best.volume() * (1 - 1e-12)) best = next;
+    }
+    if (best.volume() == from.volume()) step_deg /= 2;
+  }
+  return best;
+}
+
+}  // namespace
+
+Vector3d least_box_mm(const Matrix3Xd& points_mm) {
+  const Matrix3Xd centred_mm = points_mm.colwise() - points_mm.rowwise().mean();
+  const Matrix3d principal =
+      Eigen::JacobiSVD<Matrix3d>(centred_mm * centred_mm.transpose(), Eigen::ComputeFullU)
+          .matrixU();
+  Box best = descended(box_along(principal, centred_mm), centred_mm);
+  for (int start = 1; start < 27; ++start) {
+    const Matrix3d axes = principal * turned_by({kBetweenStarts_deg * (start % 3), 0, 0}) *
+                          turned_by({0, kBetweenStarts_deg * (start / 3 % 3), 0}) *
+                          turned_by({0, 0, kBetweenStarts_deg * (start / 9)});
+    const Box found = descended(box_along(axes, centred_mm), centred_mm);
+    if (found.volume() < best.volume()) best = found;
+  }
+  std::ranges::sort(best.sides_mm, std::greater());
+  return best.sides_mm;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,63 @@
+// Panels as plates of one thickness, and the largest that a sheet may have to fold as far as D.
+//
+// Hinges lie in the mid-planes. A plate is
+// - tapered towards each of its creases, on the side to which that folds: by the plane through the
+//   crease that makes the angle (180 - rho)/2 with the mid-plane, rho being the largest fold angle
+//   of the crease on the way. The plate has its whole thickness t from (t/2) tan(rho/2) away from
+//   the crease on, and neighbours touch all over their bevels just when rho is reached;
+// - trimmed at each corner where it meets another panel in that point alone (ball joints, whole
+//   vertices, corners of holes): by a line at right angles to the corner's bisector, `trim` away
+//   from the vertex. That is more than a disc of that radius.
+//
+// Every point of a plate is within t/2 of its trimmed mid-plane. So plates without a common crease
+// stay clear of each other if their trimmed mid-planes are never closer than t: what is said here
+// is sufficient. Those that are tapered where they are closest may be thicker.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/contact/contact_finder.hpp"
+
+namespace misalign::solver {
+
+/// Mid-planes, trimmed: corners in turn, mm on the flat sheet (A1 at the origin).
+std::vector<PolygonCorners> trimmed_panels(const Panels& panels, const FlatVertices& vertices_mm,
+                                           double trim_mm);
+/// The largest trim that leaves something of every edge, mm.
+double largest_trim_mm(const Panels& panels, const FlatVertices& vertices_mm);
+
+/// The largest thickness for which every plate keeps it somewhere on both sides, mm, and the panel
+/// that ends it; infinity without creases. `largest_rad` has the largest |rho| of each crease.
+struct TaperLimit {
+  double thickness_mm;
+  int panel;
+};
+TaperLimit taper_limit(const Panels& panels, const std::vector<PolygonCorners>& trimmed,
+                       const FlatVertices& vertices_mm, const std::vector<double>& largest_rad);
+
+struct ThicknessOptions {
+  double trim_mm;
+  /// How far below the least distance of the mid-planes the thickness stays, as a share.
+  double slack = 1e-3;
+};
+
+enum class ThicknessLimit { apart, vertex, taper };
+
+struct PlateThickness {
+  double thickness_mm;  ///< this much reaches `end`; 0 where panels meet before
+  ThicknessLimit limit;
+  /// Of plates that would meet: which, and where on the way.
+  PanelPair pair{};
+  double pilot_deg = 0;
+  int panel = -1;                     ///< whose tapers meet
+  double clear_mm = 0, taper_mm = 0;  ///< what either limit alone allows
+  std::vector<double> largest_rad;    ///< of each crease
+};
+
+/// Of plates that are to fold from flat up to `end` (x, where the motion is resolved). No trim may
+/// be larger than largest_trim_mm.
+PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion, double end,
+                                 const ThicknessOptions& options);
+
+}  // namespace misalign::solver

@@ -1,0 +1,160 @@
+#include "solver/motion/deploying_sheet.hpp"
+
+#include <cmath>
+
+#include "solver/motion/moving_mass.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+VectorXd relaxed_lengths(const FoldingWay& way, const Springs& springs) {
+  VectorXd relaxed_mm, lengths_mm, rates;
+  way.find_lengths(way.x_of(springs.rest_deg), relaxed_mm, rates);
+  if (springs.rest_deg == 0) relaxed_mm = way.flat_mm();
+  for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
+    way.find_lengths(way.x_of(rest_deg), lengths_mm, rates);
+    relaxed_mm(diagonal) = lengths_mm(diagonal);
+  }
+  if (springs.preload.is_any()) {
+    const VectorXd forces_n = springs.preload.forces_n(way.mechanism().diagonals);
+    relaxed_mm -= forces_n.cwiseProduct(sides_of_diagonals(way)) / springs.stiffness_n_per_mm;
+  }
+  return relaxed_mm;
+}
+
+VectorXd relaxed_angles(const FoldingWay& way, double rest_deg) {
+  VectorXd angles_rad, rates;
+  way.find_creases(way.x_of(rest_deg), angles_rad, rates);
+  return angles_rad;
+}
+
+// Rows: the generalised mass, and where the centre of mass is; on the other side of flat it is
+// below where it was above.
+SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
+                              const PerforatedSheet& base, const DeployingOptions& options) {
+  const Panels panels = panels_of(base, way.mechanism());
+  const std::optional<int> held = options.held ? std::optional(options.held->panel) : std::nullopt;
+  SheetMover mover(shape, way, panels, options.plates, held);
+  Eigen::MatrixXd values(4, static_cast<Index>(way.stations().size()));
+  Index k = 0;
+  for (const WayStation& station : way.stations()) {
+    const MovingPanels sheet = mover.move(station.state, station.rates.data());
+    // Seen from the held panel, from +z.
+    Eigen::Vector3d centre_mm = mover.seen_from(held.value_or(0), sheet.centre_mm());
+    centre_mm.z() *= way.mechanism().side;
+    values.col(k++) << sheet.generalised_mass(), centre_mm;
+  }
+  using Parity = SmoothTable::Parity;
+  return way.table(values, {Parity::even, Parity::even, Parity::even, Parity::odd});
+}
+
+double mass_of_all(const FoldingWay& way, const PerforatedSheet& base, const Plates& plates) {
+  double mass_t = 0;
+  const Panels panels = panels_of(base, way.mechanism());
+  for (const PanelMass& mass : panel_masses(plates, panels.corners, way.from_a1_mm())) {
+    mass_t += mass.mass_t;
+  }
+  return mass_t;
+}
+
+}  // namespace
+
+VectorXd crease_lengths_mm(const FoldingWay& way) {
+  const std::vector<Crease>& creases = way.mechanism().creases;
+  VectorXd lengths_mm(std::ssize(creases));
+  for (Index k = 0; k < lengths_mm.size(); ++k) {
+    const Crease& crease = creases[static_cast<std::size_t>(k)];
+    lengths_mm(k) = (way.from_a1_mm().col(crease.b) - way.from_a1_mm().col(crease.a)).norm();
+  }
+  return lengths_mm;
+}
+
+VectorXd sides_of_diagonals(const FoldingWay& way) {
+  VectorXd lengths_mm, rates;
+  way.find_lengths(way.x_of_station(0), lengths_mm, rates);
+  return (lengths_mm - way.flat_mm()).cwiseSign();
+}
+
+DeployingSheet::DeployingSheet(const FoldingWay& way, const FoldedShape& shape,
+                               const PerforatedSheet& base, const DeployingOptions& options)
+    : way_(way),
+      options_(options),
+      mass_t_(mass_of_all(way, base, options.plates)),
+      crease_mm_(crease_lengths_mm(way)),
+      rest_mm_(relaxed_lengths(way, options.springs)),
+      rest_rad_(relaxed_angles(way, options.joints.rest_deg)),
+      masses_(masses_on_the_way(way, shape, base, options)) {}
+
+void DeployingSheet::find_lengths(double x) const {
+  way_.find_lengths(x, lengths_, length_rates_);
+  lengths_ -= rest_mm_;
+  if (options_.springs.pull_only) lengths_ = lengths_.cwiseMax(0.0);
+}
+
+DeployingSheet::Potential DeployingSheet::unit_springs(double x) const {
+  find_lengths(x);
+  return {lengths_.squaredNorm() / 2, lengths_.dot(length_rates_)};
+}
+
+DeployingSheet::Potential DeployingSheet::all_else(double x) const {
+  Potential sum{0, 0};
+  const JointResistance& joints = options_.joints;
+  if (joints.stiffness_n_mm_per_mm > 0) {
+    way_.find_creases(x, angles_, angle_rates_);
+    angles_ -= rest_rad_;
+    const auto moments = (joints.stiffness_n_mm_per_mm * crease_mm_.array() * angles_.array());
+    sum = {moments.matrix().dot(angles_) / 2, moments.matrix().dot(angle_rates_)};
+  }
+  if (options_.held) {
+    masses_.find(x, 1, 3, mass_, mass_rate_);
+    const Eigen::Vector3d weight_n = mass_t_ * options_.held->gravity_mm_per_s2;
+    sum.energy -= weight_n.dot(mass_);
+    sum.slope -= weight_n.dot(mass_rate_);
+  }
+  return sum;
+}
+
+VectorXd DeployingSheet::spring_forces_n(double x) const {
+  find_lengths(x);
+  return options_.springs.stiffness_n_per_mm * lengths_;
+}
+
+VectorXd DeployingSheet::crease_moments_n_mm(double x, double x_rate) const {
+  way_.find_creases(x, angles_, angle_rates_);
+  const JointResistance& joints = options_.joints;
+  const Eigen::ArrayXd rates = x_rate * angle_rates_.array();
+  return crease_mm_.array() *
+         (joints.friction_n_mm_per_mm * rates.sign() + joints.damping_n_mm_s_per_mm * rates +
+          joints.stiffness_n_mm_per_mm * (angles_ - rest_rad_).array());
+}
+
+DeployingSheet::Turning DeployingSheet::turning(double x) const {
+  way_.find_creases(x, angles_, angle_rates_);
+  way_.find_balls(x, speeds_);
+  return {crease_mm_.dot(angle_rates_.cwiseAbs()), speeds_.sum()};
+}
+
+EnergyAt DeployingSheet::at(double x) const {
+  EnergyAt here{};
+  masses_.find(x, 0, 1, mass_, mass_rate_);
+  here.mass = mass_(0);
+  here.mass_slope = mass_rate_(0);
+  const double stiffness = options_.springs.stiffness_n_per_mm;
+  const Potential springs = unit_springs(x), rest = all_else(x);
+  here.springs_n_mm = stiffness * springs.energy;
+  here.potential = here.springs_n_mm + rest.energy;
+  here.slope = stiffness * springs.slope + rest.slope;
+  const JointResistance& joints = options_.joints;
+  if (!joints.slows_down()) return here;
+  const Turning turning = this->turning(x);  // leaves the creases' rates
+  here.friction =
+      joints.friction_n_mm_per_mm * turning.creases_mm + joints.ball_friction_n_mm * turning.balls;
+  here.damping =
+      joints.damping_n_mm_s_per_mm * crease_mm_.dot(angle_rates_.cwiseProduct(angle_rates_));
+  return here;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,111 @@
+// Everything that drives, holds and weighs on a sheet while it folds, as functions of the one
+// coordinate x of its way: with T = mass / 2 (dx/dt)^2 the motion is
+//   mass x'' + mass' x'^2 / 2 + potential' + friction sign(x') + damping x' = 0.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "solver/motion/actuators.hpp"
+#include "solver/motion/plates.hpp"
+#include "solver/sheet/folding_way.hpp"
+
+namespace misalign::solver {
+
+/// One on every diagonal.
+struct Springs {
+  double stiffness_n_per_mm = Actuators{}.stiffness_n_per_mm;
+  /// The pilot angle at which they are relaxed, and those diagonals that are relaxed elsewhere.
+  double rest_deg = 0;
+  std::vector<std::pair<int, double>> other_rests_deg;
+  bool pull_only = false;  ///< wires: no force where they are shorter than relaxed
+  Preload preload;
+};
+
+/// Resistance of the joints.
+struct JointResistance {
+  double friction_n_mm_per_mm = 0;   ///< dry, per length of crease
+  double ball_friction_n_mm = 0;     ///< dry, of each ball joint
+  double damping_n_mm_s_per_mm = 0;  ///< per length of crease, for each rad/s
+  double stiffness_n_mm_per_mm = 0;  ///< elastic, per length of crease, for each rad
+  double rest_deg = 0;               ///< the pilot angle at which creases are relaxed
+
+  bool slows_down() const {
+    return friction_n_mm_per_mm > 0 || ball_friction_n_mm > 0 || damping_n_mm_s_per_mm > 0;
+  }
+};
+
+/// Where the sheet is held: by a panel (counted over those that are there), in this field.
+struct HeldPanel {
+  int panel;
+  Eigen::Vector3d gravity_mm_per_s2 = Eigen::Vector3d::Zero();  ///< in its flat frame, z up
+};
+
+struct DeployingOptions {
+  Springs springs;
+  JointResistance joints;
+  Plates plates;
+  std::optional<HeldPanel> held;  ///< none: free in space
+};
+
+/// At one x. Derivatives are by x.
+struct EnergyAt {
+  double mass, mass_slope;  ///< t mm^2
+  double springs_n_mm;      ///< energy of the springs
+  double potential, slope;  ///< of all that has an energy: N mm
+  double friction;          ///< N mm: always against the motion
+  double damping;           ///< N mm s
+};
+
+/// Of every crease.
+Eigen::VectorXd crease_lengths_mm(const FoldingWay& way);
+
+/// Which way each diagonal goes next to flat, and on the way to D: 1 longer, -1 shorter.
+Eigen::VectorXd sides_of_diagonals(const FoldingWay& way);
+
+class DeployingSheet {
+ public:
+  /// `way` and `shape` must outlive this object. Rest angles must lie on the way.
+  DeployingSheet(const FoldingWay& way, const FoldedShape& shape, const PerforatedSheet& base,
+                 const DeployingOptions& options);
+
+  const FoldingWay& way() const { return way_; }
+  const DeployingOptions& options() const { return options_; }
+  double mass_t() const { return mass_t_; }
+  /// How long each spring is without force.
+  const Eigen::VectorXd& relaxed_mm() const { return rest_mm_; }
+
+  EnergyAt at(double x) const;
+  /// An energy and its derivative: the springs' if they had 1 N/mm, and that of all else.
+  struct Potential {
+    double energy, slope;
+  };
+  Potential unit_springs(double x) const;
+  Potential all_else(double x) const;
+  /// Of each spring: positive where it pulls.
+  Eigen::VectorXd spring_forces_n(double x) const;
+  /// By which each crease resists an increase of its fold angle, with this dx/dt.
+  Eigen::VectorXd crease_moments_n_mm(double x, double x_rate) const;
+
+  /// What friction acts on, per unit of x: sum of l_i |d rho_i| over the creases (mm), and of the
+  /// angles by which ball joints turn.
+  struct Turning {
+    double creases_mm, balls;
+  };
+  Turning turning(double x) const;
+
+ private:
+  // Into lengths_: how much longer each spring is than relaxed, by which it pulls.
+  void find_lengths(double x) const;
+
+  const FoldingWay& way_;
+  const DeployingOptions options_;
+  double mass_t_;
+  Eigen::VectorXd crease_mm_, rest_mm_, rest_rad_;
+  SmoothTable masses_;  // generalised mass; centre of mass x, y, z
+  mutable Eigen::VectorXd lengths_, length_rates_, angles_, angle_rates_, others_, speeds_, mass_,
+      mass_rate_;
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,198 @@
+#include "solver/motion/equilibria.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+// A quarter of the distance between stations, from which polynomials show every bend.
+constexpr int kPerStation = 4;
+
+// As close to flat (of x) as where the potential is symmetric.
+constexpr double kFlat = 1e-6;
+
+// Springs whose lengths change by no more than this have no equilibria but those of rounding: ways
+// are off by 1e-11 panel widths.
+constexpr double kStill_mm = 1e-8;
+
+// As much as the energy of such springs changes on the way.
+double still_n_mm(const DeployingSheet& sheet) {
+  const Springs& springs = sheet.options().springs;
+  return kStill_mm * static_cast<double>(sheet.relaxed_mm().size()) *
+         (springs.stiffness_n_per_mm * kStill_mm + springs.preload.largest_n());
+}
+
+double root_of_slope(const DeployingSheet& sheet, double low, double high) {
+  const bool rises = sheet.at(high).slope > 0;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (low + high) / 2;
+    ((sheet.at(middle).slope > 0) == rises ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+Equilibrium equilibrium_at(const DeployingSheet& sheet, double x, bool is_well) {
+  constexpr double kStep = 1e-4;
+  const double rate = sheet.way().pilot_rate(x);
+  const double bend = (sheet.at(x + kStep).slope - sheet.at(x - kStep).slope) / (2 * kStep);
+  return {x, sheet.way().pilot_deg(x), sheet.at(x).potential, bend / (rate * rate), is_well};
+}
+
+// Along the way from `from` to flat: what was let go, and how far joints have turned.
+struct Descent {
+  double x;
+  double springs, else_n_mm;  // fall of the unit springs' energy, and of all else
+  double creases_mm, balls;   // integrals of DeployingSheet::Turning
+};
+
+class DescentToFlat {
+ public:
+  DescentToFlat(const DeployingSheet& sheet, double from_x)
+      : sheet_(sheet),
+        springs_(sheet.unit_springs(from_x).energy),
+        else_(sheet.all_else(from_x).energy) {
+    const int count = kPerStation * static_cast<int>(sheet.way().stations().size());
+    path_.push_back({from_x, 0, 0, 0, 0});
+    for (int k = 1; k <= count; ++k) {
+      path_.push_back(down_to(from_x * (count - k) / count, path_.back()));
+    }
+  }
+
+  const std::vector<Descent>& path() const { return path_; }
+
+  /// From a place before it, by Simpson's rule.
+  Descent down_to(double x, const Descent& before) const {
+    const auto& [u, v, w] =
+        std::tuple(sheet_.turning(before.x), sheet_.turning((x + before.x) / 2), sheet_.turning(x));
+    const double sixth = (before.x - x) / 6;
+    return {x, springs_ - sheet_.unit_springs(x).energy, else_ - sheet_.all_else(x).energy,
+            before.creases_mm + sixth * (u.creases_mm + 4 * v.creases_mm + w.creases_mm),
+            before.balls + sixth * (u.balls + 4 * v.balls + w.balls)};
+  }
+  /// What all of these are at the start per unit of x, downwards.
+  Descent at_start() const {
+    const double x = path_.front().x;
+    const DeployingSheet::Turning turning = sheet_.turning(x);
+    return {x, sheet_.unit_springs(x).slope, sheet_.all_else(x).slope, turning.creases_mm,
+            turning.balls};
+  }
+
+ private:
+  const DeployingSheet& sheet_;
+  const double springs_, else_;
+  std::vector<Descent> path_;
+};
+
+struct Least {
+  double value, x;
+};
+
+// The least of a quotient all over the descent, which is refined where it is least.
+template <class Quotient>
+Least least_over(const DescentToFlat& descent, const Quotient& quotient) {
+  const std::vector<Descent>& path = descent.path();
+  Least least{quotient(descent.at_start()), path.front().x};
+  std::size_t where = 0;
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const double value = quotient(path[k]);
+    if (value >= least.value) continue;
+    least = {value, path[k].x};
+    where = k;
+  }
+  Descent left = path[where > 0 ? where - 1 : 0];
+  double right_x = path[std::min(where + 1, path.size() - 1)].x;
+  for (int round = 0; round < 4; ++round) {
+    constexpr int kParts = 12;
+    const double part = (left.x - right_x) / kParts;
+    const Descent from = left;
+    Descent last = from;
+    for (int k = 1; k <= kParts; ++k) {
+      const Descent here = descent.down_to(std::max(from.x - k * part, 0.0), last);
+      const double value = quotient(here);
+      if (value < least.value) {
+        least = {value, here.x};
+        left = last;
+        right_x = std::max(here.x - part, 0.0);
+      }
+      last = here;
+    }
+  }
+  return least;
+}
+
+double stall_of(const DeployingSheet& sheet, const std::vector<Descent>& path) {
+  const auto is_held = [&](double x) {
+    const EnergyAt here = sheet.at(x);
+    return here.slope <= here.friction;
+  };
+  double moves_x = path.front().x;
+  if (is_held(moves_x)) return sheet.way().pilot_deg(moves_x);
+  for (const Descent& at : path) {
+    if (!is_held(at.x)) {
+      moves_x = at.x;
+      continue;
+    }
+    double held_x = at.x;
+    for (int k = 0; k < 50; ++k) {
+      const double middle = (held_x + moves_x) / 2;
+      (is_held(middle) ? held_x : moves_x) = middle;
+    }
+    return sheet.way().pilot_deg(held_x);
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::vector<Equilibrium> find_equilibria(const DeployingSheet& sheet) {
+  const FoldingWay& way = sheet.way();
+  const int half = kPerStation * static_cast<int>(way.stations().size());
+  std::vector<Equilibrium> found;
+  double last_x = 0, last_slope = 0, least_n_mm = 0, most_n_mm = 0;
+  // Never at flat itself, but on both sides of it.
+  for (int k = -half; k < half; ++k) {
+    const double x = way.end() * (k + 0.5) / half;
+    const EnergyAt here = sheet.at(x);
+    const double slope = here.slope;
+    least_n_mm = k == -half ? here.potential : std::min(least_n_mm, here.potential);
+    most_n_mm = k == -half ? here.potential : std::max(most_n_mm, here.potential);
+    if (last_slope * slope < 0) {
+      double root = root_of_slope(sheet, last_x, x);
+      if (std::abs(root) < kFlat) root = 0;
+      found.push_back(equilibrium_at(sheet, root, slope > 0));
+    }
+    if (slope != 0) last_x = x, last_slope = slope;
+  }
+  if (most_n_mm - least_n_mm <= still_n_mm(sheet)) found.clear();
+  return found;
+}
+
+FrictionLimits find_friction_limits(const DeployingSheet& sheet, double from_deg) {
+  const double from_x = sheet.way().x_of(from_deg);
+  const DescentToFlat descent(sheet, from_x);
+  const double stiffness = sheet.options().springs.stiffness_n_per_mm;
+  const JointResistance& joints = sheet.options().joints;
+  FrictionLimits limits;
+  const Least critical = least_over(descent, [&](const Descent& at) {
+    return (stiffness * at.springs + at.else_n_mm - joints.ball_friction_n_mm * at.balls) /
+           at.creases_mm;
+  });
+  if (critical.value > 0) {
+    limits.critical_n_mm_per_mm = critical.value;
+    limits.critical_deg = sheet.way().pilot_deg(critical.x);
+  }
+  if (joints.friction_n_mm_per_mm <= 0 && joints.ball_friction_n_mm <= 0) return limits;
+  limits.static_stall_deg = stall_of(sheet, descent.path());
+  bool springs_drive = true;
+  const Least least = least_over(descent, [&](const Descent& at) {
+    springs_drive = springs_drive && at.springs > 0;
+    return -(joints.friction_n_mm_per_mm * at.creases_mm + joints.ball_friction_n_mm * at.balls -
+             at.else_n_mm) /
+           at.springs;
+  });
+  if (springs_drive) limits.stiffness_needed_n_per_mm = std::max(-least.value, 0.0);
+  return limits;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,116 @@
+#include "solver/motion/few_diagonals.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace misalign::solver {
+namespace {
+
+constexpr Eigen::Index kMostForEverySet = 16;
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+
+struct SetOfColumns {
+  std::uint32_t columns = 0;
+  double least = kNothing;
+};
+
+// Every set once, each from the one before by one column (Gray's order): the best of each size.
+std::vector<SetOfColumns> best_of_each_size(const Eigen::MatrixXd& moments) {
+  const auto count = static_cast<unsigned>(moments.cols());
+  std::vector<SetOfColumns> best(count + 1);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(moments.rows());
+  std::uint32_t set = 0;
+  for (std::uint32_t step = 1; step < (std::uint32_t{1} << count); ++step) {
+    const int column = std::countr_zero(step);
+    set ^= std::uint32_t{1} << column;
+    const bool added = (set >> column & 1) != 0;
+    sum += (added ? 1.0 : -1.0) * moments.col(column);
+    SetOfColumns& so_far = best[static_cast<std::size_t>(std::popcount(set))];
+    if (const double least = sum.minCoeff(); least > so_far.least) so_far = {set, least};
+  }
+  return best;
+}
+
+double least_sum(const Eigen::MatrixXd& moments, const std::vector<int>& columns) {
+  return moments(Eigen::all, columns).rowwise().sum().minCoeff();
+}
+
+// No fewer columns than this reach `wanted` in every row: each row's largest ones on their own.
+std::size_t at_least(const Eigen::MatrixXd& moments, double wanted) {
+  std::size_t most = 0;
+  for (Eigen::Index row = 0; row < moments.rows(); ++row) {
+    std::vector<double> largest(moments.cols());
+    Eigen::RowVectorXd::Map(largest.data(), moments.cols()) = moments.row(row);
+    std::sort(largest.begin(), largest.end(), std::greater<>());
+    double sum = 0;
+    std::size_t taken = 0;
+    while (sum < wanted && taken < largest.size()) sum += largest[taken++];
+    most = std::max(most, taken);
+  }
+  return most;
+}
+
+// Taken away one by one, the one that is missed least first: as far as `wanted` is left, and the
+// next.
+std::pair<std::vector<int>, std::vector<int>> thinned_out(const Eigen::MatrixXd& moments,
+                                                          double wanted) {
+  std::vector<int> kept(moments.cols());
+  for (std::size_t k = 0; k < kept.size(); ++k) kept[k] = static_cast<int>(k);
+  Eigen::VectorXd sum = moments.rowwise().sum();
+  while (kept.size() > 1) {
+    auto least_missed = kept.end();
+    double best = kNothing;
+    for (auto column = kept.begin(); column != kept.end(); ++column) {
+      const double left = (sum - moments.col(*column)).minCoeff();
+      if (left > best) best = left, least_missed = column;
+    }
+    std::vector<int> fewer = kept;
+    fewer.erase(fewer.begin() + (least_missed - kept.begin()));
+    if (best < wanted) return {kept, fewer};
+    sum -= moments.col(*least_missed);
+    kept = std::move(fewer);
+  }
+  return {kept, {}};
+}
+
+std::vector<int> columns_of(const SetOfColumns& set) {
+  std::vector<int> columns;
+  for (int k = 0; k < static_cast<int>(kMostForEverySet); ++k) {
+    if (set.columns >> k & 1) columns.push_back(k);
+  }
+  return columns;
+}
+
+}  // namespace
+
+FewDiagonals few_diagonals(const Eigen::MatrixXd& moments, double share) {
+  assert(moments.rows() > 0 && moments.cols() > 0);
+  const double all = moments.rowwise().sum().minCoeff();
+  assert(all > 0);
+  const double wanted = share * all;
+  FewDiagonals few;
+  if (moments.cols() <= kMostForEverySet) {
+    // Sums made in Gray's order carry the rounding of many steps: far less than this part.
+    constexpr double kRounding = 1e-9;
+    for (const SetOfColumns& set : best_of_each_size(moments)) {
+      few.fewer = std::move(few.diagonals);
+      few.diagonals = columns_of(set);
+      if (set.least >= wanted * (1 - kRounding)) break;
+    }
+    few.proven = true;
+  } else {
+    std::tie(few.diagonals, few.fewer) = thinned_out(moments, wanted);
+    few.proven = few.diagonals.size() <= at_least(moments, wanted);
+  }
+  few.share = least_sum(moments, few.diagonals) / all;
+  few.share_of_fewer = few.fewer.empty() ? 0 : least_sum(moments, few.fewer) / all;
+  return few;
+}
+
+}  // namespace misalign::solver

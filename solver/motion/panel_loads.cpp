@@ -1,0 +1,185 @@
+#include "solver/motion/panel_loads.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "solver/kinematics/diagonals.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int kOfPanel = PanelLoads::kOfPanel;
+
+// Velocities and angular momenta of the panels along the way, from which accelerations follow.
+SmoothTable momenta_on_the_way(const FoldingWay& way, SheetMover& mover) {
+  const auto count = static_cast<Index>(way.stations().size());
+  Eigen::MatrixXd values;
+  for (Index k = 0; k < count; ++k) {
+    const WayStation& station = way.stations()[static_cast<std::size_t>(k)];
+    const MovingPanels sheet = mover.move(station.state, station.rates.data());
+    if (k == 0) values.resize(kOfPanel * static_cast<Index>(sheet.panels.size()), count);
+    Index row = 0;
+    for (const MovingPanel& panel : sheet.panels) {
+      values.block<3, 1>(row, k) = panel.velocity;
+      values.block<3, 1>(row + 3, k) = panel.inertia * panel.spin;
+      row += kOfPanel;
+    }
+  }
+  // Of the mirror image, run through in the other direction.
+  using enum SmoothTable::Parity;
+  std::vector<SmoothTable::Parity> parities;
+  for (Index row = 0; row < values.rows(); row += kOfPanel) {
+    parities.insert(parities.end(), {odd, odd, even, even, even, odd});
+  }
+  return way.table(values, std::move(parities));
+}
+
+}  // namespace
+
+PanelLoads::PanelLoads(const DeployingSheet& sheet, const FoldedShape& shape,
+                       const PerforatedSheet& base, bool in_motion)
+    : sheet_(sheet),
+      way_(sheet.way()),
+      in_motion_(in_motion),
+      panels_(panels_of(base, mechanism())),
+      held_(sheet.options().held ? std::optional(sheet.options().held->panel) : std::nullopt),
+      mover_(shape, way_, panels_, sheet.options().plates, held_),
+      momenta_(momenta_on_the_way(way_, mover_)),
+      panel_of_facet_(base.sheet.facets.size(), -1),
+      panels_at_(static_cast<std::size_t>(mechanism().vertices)) {
+  for (std::size_t k = 0; k < panels_.facets.size(); ++k) {
+    panel_of_facet_[static_cast<std::size_t>(panels_.facets[k])] = static_cast<int>(k);
+    for (const int v : panels_.corners[k]) {
+      panels_at_[static_cast<std::size_t>(v)].push_back(static_cast<int>(k));
+    }
+  }
+}
+
+void PanelLoads::pose(const DeploymentRow& at) {
+  x_ = at.x;
+  moved_ = {0, 0};
+  if (in_motion_) {
+    const EnergyAt here = sheet_.at(at.x);
+    const double friction = at.x_rate == 0 ? 0 : std::copysign(here.friction, at.x_rate);
+    const double force = -here.mass_slope * at.x_rate * at.x_rate / 2 - here.slope - friction -
+                         here.damping * at.x_rate;
+    moved_ = {at.x_rate, force / here.mass};
+  }
+  FoldState<double> state = way_.stations().front().state;
+  VectorXd rates;
+  way_.find_state(at.x, state);
+  way_.find_rates(at.x, rates);
+  moving_ = mover_.move(state, rates.data());
+  hinges_.clear();
+  for (const Crease& crease : mechanism().creases) {
+    const int left = panel_of(crease.left);
+    const Vector3d a = place_mm(left, crease.a), b = place_mm(left, crease.b);
+    const Vector3d axis = (b - a).normalized(), one = axis.unitOrthogonal();
+    hinges_.push_back({(a + b) / 2, axis, one, axis.cross(one), (b - a).norm()});
+  }
+}
+
+VectorXd PanelLoads::find() {
+  VectorXd loads = VectorXd::Zero(kOfPanel * panels());
+  add_springs(loads);
+  add_joints(loads);
+  add_weight(loads);
+  if (in_motion_) add_inertia(loads);
+  return loads;
+}
+
+void PanelLoads::add(int panel, const Vector3d& at_mm, const Vector3d& force_n,
+                     const Vector3d& moment_n_mm, VectorXd& loads) const {
+  const Index first = kOfPanel * panel;
+  const Vector3d arm_mm = at_mm - moving_.panels[static_cast<std::size_t>(panel)].centre_mm;
+  loads.segment<3>(first) += force_n;
+  loads.segment<3>(first + 3) += arm_mm.cross(force_n) + moment_n_mm;
+}
+
+// m a = F and dH/dt = M, the frame of the first panel turning itself.
+void PanelLoads::add_inertia(VectorXd& loads) const {
+  VectorXd momenta, slopes;
+  momenta_.find(x_, 0, momenta_.functions(), momenta, slopes);
+  const Vector3d frame_spin = moving_.frame_spin * moved_.rate;
+  for (std::size_t k = 0; k < moving_.panels.size(); ++k) {
+    const Index first = kOfPanel * static_cast<Index>(k);
+    const auto rate_of = [&](Index at) -> Vector3d {
+      const Vector3d here = momenta.segment<3>(at), slope = slopes.segment<3>(at);
+      return slope * moved_.rate * moved_.rate + here * moved_.acceleration +
+             frame_spin.cross(here * moved_.rate);
+    };
+    loads.segment<3>(first) -= moving_.panels[k].mass_t * rate_of(first);
+    loads.segment<3>(first + 3) -= rate_of(first + 3);
+  }
+}
+
+// A spring's force is taken by the panel that carries its end, or at a vertex in equal parts by
+// those that meet there.
+void PanelLoads::add_springs(VectorXd& loads) const {
+  const VectorXd forces_n = sheet_.spring_forces_n(x_);
+  const bool at_vertices = mechanism().springs.at_vertices();
+  for (int d = 0; d < mechanism().diagonal_count(); ++d) {
+    const Diagonal& diagonal = mechanism().diagonals[static_cast<std::size_t>(d)];
+    const Loop& loop = mechanism().loops[static_cast<std::size_t>(diagonal.loop)];
+    const auto panels_at = [&](int corner) {
+      const auto at = static_cast<std::size_t>(corner);
+      if (!at_vertices) return std::vector<int>{panel_of(loop.carriers[at].facet)};
+      return panels_at_[static_cast<std::size_t>(loop.corners[at])];
+    };
+    const auto at_from = panels_at(diagonal.from_corner), at_to = panels_at(diagonal.to_corner);
+    const auto end_mm = [&](int panel, int corner) {
+      if (at_vertices) return place_mm(panel, loop.corners[static_cast<std::size_t>(corner)]);
+      const Vec3<double> end = spring_end(mechanism(), way_.geometry(), loop, corner);
+      return mover_.carried_mm(panel, mechanism().panel_width_mm * Vector3d(end.x, end.y, end.z));
+    };
+    const Vector3d from_mm = end_mm(at_from.front(), diagonal.from_corner),
+                   to_mm = end_mm(at_to.front(), diagonal.to_corner);
+    const Vector3d pull_n = forces_n(d) * (to_mm - from_mm).normalized();
+    for (const int panel : at_from) {
+      add(panel, from_mm, pull_n / static_cast<double>(at_from.size()), Vector3d::Zero(), loads);
+    }
+    for (const int panel : at_to) {
+      add(panel, to_mm, -pull_n / static_cast<double>(at_to.size()), Vector3d::Zero(), loads);
+    }
+  }
+}
+
+// About creases: the right panel turns by -rho about a -> b, so what resists rho pushes it on.
+void PanelLoads::add_joints(VectorXd& loads) const {
+  const VectorXd resisting = sheet_.crease_moments_n_mm(x_, moved_.rate);
+  for (std::size_t k = 0; k < hinges_.size(); ++k) {
+    const Crease& crease = mechanism().creases[k];
+    const double moment = resisting(static_cast<Index>(k));
+    add(panel_of(crease.right), hinges_[k].middle_mm, Vector3d::Zero(), moment * hinges_[k].axis,
+        loads);
+    add(panel_of(crease.left), hinges_[k].middle_mm, Vector3d::Zero(), -moment * hinges_[k].axis,
+        loads);
+  }
+  const double ball_n_mm = sheet_.options().joints.ball_friction_n_mm;
+  if (ball_n_mm <= 0 || moved_.rate == 0) return;
+  for (const BallJoint& ball : mechanism().balls) {
+    const auto spin_of = [&](int facet) {
+      return moving_.panels[static_cast<std::size_t>(panel_of(facet))].spin;
+    };
+    const Vector3d turning = moved_.rate * (spin_of(ball.to_facet) - spin_of(ball.from_facet));
+    const Vector3d moment = -ball_n_mm * turning.normalized();
+    loads.segment<3>(kOfPanel * panel_of(ball.to_facet) + 3) += moment;
+    loads.segment<3>(kOfPanel * panel_of(ball.from_facet) + 3) -= moment;
+  }
+}
+
+void PanelLoads::add_weight(VectorXd& loads) const {
+  if (!held_) return;
+  Vector3d gravity = sheet_.options().held->gravity_mm_per_s2;
+  gravity.z() *= mechanism().side;
+  gravity = mover_.turn(*held_) * gravity;
+  for (std::size_t k = 0; k < moving_.panels.size(); ++k) {
+    loads.segment<3>(kOfPanel * static_cast<Index>(k)) += moving_.panels[k].mass_t * gravity;
+  }
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,67 @@
+// Loads on each panel of a sheet besides its joints' reactions: springs, weight, what creases and
+// ball joints resist with, and inertia.
+#pragma once
+
+#include "solver/motion/deployment.hpp"
+#include "solver/motion/moving_mass.hpp"
+
+namespace misalign::solver {
+
+/// A crease where it lies now, in the coordinates of the first panel.
+struct Hinge {
+  Eigen::Vector3d middle_mm, axis, one, other;  ///< from a to b; and two directions square to it
+  double length_mm;
+};
+
+class PanelLoads {
+ public:
+  /// Force and moment about its centre.
+  static constexpr int kOfPanel = 6;
+
+  /// `in_motion`: with inertia, and joints that resist motion. All must outlive this object.
+  PanelLoads(const DeployingSheet& sheet, const FoldedShape& shape, const PerforatedSheet& base,
+             bool in_motion);
+
+  /// Places the panels as they are there.
+  void pose(const DeploymentRow& at);
+  /// Of the sheet as it was posed: six a panel, N and N mm.
+  Eigen::VectorXd find();
+
+  const DeployingSheet& sheet() const { return sheet_; }
+  const FoldingWay& way() const { return way_; }
+  const Mechanism& mechanism() const { return way_.mechanism(); }
+  Eigen::Index panels() const { return static_cast<Eigen::Index>(panels_.facets.size()); }
+  std::optional<int> held() const { return held_; }
+  int panel_of(int facet) const { return panel_of_facet_[static_cast<std::size_t>(facet)]; }
+  const std::vector<Hinge>& hinges() const { return hinges_; }
+  /// Where a panel has a vertex, mm.
+  Eigen::Vector3d place_mm(int panel, int vertex) const { return mover_.place_mm(panel, vertex); }
+  /// Adds a force at a place, and a moment, to a panel's six.
+  void add(int panel, const Eigen::Vector3d& at_mm, const Eigen::Vector3d& force_n,
+           const Eigen::Vector3d& moment_n_mm, Eigen::VectorXd& loads) const;
+
+ private:
+  struct Moved {
+    double rate, acceleration;  // of x
+  };
+  void add_inertia(Eigen::VectorXd& loads) const;
+  void add_springs(Eigen::VectorXd& loads) const;
+  void add_joints(Eigen::VectorXd& loads) const;
+  void add_weight(Eigen::VectorXd& loads) const;
+
+  const DeployingSheet& sheet_;
+  const FoldingWay& way_;
+  const bool in_motion_;
+  const Panels panels_;
+  const std::optional<int> held_;
+  SheetMover mover_;
+  const SmoothTable momenta_;
+  std::vector<int> panel_of_facet_;
+  std::vector<std::vector<int>> panels_at_;  // each vertex
+  double x_ = 0;
+  Moved moved_{};
+  MovingPanels moving_{};
+  std::vector<Hinge> hinges_;
+};
+
+}  // namespace misalign::solver

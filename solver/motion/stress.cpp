@@ -1,0 +1,28 @@
+#include "solver/motion/stress.hpp"
+
+#include <algorithm>
+
+namespace misalign::solver {
+
+void StressStudy::end_where_deployed(double flat_deg) {
+  const auto deployed = std::find_if(
+      rows.begin(), rows.end(), [&](const ElasticRow& row) { return row.widest_deg < flat_deg; });
+  if (deployed == rows.end()) return;
+  deployed_s = deployed->time_s;
+  rows.erase(deployed + 1, rows.end());
+}
+
+std::optional<double> StressStudy::rigid_pilot_deg(double time_s) const {
+  const auto after = std::find_if(rigid.begin(), rigid.end(),
+                                  [&](const auto& row) { return row.time_s >= time_s; });
+  if (after == rigid.end()) return {};
+  if (after == rigid.begin()) return after->pilot_deg;
+  // By the cubic through both rows with their rates.
+  const auto& before = *(after - 1);
+  const double h = after->time_s - before.time_s, s = (time_s - before.time_s) / h;
+  return before.pilot_deg * (1 + 2 * s) * (1 - s) * (1 - s) +
+         after->pilot_deg * s * s * (3 - 2 * s) +
+         h * s * (1 - s) * (before.rate_deg_per_s * (1 - s) - after->rate_deg_per_s * s);
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,201 @@
+#include "solver/optimise/local_model.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "solver/optimise/low_slopes.hpp"
+#include "solver/optimise/spring_changes.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Directions are looked at in long steps up to so far below the angle asked for, then in short
+// ones, since near fold limits diagonals turn within degrees, and at last in one that shows which
+// still go on there.
+constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24, kLast_deg = 0.02;
+// A fold limit stays so far beyond the angle asked for, and creases there so far from folded flat.
+constexpr double kBeforeLimit_deg = 0.05, kBeforeFlat_deg = 1e-3;
+// Fold angles are asked for from here on.
+constexpr double kFoldedFar_deg = 150;
+
+// Slopes are looked at themselves where they are less than so many least ones, and kept this share
+// above it: less than what steps leave.
+constexpr double kLowSlopes = 10, kAboveLeast = 0.1;
+
+class Builder {
+ public:
+  Builder(const Sheet& sheet, const OptimiseOptions& options)
+      : sheet_(sheet), options_(options), around_(sheet, options), flat_(around_.flat) {}
+
+  std::optional<LocalModel> build() {
+    add_room();
+    add_directions();
+    model_.goals = local_goals(options_.goal, around_);
+    add_floors();
+    if (!around_.is_known || model_.goals.empty()) return {};
+    return std::move(model_);
+  }
+
+ private:
+  AngleGradients at(double pilot_deg, bool with_folds = false) {
+    return around_.at(pilot_deg, with_folds);
+  }
+
+  void add_room() {
+    const Eigen::ArrayXd own_mm = around_.by.of(point_of(sheet_.shifts_mm(), options_)).array();
+    model_.coordinates = own_mm.size();
+    model_.rise_mm = options_.amplitude_mm - own_mm;
+    model_.fall_mm = options_.amplitude_mm + own_mm;
+    if (!around_.by.are_free()) return;
+    const Index shifts = options_.moves.cols();
+    model_.rise_mm.head(shifts) = model_.fall_mm.head(shifts) =
+        std::numeric_limits<double>::infinity();
+    for (Index k = 0; k < options_.moves.rows(); ++k) {
+      const int vertex = options_.shifted[static_cast<std::size_t>(k / 2)];
+      const double shift_mm = sheet_.shifts_mm()(k % 2, vertex);
+      for (const double side : {-1.0, 1.0}) {
+        VectorXd row = VectorXd::Zero(model_.coordinates);
+        row.head(shifts) = -side * options_.moves.row(k);
+        model_.rows.push_back({LocalRow::Of::amplitude, static_cast<int>(k), 0,
+                               options_.amplitude_mm - side * shift_mm, row});
+      }
+    }
+  }
+
+  void add(LocalRow::Of of, Index where, double pilot_deg, double slack,
+           const Eigen::RowVectorXd& by_vertices) {
+    model_.rows.push_back(
+        {of, static_cast<int>(where), pilot_deg, slack, around_.by.row(by_vertices)});
+  }
+
+  static std::vector<double> angles_of_directions(double to_deg) {
+    std::vector<double> angles_deg;
+    for (double angle_deg = kLong_deg; angle_deg < to_deg;
+         angle_deg += angle_deg < to_deg - kNearEnd_deg ? kLong_deg : kShort_deg) {
+      angles_deg.push_back(angle_deg);
+    }
+    angles_deg.push_back(to_deg - kLast_deg);
+    angles_deg.push_back(to_deg);
+    return angles_deg;
+  }
+
+  void add_directions() {
+    AngleGradients last = flat_;
+    const double to_deg = sheet_.sample_deg(options_.deploys_from_sample);
+    const AngleGradients end = at(to_deg, to_deg >= kFoldedFar_deg);
+    const VectorXd longer_mm = end.length_mm - flat_.length_mm;
+    for (const double pilot_deg : angles_of_directions(to_deg)) {
+      AngleGradients here = pilot_deg == to_deg ? end : at(pilot_deg);
+      const double least_mm = options_.least_slope_mm_per_deg *
+                              half_angle_of_deg(pilot_deg + last.pilot_deg).s *
+                              (pilot_deg - last.pilot_deg);
+      for (Index d = 0; d < here.length_mm.size(); ++d) {
+        const double side = longer_mm(d) < 0 ? -1 : 1;
+        add(LocalRow::Of::direction, d, pilot_deg,
+            side * (here.length_mm(d) - last.length_mm(d)) - least_mm,
+            side * (here.length_by_mm.row(d) - last.length_by_mm.row(d)));
+      }
+      last = std::move(here);
+    }
+    if (options_.slope_at_every_angle && !options_.ternary) add_low_slopes(to_deg);
+    if (to_deg >= kFoldedFar_deg) add_folds(end);
+    if (options_.stroke_limit) add_strokes(*options_.stroke_limit);
+    if (options_.largest_force_n) add_forces(*options_.largest_force_n);
+  }
+
+  // As what a diagonal goes on in a degree there.
+  void add_low_slopes(double to_deg) {
+    std::map<double, std::optional<SlopeGradients>> at_deg;
+    for (const LowSlope& low : low_slopes(sheet_, to_deg)) {
+      const double least = options_.least_slope_mm_per_deg, a_deg = low.pilot_deg;
+      if (low.mm_per_deg >= kLowSlopes * least) continue;
+      if (!at_deg.contains(a_deg)) at_deg[a_deg] = around_.gradients.slopes(a_deg);
+      const auto& slopes = at_deg[a_deg];
+      if (!slopes) continue;  // it ends there
+      const double sine = std::sin(a_deg * kRadPerDeg);
+      const double side = slopes->slope_mm_per_rad(low.diagonal) * low.mm_per_deg < 0 ? -1 : 1;
+      add(LocalRow::Of::direction, low.diagonal, a_deg,
+          (low.mm_per_deg - (1 + kAboveLeast) * least) * sine,
+          side * kRadPerDeg * slopes->slope_by_mm.row(low.diagonal));
+    }
+  }
+
+  void add_folds(const AngleGradients& here) {
+    for (Index c = 0; c < here.fold_deg.size(); ++c) {
+      if (static_cast<int>(c) == sheet_.mechanism().pilot) continue;
+      const double side = here.fold_deg(c) < 0 ? -1 : 1;
+      add(LocalRow::Of::fold_angle, c, here.pilot_deg,
+          180 - kBeforeFlat_deg - side * here.fold_deg(c), -side * here.fold_by_mm.row(c));
+    }
+    if (const auto limit = around_.gradients.fold_limit()) {
+      add(LocalRow::Of::fold_limit, 0, limit->fold_limit_deg,
+          limit->fold_limit_deg - here.pilot_deg - kBeforeLimit_deg, limit->by_mm);
+    }
+  }
+
+  // Diagonals go one way up to D: at an angle they have not been longer or shorter before.
+  void add_strokes(double limit) {
+    const AngleGradients here = at(sheet_.deploys_from_deg());
+    for (Index d = 0; d < here.length_mm.size(); ++d) {
+      const double longer_mm = here.length_mm(d) - flat_.length_mm(d);
+      const double side = longer_mm < 0 ? -1 : 1;
+      add(LocalRow::Of::stroke, d, here.pilot_deg, limit * flat_.length_mm(d) - side * longer_mm,
+          limit * flat_.length_by_mm.row(d) -
+              side * (here.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
+    }
+  }
+
+  void add_forces(double most_n) {
+    const SpringChanges springs(around_);
+    const AngleGradients here = at(*options_.deploying.from_deg);
+    const VectorXd forces_n = springs.forces_n(here);
+    for (Index d = 0; d < forces_n.size(); ++d) {
+      const double side = forces_n(d) < 0 ? -1 : 1;
+      const VectorXd row = springs.forces_row(here, side * VectorXd::Unit(forces_n.size(), d));
+      model_.rows.push_back({LocalRow::Of::force, static_cast<int>(d), here.pilot_deg,
+                             most_n - side * forces_n(d), -row});
+    }
+  }
+
+  // In units of the goal.
+  void add_floors() {
+    for (std::size_t floor = 0; floor < options_.floors.size(); ++floor) {
+      const auto& [of, least] = options_.floors[floor];
+      if (!is_foreseen(of)) continue;  // whether it is kept is seen of each sheet
+      for (const LocalGoal& one : local_goals(of, around_)) {
+        model_.rows.push_back({LocalRow::Of::floor, static_cast<int>(floor), 0,
+                               one.amount / one.over - least, one.row / one.over});
+      }
+    }
+  }
+
+  const Sheet& sheet_;
+  const OptimiseOptions& options_;
+  SheetChanges around_;
+  const AngleGradients& flat_;
+  LocalModel model_;
+};
+
+}  // namespace
+
+double LocalModel::goal(const VectorXd& change_mm) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const LocalGoal& one : goals) {
+    least = std::min(least, (one.amount + one.row.dot(change_mm)) / one.over);
+  }
+  return least;
+}
+
+std::optional<LocalModel> local_model(const Sheet& sheet, const OptimiseOptions& options) {
+  assert(options.deploying.from_deg);
+  if (!sheet.way() || sheet.model().has_spare_equations()) return {};
+  return Builder(sheet, options).build();
+}
+
+}  // namespace misalign::solver

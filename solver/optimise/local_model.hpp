@@ -1,0 +1,35 @@
+// What sheets next to one are like, to first order in how their vertices are shifted.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/optimise/local_goals.hpp"
+
+namespace misalign::solver {
+
+/// Of one inequality: slack + row . (change of the coordinates) >= 0.
+struct LocalRow {
+  enum class Of { direction, stroke, force, fold_limit, fold_angle, amplitude, floor } of;
+  int where;         ///< diagonal, crease, coordinate of a shift, or floor
+  double pilot_deg;  ///< where on the way
+  double slack;
+  Eigen::VectorXd row;
+};
+
+struct LocalModel {
+  std::vector<LocalRow> rows;
+  std::vector<LocalGoal> goals;
+  Eigen::Index coordinates = 0;
+  /// How far each may rise, and fall; of those that are free rows say it.
+  Eigen::ArrayXd rise_mm, fall_mm;
+
+  /// After this change.
+  double goal(const Eigen::VectorXd& change_mm) const;
+};
+
+/// Around a sheet that fits; `options.deploying` says from where it is let go, and has its springs.
+/// None where its gradients are not found.
+std::optional<LocalModel> local_model(const Sheet& sheet, const OptimiseOptions& options);
+
+}  // namespace misalign::solver

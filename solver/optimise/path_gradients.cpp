@@ -1,0 +1,240 @@
+#include "solver/optimise/path_gradients.hpp"
+
+#include <Eigen/QR>
+#include <cassert>
+#include <cmath>
+
+#include "solver/linear/newton.hpp"
+#include "solver/model/flat_gradient.hpp"
+
+namespace misalign::solver {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// Along the curve from a state near it; so still is the pilot at its limit, and no sooner given up.
+constexpr double kFirstAlong_rad = 1e-3, kOnCurve_rad = 1e-10, kStill = 1e-9;
+constexpr int kMostToLimit = 60;
+// Shapes of a state that is moved so far along its gradient: between rounding and curvature, both
+// 1e-10 of a gradient.
+constexpr double kNextShape_mm = 1e-4;
+
+}  // namespace
+
+struct PathGradients::Workspace {
+  explicit Workspace(const Sheet& sheet)
+      : mechanism(sheet.mechanism()),
+        system(mechanism),
+        lu(mechanism.equations),
+        newton(mechanism),
+        gradient(mechanism),
+        state(sheet.way()->stations().front().state),
+        rates(mechanism.unknowns) {
+    place(mechanism, sheet.vertices_mm(), geometry);
+  }
+
+  Index coordinates() const { return 2 * Index{mechanism.vertices}; }
+
+  // Minus what holds the closure while `rates` (one per unknown) are those of a quantity: adds that
+  // to its own gradient.
+  void hold_closed(VectorXd& of_quantity) {
+    const VectorXd weights = -lu.solve_transposed(rates.head(mechanism.equations));
+    gradient.add_closure(weights.data(), of_quantity.data());
+  }
+
+  VectorXd folds_deg() const {
+    VectorXd folds(std::ssize(state.creases));
+    for (Index c = 0; c < folds.size(); ++c) {
+      folds(c) = mechanism.side * angle_deg(state.creases[static_cast<std::size_t>(c)]);
+    }
+    return folds;
+  }
+
+  // Brings the state from near the limit to it: onto the curve by the shortest step, along it by
+  // secants of the pilot's rate.
+  bool reach_limit() {
+    const int n = mechanism.equations;
+    VectorXd tangent, step = VectorXd::Zero(n + 1);
+    double along_rad = kFirstAlong_rad, last_rate = 0;
+    for (int k = 0; k < kMostToLimit; ++k) {
+      system.evaluate(geometry, state);
+      const Eigen::HouseholderQR<MatrixXd> qr(system.jacobian().transpose());
+      step.head(n) = -qr.matrixQR().topRows(n).triangularView<Eigen::Upper>().transpose().solve(
+          system.residual());
+      step(n) = 0;
+      const VectorXd closing = qr.householderQ() * step;
+      advance(mechanism, closing.data(), state);
+      if (closing.norm() > kOnCurve_rad) continue;
+      VectorXd now = qr.householderQ() * VectorXd::Unit(n + 1, n);
+      if (tangent.size() > 0 && now.dot(tangent) < 0) now = -now;
+      const double rate = now(n);
+      if (std::abs(rate) < kStill) return true;
+      if (tangent.size() > 0) along_rad *= -rate / (rate - last_rate);
+      last_rate = rate;
+      tangent = now;
+      const VectorXd forward = along_rad * now;
+      advance(mechanism, forward.data(), state);
+    }
+    return false;
+  }
+
+  const Mechanism& mechanism;
+  ClosureSystem system;
+  DenseSolve lu;
+  Newton newton;
+  FlatGradient<double> gradient;
+  SheetGeometry<double> geometry;
+  FoldState<double> state;
+  VectorXd rates;
+};
+
+PathGradients::PathGradients(const Sheet& sheet) : sheet_(sheet) {
+  assert(sheet.way() && !sheet.model().has_spare_equations());
+  workspace_ = std::make_unique<Workspace>(sheet);
+}
+
+PathGradients::~PathGradients() = default;
+
+bool PathGradients::solve_at(double pilot_deg) {
+  Workspace& with = *workspace_;
+  sheet_.way()->find_state(sheet_.way()->x_of(pilot_deg), with.state);
+  return with.newton.correct(with.geometry, with.state).end == NewtonEnd::converged;
+}
+
+std::optional<VectorXd> PathGradients::folds_deg(double pilot_deg) {
+  if (!solve_at(pilot_deg)) return {};
+  return workspace_->folds_deg();
+}
+
+std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_folds) {
+  Workspace& with = *workspace_;
+  const Mechanism& mechanism = with.mechanism;
+  const FoldingWay& way = *sheet_.way();
+  const Index diagonals = mechanism.diagonal_count(), creases = std::ssize(mechanism.creases);
+  AngleGradients found{pilot_deg, way.flat_mm(), MatrixXd::Zero(diagonals, with.coordinates()),
+                       VectorXd::Zero(creases), MatrixXd::Zero(creases, with.coordinates())};
+  if (pilot_deg == 0) {
+    for (Index d = 0; d < diagonals; ++d) {
+      VectorXd row = VectorXd::Zero(with.coordinates());
+      add_flat_length(mechanism, with.geometry, mechanism.diagonals[static_cast<std::size_t>(d)],
+                      1.0, row.data());
+      found.length_by_mm.row(d) = row.transpose();
+    }
+    return found;
+  }
+  if (!solve_at(pilot_deg)) return {};
+  with.system.evaluate(with.geometry, with.state);
+  with.lu.factorize(with.system.jacobian().leftCols(mechanism.equations));
+  with.gradient.at(with.geometry, with.state);
+  VectorXd row(with.coordinates());
+  for (Index d = 0; d < diagonals; ++d) {
+    const int diagonal = static_cast<int>(d);
+    found.length_mm(d) = with.gradient.length(diagonal) * mechanism.panel_width_mm;
+    with.gradient.of_unknowns(diagonal, with.rates.data());
+    row.setZero();
+    with.gradient.add_length(diagonal, row.data());
+    with.hold_closed(row);
+    found.length_by_mm.row(d) = row.transpose();
+  }
+  if (!with_folds) return found;
+  found.fold_deg = with.folds_deg();
+  const double deg_per_mm = 1 / (kRadPerDeg * mechanism.panel_width_mm);
+  for (Index c = 0; c < creases; ++c) {
+    const auto crease = static_cast<std::size_t>(c);
+    if (static_cast<int>(crease) == mechanism.pilot) continue;
+    with.rates.setZero();
+    with.rates(mechanism.creases[crease].column) = mechanism.side * deg_per_mm;
+    row.setZero();
+    with.hold_closed(row);
+    found.fold_by_mm.row(c) = row.transpose();
+  }
+  return found;
+}
+
+std::optional<SlopeGradients> PathGradients::slopes(double pilot_deg) {
+  SlopeGradients found{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
+  found.slope_by_mm.setZero(found.slope_mm_per_rad.size(), workspace_->coordinates());
+  constexpr struct {
+    int steps;
+    double weight;
+  } kDifferences[] = {{-2, 1}, {-1, -8}, {1, 8}, {2, -1}};  // over 12 steps
+  for (const auto& [steps, weight] : kDifferences) {
+    const double there_deg = pilot_deg + steps * kSlopeStep_rad / kRadPerDeg;
+    // On the other side of flat lies the mirror image.
+    const bool is_on = std::abs(there_deg) <= sheet_.way()->end_deg() &&
+                       (there_deg >= 0 || sheet_.mechanism().springs.in_mid_plane());
+    const auto there = is_on ? at(std::abs(there_deg), false) : std::nullopt;
+    if (!there) return {};
+    found.slope_mm_per_rad += weight / (12 * kSlopeStep_rad) * there->length_mm;
+    found.slope_by_mm += weight / (12 * kSlopeStep_rad) * there->length_by_mm;
+  }
+  return found;
+}
+
+// How the unknowns follow each coordinate, column by column of the identity; and with that shapes
+// on either side.
+std::optional<VertexGradients> PathGradients::vertices(double pilot_deg) {
+  if (!solve_at(pilot_deg)) return {};
+  Workspace& with = *workspace_;
+  const Mechanism& mechanism = with.mechanism;
+  const Index equations = mechanism.equations, coordinates = with.coordinates();
+  with.system.evaluate(with.geometry, with.state);
+  with.gradient.at(with.geometry, with.state);
+  MatrixXd closure_by_mm = MatrixXd::Zero(equations, coordinates);
+  VectorXd row(coordinates);
+  for (Index e = 0; e < equations; ++e) {
+    const VectorXd weights = VectorXd::Unit(equations, e);
+    row.setZero();
+    with.gradient.add_closure(weights.data(), row.data());
+    closure_by_mm.row(e) = row.transpose();
+  }
+  // Closures are of a geometry in panel widths.
+  with.lu.factorize(with.system.jacobian().leftCols(equations));
+  MatrixXd follow(equations, coordinates);
+  for (Index k = 0; k < coordinates; ++k) {
+    follow.col(k) = -with.lu.solve(closure_by_mm.col(k)) / mechanism.panel_width_mm;
+  }
+  const FoldedShape& shape = sheet_.model().shape();
+  const auto shape_mm = [&](Index k, double by_mm) {
+    FlatVertices flat_mm = sheet_.vertices_mm();
+    flat_mm(k % 2, k / 2) += by_mm;
+    SheetGeometry<double> geometry;
+    place(mechanism, flat_mm, geometry);
+    FoldState<double> state = with.state;
+    VectorXd step = VectorXd::Zero(mechanism.unknowns);
+    step.head(equations) = by_mm * follow.col(k);
+    advance(mechanism, step.data(), state);
+    return shape.vertices_mm(geometry, state);
+  };
+  VertexGradients found{shape.vertices_mm(with.geometry, with.state), {}};
+  found.by_mm.resize(found.at_mm.size(), coordinates);
+  for (Index k = 0; k < coordinates; ++k) {
+    const Eigen::Matrix3Xd by_mm =
+        (shape_mm(k, kNextShape_mm) - shape_mm(k, -kNextShape_mm)) / (2 * kNextShape_mm);
+    found.by_mm.col(k) = by_mm.reshaped();
+  }
+  return found;
+}
+
+std::optional<LimitGradient> PathGradients::fold_limit() {
+  Workspace& with = *workspace_;
+  const FoldingWay& way = *sheet_.way();
+  if (!way.ends_at_limit()) return {};
+  way.find_state(way.end(), with.state);
+  if (!with.reach_limit()) return {};
+  with.gradient.at(with.geometry, with.state);
+  const int equations = with.mechanism.equations;
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(with.system.jacobian().leftCols(equations));
+  const VectorXd null = qr.householderQ() * VectorXd::Unit(equations, equations - 1);
+  VectorXd row = VectorXd::Zero(with.coordinates());
+  with.gradient.add_closure(null.data(), row.data());
+  const double by_pilot = null.dot(with.system.jacobian().col(equations));
+  const double per_mm = 1 / (kRadPerDeg * with.mechanism.panel_width_mm);
+  return LimitGradient{way.end_deg(), -per_mm / by_pilot * row.transpose()};
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,34 @@
+// How one sheet changes with the coordinates of an optimisation.
+#pragma once
+
+#include <utility>
+
+#include "solver/optimise/coordinates.hpp"
+#include "solver/optimise/path_gradients.hpp"
+
+namespace misalign::solver {
+
+struct SheetChanges {
+  /// `of`, which has a way and no spare equations, and `asked`, which says from where it is let go
+  /// and has its springs, must outlive this object.
+  SheetChanges(const Sheet& of, const OptimiseOptions& asked)
+      : sheet(of), options(asked), by(asked), gradients(of), flat(at(0)) {}
+
+  /// Where they are not found it is not known, and the flat sheet's stand in their place.
+  AngleGradients at(double pilot_deg, bool with_folds = false) {
+    options.watch();
+    auto found = gradients.at(pilot_deg, with_folds);
+    if (found) return std::move(*found);
+    is_known = false;
+    return flat;
+  }
+
+  const Sheet& sheet;
+  const OptimiseOptions& options;
+  const Coordinates by;
+  bool is_known = true;
+  PathGradients gradients;
+  const AngleGradients flat;
+};
+
+}  // namespace misalign::solver

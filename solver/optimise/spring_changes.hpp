@@ -1,0 +1,36 @@
+// How the forces of the springs, and what they store, change with the coordinates of an
+// optimisation.
+#pragma once
+
+#include "solver/motion/deploying_sheet.hpp"
+#include "solver/optimise/sheet_changes.hpp"
+
+namespace misalign::solver {
+
+/// Springs that pull and push: f = k (L - L_rest) + F s, with s which way a diagonal goes next to
+/// flat and F the preload.
+class SpringChanges {
+ public:
+  /// `around` must outlive this object.
+  explicit SpringChanges(SheetChanges& around);
+
+  const DeployingSheet& rigid() const { return rigid_; }
+  double n_per_mm() const { return springs().stiffness_n_per_mm; }
+  /// Forces with panels rigid, N.
+  Eigen::VectorXd forces_n(const AngleGradients& here) const;
+  /// A row of their changes: by the coordinates, `weights` one per spring.
+  Eigen::VectorXd forces_row(const AngleGradients& here, const Eigen::VectorXd& weights) const;
+  /// Of the energy of springs with these forces, panels where they are: in equilibrium that changes
+  /// nothing to first order (the envelope theorem).
+  Eigen::VectorXd energy_row(const AngleGradients& here, const Eigen::VectorXd& forces_n) const;
+
+ private:
+  const Springs& springs() const { return around_.options.deploying.sheet.springs; }
+
+  SheetChanges& around_;
+  const DeployingSheet rigid_;
+  Eigen::VectorXd side_, preload_n_, rest_mm_;  // s, F s, L_rest
+  Eigen::MatrixXd rest_by_mm_;
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,143 @@
+#include "solver/optimise/worth.hpp"
+
+#include <algorithm>
+
+#include "solver/bending/rest_stiffness.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/optimise/low_slopes.hpp"
+#include "solver/optimise/path_gradients.hpp"
+#include "solver/optimise/spare_diagonals.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// Creases stay so far from folded flat: more than rounding, less than what steps leave.
+constexpr double kFromFlat_deg = 1e-4;
+// Between their stations ways are off by thousandths of a degree, next to limits by less than this:
+// where a crease is folded to 180 degrees is solved there, and no closer to a limit.
+constexpr double kAroundFlat_deg = 0.1, kFromLimit_deg = 1e-6;
+
+// As columns of catalogues have it.
+double stroke(const Sheet& sheet) {
+  return measure(sheet.base(), sheet.vertices_mm(), sheet.record(), sheet.model().sample_deg())
+      .stroke_max;
+}
+
+double force_n(const Sheet& sheet, const DeployOptions& deploying) {
+  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
+  return rigid.spring_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
+}
+
+// Where a crease is folded to 180 degrees; none where no crease is.
+std::optional<double> folded_flat_deg(const Sheet& sheet) {
+  PathGradients gradients(sheet);
+  const auto is_beyond = [&](double angle_deg) {
+    const auto folds_deg = gradients.folds_deg(angle_deg);
+    return folds_deg && folds_deg->cwiseAbs().maxCoeff() > 180 + kOverFoldBand_deg;
+  };
+  const FoldingWay& way = *sheet.way();
+  const auto about_deg = way.over_folded_deg();
+  if (!about_deg) return {};
+  double before_deg = *about_deg - kAroundFlat_deg,
+         beyond_deg = std::min(*about_deg + kAroundFlat_deg, way.end_deg() - kFromLimit_deg);
+  // Where a crease only touches 180 degrees, in a sharp bend, there is no place to be solved for.
+  if (is_beyond(before_deg) || !is_beyond(beyond_deg)) return about_deg;
+  while (beyond_deg - before_deg > kFromLimit_deg) {
+    const double middle_deg = (before_deg + beyond_deg) / 2;
+    (is_beyond(middle_deg) ? beyond_deg : before_deg) = middle_deg;
+  }
+  return before_deg;
+}
+
+}  // namespace
+
+bool is_strong_enough(const Sheet& sheet, const OptimiseOptions& options) {
+  return !options.largest_force_n || force_n(sheet, options.deploying) <= *options.largest_force_n;
+}
+
+bool fits(const Sheet& sheet, const OptimiseOptions& options) {
+  return sheet.verdict().deploys_from_sample >= options.deploys_from_sample && sheet.way() &&
+         sheet.way()->end_deg() > *options.deploying.from_deg &&
+         (!options.stroke_limit || stroke(sheet) <= *options.stroke_limit) &&
+         is_strong_enough(sheet, options);
+}
+
+double goes_until_deg(const Sheet& sheet) {
+  const auto& reverses_deg = sheet.record().extremes.reverses_deg;
+  return std::min(
+      {sheet.way()->end_deg(), reverses_deg.value_or(180), folded_flat_deg(sheet).value_or(180)});
+}
+
+std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
+                               const OptimiseOptions& options) {
+  const DeployOptions& deploying = options.deploying;
+  switch (goal) {
+    case OptimiseGoal::miscut_margin:
+      return sheet.record().miscut_margin_mm;
+    case OptimiseGoal::deploys_from:
+      return goes_until_deg(sheet);
+    case OptimiseGoal::yield:
+      return options.yield(sheet);
+    case OptimiseGoal::thickness: {
+      const auto found = contact(sheet, {{}, options.used_from_deg}).study;
+      return found && found->thickness ? std::optional(found->thickness->thickness_mm)
+                                       : std::nullopt;
+    }
+    case OptimiseGoal::rest_stiffness: {
+      const auto found = rest_stiffness(sheet, deploying, options.bending.material);
+      return found ? std::optional(found->n_mm_per_rad) : std::nullopt;
+    }
+    case OptimiseGoal::spare_diagonals: {
+      const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(),
+                                 deploying.sheet);
+      const auto found = spare_diagonals(sheet, rigid, *deploying.from_deg);
+      return found ? std::optional(found->amount) : std::nullopt;
+    }
+    case OptimiseGoal::energy:
+      return springs_n_mm(sheet, deploying);
+    case OptimiseGoal::critical_friction: {
+      const auto rigid = standstill(sheet, deploying).study;
+      return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
+    }
+    case OptimiseGoal::bent_critical_friction:
+    case OptimiseGoal::static_friction:
+      break;
+  }
+  const auto bent = bend_panels(sheet, deploying, options.bending).study;
+  if (!bent || bent->unsure() > 0) return {};
+  if (goal == OptimiseGoal::static_friction) return bent->friction.static_n_mm_per_mm;
+  return bent->friction.critical_n_mm_per_mm;
+}
+
+bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
+  return std::ranges::all_of(options.floors, [&](const OptimiseFloor& floor) {
+    const auto value = value_by(floor.of, sheet, options);
+    return value && *value >= floor.least;
+  });
+}
+
+bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
+  const double to_deg = sheet.sample_deg(options.deploys_from_sample);
+  const auto& reverses_deg = sheet.record().extremes.reverses_deg;
+  if (reverses_deg && *reverses_deg <= to_deg) return false;
+  if (sheet.way()->end_deg() < to_deg) return true;  // its end is the sample, but for rounding
+  // Solved: between their stations ways are off by thousandths of a degree, next to limits by more.
+  const auto folds_deg = PathGradients(sheet).folds_deg(to_deg);
+  return folds_deg && folds_deg->cwiseAbs().maxCoeff() <= 180 - kFromFlat_deg;
+}
+
+bool keeps_slope(const Sheet& sheet, const Sheet& before, const OptimiseOptions& options) {
+  if (!options.slope_at_every_angle || options.ternary) return true;
+  const double to_deg = sheet.sample_deg(options.deploys_from_sample),
+               least = least_slope_mm_per_deg(sheet, to_deg);
+  return least >= options.least_slope_mm_per_deg || least >= least_slope_mm_per_deg(before, to_deg);
+}
+
+std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options) {
+  if (!fits(sheet, options) || !goes_all_the_way(sheet, options) || !keeps_floors(sheet, options)) {
+    return {};
+  }
+  return value_by(options.goal, sheet, options);
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,79 @@
+#include "solver/play/backlash.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace misalign::solver {
+namespace {
+
+// Values of the trials that have one, in order.
+template <class Value>
+std::vector<double> sorted(const std::vector<BacklashTrial>& trials, Value value_of) {
+  std::vector<double> values;
+  for (const BacklashTrial& trial : trials) {
+    if (const std::optional<double> value = value_of(trial)) values.push_back(*value);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+}  // namespace
+
+const char* name_of(BranchEnd end) {
+  switch (end) {
+    case BranchEnd::flat:
+      return "flat";
+    case BranchEnd::turns:
+      return "turns";
+    case BranchEnd::other_branch:
+      return "other_branch";
+    default:
+      return "not_known";
+  }
+}
+
+std::uint64_t Backlash::undecided() const {
+  return static_cast<std::uint64_t>(std::count_if(
+      trials.begin(), trials.end(), [](const BacklashTrial& trial) { return !trial.is_known; }));
+}
+
+std::uint64_t Backlash::one_way_to(double pilot_deg) const {
+  constexpr double kSame_deg = 1e-9;
+  return static_cast<std::uint64_t>(
+      std::count_if(trials.begin(), trials.end(), [&](const BacklashTrial& trial) {
+        return trial.is_known && trial.one_way_from_deg <= from_deg + kSame_deg &&
+               trial.one_way_to_deg >= pilot_deg - kSame_deg;
+      }));
+}
+
+std::vector<double> Backlash::lost_deg() const {
+  return sorted(trials, [](const BacklashTrial& trial) {
+    return trial.lost == BranchEnd::not_known ? std::nullopt : std::optional(trial.lost_deg);
+  });
+}
+
+std::vector<double> Backlash::one_way_from_deg() const {
+  return sorted(trials, [](const BacklashTrial& trial) {
+    return trial.is_known ? std::optional(trial.one_way_from_deg) : std::nullopt;
+  });
+}
+
+std::vector<double> Backlash::one_way_to_deg() const {
+  return sorted(trials, [](const BacklashTrial& trial) {
+    return trial.is_known ? std::optional(trial.one_way_to_deg) : std::nullopt;
+  });
+}
+
+std::vector<double> Backlash::left_over() const {
+  return sorted(trials, [this](const BacklashTrial& trial) {
+    return std::optional(trial.gap_widths * panel_width_mm / backlash_mm);
+  });
+}
+
+double quantile(const std::vector<double>& values, double share) {
+  const auto count = std::max(1.0, std::ceil(share * static_cast<double>(values.size())));
+  return values[static_cast<std::size_t>(count) - 1];
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,29 @@
+// The pilot angle from which a sheet is used: between it and flat all has to hold that is asked.
+#pragma once
+
+#include "solver/sheet/sheet.hpp"
+#include "solver/studies/studied.hpp"
+
+namespace misalign::solver {
+
+/// Of an angle beyond D of the sheet of this name.
+inline OptionFault beyond_d_fault(const std::string& name, double from_deg, double d_deg) {
+  if (!(d_deg > 0)) {
+    return OptionFault{"from_deg", shown("%.10g", from_deg),
+                       name + " deploys from no angle (its D is 0)", "take a sheet that deploys"};
+  }
+  return OptionFault{
+      "from_deg", shown("%.10g", from_deg),
+      "lies beyond D = " + shown("%.10g", d_deg) + " deg, from which " + name + " deploys",
+      "name D or a smaller angle"};
+}
+
+/// A sheet's own D, unless a smaller angle is said: fault (from_deg) where a larger one is.
+inline std::optional<OptionFault> beyond_d(const Sheet& sheet, double from_deg) {
+  constexpr double kSameAngle_deg = 1e-9;  // as plan_path takes two angles for one
+  const double d_deg = sheet.deploys_from_deg();
+  if (from_deg <= d_deg + kSameAngle_deg) return {};
+  return beyond_d_fault(sheet.name(), from_deg, d_deg);
+}
+
+}  // namespace misalign::solver
