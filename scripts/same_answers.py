@@ -309,6 +309,8 @@ def make_inputs(recorder):
 
 def record(options):
     program, target = Path(options.program).resolve(), Path(options.directory).resolve()
+    if not os.access(program, os.X_OK):
+        sys.exit(f"{options.program}: is no program that can be run; name a built misalign")
     if target.exists() and any(target.iterdir()):
         sys.exit(f"{options.directory}: is there already (the answers of two programs would mix); name a new directory")
     target.mkdir(parents=True, exist_ok=True)
