@@ -22,8 +22,8 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parent.parent
 PROCESSES = 2
 MILLION = 1_000_000
-# Keys that say which build, which machine and how fast.
-STRIPPED = {"version", "commit", "seconds", "worker_seconds", "cpu_s", "core_s", "memory_mb", "draws_per_s"}
+# Keys that say which build, which machine, when and how fast.
+STRIPPED = {"version", "commit", "written_at", "seconds", "worker_seconds", "cpu_s", "core_s", "memory_mb", "draws_per_s"}
 # Campaigns that ask for what no shipped one does, as changes to miura-4x4.
 OTHERS = {
     "parallel": {"misalignment": {"kind": "parallel", "levels": "uniform", "vertices": "all"}, "path": {"end_deg": 179}},
