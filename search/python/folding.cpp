@@ -9,6 +9,7 @@
 #include "search/python/made.hpp"
 #include "search/python/shift_blocks.hpp"
 #include "search/python/signals.hpp"
+#include "solver/continuation/path.hpp"
 
 namespace misalign::search::python {
 namespace {
@@ -21,13 +22,12 @@ constexpr Index kFlat = -1, kBeyond = -2;  // instead of a row of the history
 // Of each station the row that shows it. Angles this close are one (see plan_path).
 std::vector<Index> rows_at(const std::vector<double>& stations_deg,
                            const std::vector<solver::Station>& solved) {
-  constexpr double kSameAngle_deg = 1e-9;
   std::vector<Index> rows;
   for (const double angle_deg : stations_deg) {
     const auto at = std::lower_bound(
-        solved.begin(), solved.end(), angle_deg - kSameAngle_deg,
+        solved.begin(), solved.end(), angle_deg - solver::kSameAngle_deg,
         [](const solver::Station& station, double deg) { return station.pilot_deg < deg; });
-    const bool is_there = at != solved.end() && at->pilot_deg <= angle_deg + kSameAngle_deg;
+    const bool is_there = at != solved.end() && at->pilot_deg <= angle_deg + solver::kSameAngle_deg;
     rows.push_back(angle_deg <= 0 ? kFlat : is_there ? at - solved.begin() : kBeyond);
   }
   return rows;

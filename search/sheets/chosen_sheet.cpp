@@ -12,14 +12,14 @@
 #include "schema/pattern/obj_format.hpp"
 #include "schema/pattern/pattern_document.hpp"
 #include "search/sheets/campaign_sheet.hpp"
+#include "solver/continuation/path.hpp"
 #include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
 StationOptions station_of_use(const schema::Design& design, const schema::Sampling& sampling) {
-  constexpr double kSameAngle_deg = 1e-9;  // as plan_path takes two angles for one
   if (!design.from_deg) return {};
   const double away_deg = std::remainder(*design.from_deg, sampling.sample_deg);
-  if (std::abs(away_deg) <= kSameAngle_deg) return {};
+  if (std::abs(away_deg) <= solver::kSameAngle_deg) return {};
   return {0, {*design.from_deg}};
 }
 

@@ -53,7 +53,8 @@ class StateAt {
         sheet_(model_.sheet(sheet.shifts_mm(), sheet.name())) {
     const solver::FoldingHistory& history = sheet_.history();
     const auto rows = static_cast<Eigen::Index>(history.stations.size());
-    if (rows == 0 || std::abs(history.stations.back().pilot_deg - pilot_deg) > 1e-9) {
+    if (rows == 0 ||
+        std::abs(history.stations.back().pilot_deg - pilot_deg) > solver::kSameAngle_deg) {
       const std::string limit_deg = shown_number(history.path.fold_limit_deg);
       refuse(option, pilot_deg,
              sheet.name() + (history.path.lost() ? " could not be followed that far"

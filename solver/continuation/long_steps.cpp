@@ -134,7 +134,7 @@ PathStep LongSteps::proceed() {
   const double here_deg = angle_deg(function_.node(0).creases[pilot_]);
   result_.fold_limit_deg = std::min(here_deg, last.pilot_deg);
   if (std::min(here_deg, last.pilot_deg) > options_.last_deg) return end(PathEnd::stalled);
-  if (here_deg >= last.pilot_deg - 1e-9) return end(PathEnd::end_reached);
+  if (here_deg >= last.pilot_deg - kSameAngle_deg) return end(PathEnd::end_reached);
   choose_step();
   return depart();
 }
@@ -176,9 +176,9 @@ PathStep LongSteps::depart() {
     const auto& stations = plan_->stations;
     const double x_deg = x / kRadPerDeg, here_deg = result_.fold_limit_deg;
     const auto next = std::upper_bound(
-        stations.begin(), stations.end(), x_deg + 1e-9,
+        stations.begin(), stations.end(), x_deg + kSameAngle_deg,
         [](double angle_deg, const Station& station) { return angle_deg < station.pilot_deg; });
-    if (next != stations.begin() && std::prev(next)->pilot_deg > here_deg + 1e-9) {
+    if (next != stations.begin() && std::prev(next)->pilot_deg > here_deg + kSameAngle_deg) {
       target = &*std::prev(next);
       x = target->pilot_deg * kRadPerDeg;
     } else {

@@ -11,7 +11,6 @@ namespace {
 constexpr double kWholeMultiple = 1e-9;
 
 // Angles closer than this are one station: far below any sample_deg, far above rounding.
-constexpr double kSameAngle_deg = 1e-9;
 
 }  // namespace
 

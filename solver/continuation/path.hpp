@@ -31,6 +31,10 @@ struct PathStart {
   int forward_sign = 0;  ///< of the determinant on this half of the curve; 0: not known
 };
 
+/// Angles of the pilot that are no farther apart are one station: far above the rounding of 180
+/// degrees, far below what anyone asks for.
+inline constexpr double kSameAngle_deg = 1e-9;
+
 struct PathPlanOptions {
   double sample_deg = 1;
   double end_deg = 180;  ///< visited, whether it is a sample or not

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "solver/continuation/path.hpp"
 #include "solver/records/metrics.hpp"
 
 namespace misalign::solver {
@@ -18,7 +19,6 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 // The row of the actuation at the angle of use.
 Index row_of_use(const Sheet& sheet, std::optional<double> from_deg) {
   if (!from_deg) return sheet.rows_up_to_d();
-  constexpr double kSameAngle_deg = 1e-9;  // as plan_path takes two angles for one
   const std::vector<Station>& stations = sheet.history().stations;
   const auto at = std::ranges::find_if(stations, [&](const Station& station) {
     return std::abs(station.pilot_deg - *from_deg) <= kSameAngle_deg;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "solver/continuation/path.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -39,11 +41,10 @@ std::uint64_t Backlash::undecided() const {
 }
 
 std::uint64_t Backlash::one_way_to(double pilot_deg) const {
-  constexpr double kSame_deg = 1e-9;
   return static_cast<std::uint64_t>(
       std::count_if(trials.begin(), trials.end(), [&](const BacklashTrial& trial) {
-        return trial.is_known && trial.one_way_from_deg <= from_deg + kSame_deg &&
-               trial.one_way_to_deg >= pilot_deg - kSame_deg;
+        return trial.is_known && trial.one_way_from_deg <= from_deg + kSameAngle_deg &&
+               trial.one_way_to_deg >= pilot_deg - kSameAngle_deg;
       }));
 }
 

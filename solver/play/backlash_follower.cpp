@@ -16,9 +16,6 @@ namespace {
 // Stations are no farther apart than this, as on a sheet's own path (PathPlanOptions).
 const double kLongestStep_deg = PathPlanOptions{}.longest_step_deg;
 
-// Angles closer than this are one station, as in plan_path.
-constexpr double kOneStation_deg = 1e-9;
-
 // Of the first correction from the sheet's own state: all of it together, as a share of the pilot's
 // angle. What is farther is found by letting the play grow.
 constexpr double kLongestLooseShare = 0.1;
@@ -52,7 +49,7 @@ PathPlan plan_up(const BacklashStart& sheet, double sample_deg) {
   PathPlan plan;
   add_station(plan, sheet.start_deg);
   for (int k = 1; k <= sheet.own_sample; ++k) {
-    if (k * sample_deg > sheet.start_deg + kOneStation_deg) add_station(plan, k * sample_deg);
+    if (k * sample_deg > sheet.start_deg + kSameAngle_deg) add_station(plan, k * sample_deg);
   }
   return plan;
 }
@@ -63,7 +60,7 @@ PathPlan plan_down(const BacklashStart& sheet, double sample_deg, const Backlash
   add_station(plan, 0);
   const auto add = [&](double pilot_deg) {
     const double down_deg = sheet.start_deg - pilot_deg;
-    if (down_deg > plan.stations.back().pilot_deg + kOneStation_deg) add_station(plan, down_deg);
+    if (down_deg > plan.stations.back().pilot_deg + kSameAngle_deg) add_station(plan, down_deg);
   };
   for (int k = sheet.own_sample; k > 0 && k * sample_deg > options.from_deg; --k) {
     add(k * sample_deg);
@@ -122,7 +119,7 @@ class BacklashFollower::Branch {
     const double pilot_deg = is_up_ ? station.pilot_deg : start_deg - station.pilot_deg;
     if (looked_ == 0) first_ = state_();
     const Fault of_creases = look_at_creases(pilot_deg);
-    const bool counts = pilot_deg > from_deg - kOneStation_deg;
+    const bool counts = pilot_deg > from_deg - kSameAngle_deg;
     if (counts) {
       const Fault of_diagonals = look_at_diagonals();
       if (fault_ == Fault::none) {
@@ -135,12 +132,12 @@ class BacklashFollower::Branch {
     last_deg_ = pilot_deg;
     if (of_creases != Fault::none) return false;
     if (fault_ != Fault::none && (is_up_ || only_whether_)) return false;
-    return is_up_ || !only_whether_ || pilot_deg > from_deg + kOneStation_deg;
+    return is_up_ || !only_whether_ || pilot_deg > from_deg + kSameAngle_deg;
   }
 
   // What ends the range that moves one way; the path itself, if nothing else does.
   Fault fault() const {
-    const bool falls_short = is_up_ || last_deg_ > follower_.options_.from_deg + kOneStation_deg;
+    const bool falls_short = is_up_ || last_deg_ > follower_.options_.from_deg + kSameAngle_deg;
     return fault_ == Fault::none && path_.end == PathEnd::fold_limit && falls_short
                ? Fault::fold_limit
                : fault_;
@@ -324,7 +321,7 @@ BacklashTrial BacklashFollower::trial(const JointOffsets& offsets, double scale,
   trial.one_way_from_deg = down.one_way_deg();
   if (trial.fault == Fault::none) trial.fault = down.fault();
   trial.is_known = !is_lost || trial.fault != Fault::none ||
-                   down.one_way_deg() <= options_.from_deg + kOneStation_deg;
+                   down.one_way_deg() <= options_.from_deg + kSameAngle_deg;
   trial.lost = down.branch_end();
   trial.lost_deg = down.branch_end_deg();
   trial.gap_widths = std::max(up.gap(), down.gap());

@@ -215,7 +215,7 @@ std::vector<Index> Sheet::rows_to_show(double step_deg) const {
   for (Index row = 0; row < end; ++row) {
     const double away =
         std::remainder(history().stations[static_cast<std::size_t>(row)].pilot_deg, step_deg);
-    if (std::abs(away) < 1e-9 || row + 1 == end) rows.push_back(row);
+    if (std::abs(away) <= kSameAngle_deg || row + 1 == end) rows.push_back(row);
   }
   return rows;
 }

@@ -1,6 +1,7 @@
 // The pilot angle from which a sheet is used: between it and flat all has to hold that is asked.
 #pragma once
 
+#include "solver/continuation/path.hpp"
 #include "solver/sheet/sheet.hpp"
 #include "solver/studies/studied.hpp"
 
@@ -20,7 +21,6 @@ inline OptionFault beyond_d_fault(const std::string& name, double from_deg, doub
 
 /// A sheet's own D, unless a smaller angle is said: fault (from_deg) where a larger one is.
 inline std::optional<OptionFault> beyond_d(const Sheet& sheet, double from_deg) {
-  constexpr double kSameAngle_deg = 1e-9;  // as plan_path takes two angles for one
   const double d_deg = sheet.deploys_from_deg();
   if (from_deg <= d_deg + kSameAngle_deg) return {};
   return beyond_d_fault(sheet.name(), from_deg, d_deg);
