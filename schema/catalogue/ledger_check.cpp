@@ -9,6 +9,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/campaign_check.hpp"
+#include "schema/catalogue/constraint_check.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/since.hpp"
 #include "schema/catalogue/unit_writer.hpp"
@@ -64,6 +65,7 @@ class LedgerCheck {
   }
 
   void check_file() {
+    findings_ = check_constraints(database_);
     SQLite::Statement integrity(database_, "PRAGMA integrity_check");
     while (integrity.executeStep()) {
       const std::string answer = text_of(integrity.getColumn(0));
@@ -118,8 +120,8 @@ class LedgerCheck {
       end = std::max(end, range.hi);
       const std::uint64_t rejected =
           range.size() - draw_of(row.getColumn(2)) - draw_of(row.getColumn(3));
-      if (rejected != draw_of(row.getColumn(4)))
-        add(name(range.lo), "rejected", draw_of(row.getColumn(4)), rejected);
+      const std::uint64_t stored = draw_of(row.getColumn(4));
+      if (rejected != stored) add(name(range.lo), "rejected", stored, rejected);
       Unit unit{range,
                 {draw_of(row.getColumn(2))},
                 {draw_of(row.getColumn(3))},
@@ -300,11 +302,9 @@ class LedgerCheck {
   }
 
   void check_digest() {
-    if (!state_) {
-      const Json details = {{"where", "catalogue"}, {"column", "digest"}};
-      if (findings_.empty()) findings_.push_back({why_no_state_, details});
-      return;
-    }
+    if (!state_ && !findings_.empty()) return;
+    const Json details = {{"where", "catalogue"}, {"column", "digest"}};
+    if (!state_) return findings_.push_back({why_no_state_, details});
     std::vector<DrawRange> ranges;
     for (const auto& [lo, unit] : units_) ranges.push_back(unit.range);
     const std::string digest =

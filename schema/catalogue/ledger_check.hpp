@@ -20,12 +20,12 @@ struct Finding {
 Finding differs(const std::string& where, const std::string& column, const Json& stored,
                 const Json& recomputed);
 
-/// The file's integrity and foreign keys (SQLite looks at no CHECK of a table while it only reads);
-/// the campaign's identity, diagonals and goal's end, and what its runs say of themselves (see
-/// campaign_check.hpp); for every unit the number of its candidates, its part of the digest, its
-/// undecided draws, none of which is a candidate, and its fault sample, which accepts what the
-/// candidates do; and the digest of the whole against the candidates alone. Of one moment, if the
-/// caller holds a transaction. UserError (bad_input) if the file cannot be read so far.
+/// The file's integrity, foreign keys and CHECKs; the campaign's identity, diagonals and goal's
+/// end, and what its runs say of themselves (see campaign_check.hpp); for every unit the number of
+/// its candidates, its part of the digest, its undecided draws, none of which is a candidate, and
+/// its fault sample, which accepts what the candidates do; and the digest of the whole against the
+/// candidates alone. Of one moment, if the caller holds a transaction. UserError (bad_input) if the
+/// file cannot be read so far.
 std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign);
 
 /// What read_state says, which the check needs anyway, or why it says nothing; and the findings.

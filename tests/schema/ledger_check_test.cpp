@@ -36,6 +36,13 @@ TEST_F(LedgerCheckTest, GoodOnesRaiseNothing) {
   for (const Finding& finding : findings()) ADD_FAILURE() << finding.sentence;
 }
 
+// What nothing else compares: SQLite forgets the CHECKs of a file that it opens only to read.
+TEST_F(LedgerCheckTest, RowsThatBreakACheckAreFound) {
+  EXPECT_TRUE(
+      finds("UPDATE unit SET worker = -7 WHERE lo = 2000", "rows that break (worker >= 0)"));
+  EXPECT_TRUE(finds("UPDATE campaign SET id = 2", "rows that break (id = 1)"));
+}
+
 TEST_F(LedgerCheckTest, WhatIsAlteredIsNamed) {
   const std::string first = " WHERE draw = (SELECT min(draw) FROM candidate)";
   EXPECT_TRUE(finds("DELETE FROM candidate" + first, "accepted"));

@@ -1,0 +1,53 @@
+#include "schema/catalogue/constraint_check.hpp"
+
+#include <string>
+
+#include "schema/catalogue/database.hpp"
+#include "schema/catalogue/sql_tokens.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// What a table's CHECKs ask, each within its brackets.
+std::vector<std::string> conditions_of(const std::string& table_sql) {
+  const SqlTokens sql = sql_tokens(table_sql);
+  std::vector<std::string> conditions;
+  for (std::size_t check = 0; check + 1 < sql.tokens.size(); ++check) {
+    if (sql.tokens[check] != "CHECK") continue;
+    std::size_t last = check + 1;
+    for (int open = 1; open > 0 && last + 1 < sql.tokens.size();) {
+      ++last;
+      open += (sql.tokens[last] == "(") - (sql.tokens[last] == ")");
+    }
+    const std::size_t from = sql.begins[check + 1];
+    conditions.push_back(table_sql.substr(from, sql.begins[last] + 1 - from));
+  }
+  return conditions;
+}
+
+}  // namespace
+
+std::vector<Finding> check_constraints(SQLite::Database& database) {
+  std::vector<Finding> findings;
+  SQLite::Statement table(database,
+                          "SELECT name, sql FROM main.sqlite_schema WHERE type = 'table'");
+  while (table.executeStep()) {
+    const std::string name = text_of(table.getColumn(0));
+    const auto conditions = conditions_of(text_of(table.getColumn(1)));
+    if (conditions.empty()) continue;
+    std::string broken;  // a condition that is null holds
+    for (const std::string& condition : conditions) {
+      broken += (broken.empty() ? "" : ", ") + ("total(NOT " + condition + ")");
+    }
+    SQLite::Statement rows(database, "SELECT " + broken + " FROM main.\"" + name + "\"");
+    rows.executeStep();
+    for (std::size_t k = 0; k < conditions.size(); ++k) {
+      const std::int64_t count = rows.getColumn(static_cast<int>(k)).getInt64();
+      if (count == 0) continue;
+      findings.push_back(differs("table " + name, "rows that break " + conditions[k], count, 0));
+    }
+  }
+  return findings;
+}
+
+}  // namespace misalign::schema
