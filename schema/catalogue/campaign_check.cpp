@@ -107,7 +107,12 @@ void check_screened(SQLite::Database& database, const Campaign& campaign,
 
 void check_ascents(SQLite::Database& database, const Campaign& campaign,
                    std::vector<Finding>& findings) {
-  if (!campaign.search.optimisation) return;
+  if (!campaign.search.optimisation) {
+    if (!database.tableExists("ascent")) return;
+    const std::int64_t rows = database.execAndGet("SELECT count(*) FROM ascent").getInt64();
+    if (rows > 0) findings.push_back(differs("catalogue", "rows of ascent", rows, 0));
+    return;
+  }
   const Optimisation& asked = *campaign.search.optimisation;
   // Each column beside what it can be: kept as it is drawn, or gone on from there.
   struct Rule {

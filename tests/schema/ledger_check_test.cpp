@@ -43,6 +43,12 @@ TEST_F(LedgerCheckTest, RowsThatBreakACheckAreFound) {
   EXPECT_TRUE(finds("UPDATE campaign SET id = 2", "rows that break (id = 1)"));
 }
 
+TEST_F(LedgerCheckTest, AscentsOfASearchThatDoesNotOptimiseAreFound) {
+  EXPECT_TRUE(
+      finds("INSERT INTO ascent SELECT draw, 1, 2, 3, 4, 'most_steps', NULL FROM candidate LIMIT 1",
+            "rows of ascent"));
+}
+
 TEST_F(LedgerCheckTest, WhatIsAlteredIsNamed) {
   const std::string first = " WHERE draw = (SELECT min(draw) FROM candidate)";
   EXPECT_TRUE(finds("DELETE FROM candidate" + first, "accepted"));
