@@ -82,8 +82,9 @@ TEST_F(DamageTest, DiagonalsAreNotFollowedInDepth) {
     damage("UPDATE campaign SET diagonals = '[' || replace(hex(zeroblob(500000)), '0', '[')" +
            rest);
     const auto findings = check_ledger(*open_for_reading(path()), campaign_);
-    ASSERT_EQ(findings.size(), 1u);
-    EXPECT_EQ(findings[0].details.at("column"), "diagonals");
+    EXPECT_TRUE(std::ranges::any_of(findings, [](const Finding& finding) {
+      return finding.details.at("column") == "diagonals";
+    }));
   }
 }
 
