@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "schema/catalogue/connection.hpp"
-#include "schema/catalogue/database.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
 #include "schema/files/carried_files.hpp"
+#include "schema/files/printable.hpp"
+#include "schema/files/user_error.hpp"
+#include "schema/files/utf8.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "schema/catalogue/candidate_row.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/population_rows.hpp"
 
 namespace misalign::schema {

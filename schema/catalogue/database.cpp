@@ -7,7 +7,7 @@
 #include "schema/catalogue/catalogue_layout.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/older_schema.hpp"
-#include "schema/catalogue/recovery.hpp"
+#include "schema/catalogue/write_ahead_log.hpp"
 #include "schema/files/file_name.hpp"
 
 namespace misalign::schema {

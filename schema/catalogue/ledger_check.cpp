@@ -327,14 +327,6 @@ class LedgerCheck {
 
 }  // namespace
 
-Finding differs(const std::string& where, const std::string& column, const Json& stored,
-                const Json& recomputed) {
-  const auto shown = [](const Json& value) { return shortened(value.dump(), 200); };
-  return {where + ": " + column + " is " + shown(stored) + " as stored, " + shown(recomputed) +
-              " recomputed",
-          {{"where", where}, {"column", column}, {"stored", stored}, {"recomputed", recomputed}}};
-}
-
 CheckedLedger read_checked(SQLite::Database& database, const Campaign& campaign) {
   return reading(database, [&] {
     CheckedLedger checked = LedgerCheck(database, campaign).take();

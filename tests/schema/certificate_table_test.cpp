@@ -1,7 +1,7 @@
 // Certificates in a catalogue: what is kept, which of two is taken over, what is found to be
 // changed, and that the rest of the catalogue is as it was.
 #include "certificate_fixture.hpp"
-#include "schema/catalogue/population_rows.hpp"
+#include "schema/catalogue/sheets_once.hpp"
 #include "schema/exchange/plain_export.hpp"
 
 namespace misalign::schema {
