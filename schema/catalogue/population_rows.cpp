@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "schema/catalogue/database.hpp"
-#include "schema/catalogue/since.hpp"
 #include "solver/verdict/score.hpp"
 
 namespace misalign::schema {
@@ -49,7 +48,6 @@ bool adds_up(SQLite::Statement& row, const std::vector<LevelCount>& before) {
 std::vector<int> read_levels(SQLite::Database& database) {
   return reading(database, [&] {
     std::vector<int> scores;
-    if (version_of(database) < kSplittingSince) return scores;
     SQLite::Statement rows(
         database,
         "SELECT number, score, deploys_from_deg, sample_deg, round(threshold_deg / sample_deg) "
@@ -214,7 +212,6 @@ CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& le
 
 std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database& from,
                                        std::uint64_t draw) {
-  if (version_of(from) < kSplittingSince) return draw;
   SQLite::Statement theirs = prepared(from, "SELECT hash FROM sheet WHERE draw = ?");
   theirs.bind(1, stored(draw));
   if (!reading(from, [&] { return theirs.executeStep(); })) return draw;
