@@ -6,7 +6,6 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
-#include "schema/catalogue/since.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -39,7 +38,7 @@ void check_diagonals(SQLite::Database& database, const Campaign& campaign,
   findings.push_back(differs("campaign", "diagonals", text, recomputed.dump()));
 }
 
-// What was screened of draws: every rejected one once.
+// What was screened of draws: every rejected one once, by runs of this schema version and later.
 constexpr int kScreenedOnceSince = 3;
 
 bool is_sample(double deg, const Campaign& campaign) {
@@ -95,9 +94,9 @@ void check_screened(SQLite::Database& database, const Campaign& campaign,
   }
   // Of catalogues that were joined all that was screened is here, and of their units perhaps a
   // part.
-  SQLite::Statement more(database, "SELECT EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged' OR " +
-                                       column_sql("run", "schema_version", version_of(database)) +
-                                       " < " + std::to_string(kScreenedOnceSince) + ")");
+  SQLite::Statement more(
+      database, "SELECT EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged' OR schema_version < " +
+                    std::to_string(kScreenedOnceSince) + ")");
   more.executeStep();
   const bool may_be_more = more.getColumn(0).getInt() != 0;
   if (may_be_more ? screened < rejected : screened != rejected) {
@@ -178,16 +177,14 @@ void check_level(const std::string& where, const LevelCount& level, const Splitt
 void check_runs(SQLite::Database& database, const Campaign& campaign,
                 std::vector<Finding>& findings) {
   const int version = version_of(database);
-  const auto later = [&](const char* column) { return ", " + column_sql("run", column, version); };
   SQLite::Statement row(database,
                         "SELECT run.id, ranks, count(unit.lo), max(worker), "
-                        "EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged')" +
-                            later("commits") + later("commit_s") + later("longest_commit_s") +
-                            later("schema_version") +
-                            ", julianday(started_at), ended_at IS NULL = (\"end\" IS NULL), "
-                            "ended_at IS NULL OR julianday(ended_at), min(seconds), max(seconds) "
-                            "FROM run LEFT JOIN unit ON "
-                            "unit.run = run.id GROUP BY run.id");
+                        "EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged'), commits, commit_s, "
+                        "longest_commit_s, schema_version, "
+                        "julianday(started_at), ended_at IS NULL = (\"end\" IS NULL), "
+                        "ended_at IS NULL OR julianday(ended_at), min(seconds), max(seconds) "
+                        "FROM run LEFT JOIN unit ON "
+                        "unit.run = run.id GROUP BY run.id");
   while (row.executeStep()) {
     const std::string where = "run " + text_of(row.getColumn(0));
     const std::int64_t ranks = row.getColumn(1).getInt64(), units = row.getColumn(2).getInt64();

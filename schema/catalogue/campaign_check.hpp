@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "schema/catalogue/ledger_check.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/finding.hpp"
 
 namespace misalign::schema {
 

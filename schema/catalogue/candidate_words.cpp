@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "schema/catalogue/result_table.hpp"
+#include "schema/catalogue/database.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/files/suggestion.hpp"
 

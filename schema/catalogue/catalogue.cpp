@@ -11,6 +11,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/connection.hpp"
+#include "schema/catalogue/sheets_once.hpp"
 #include "schema/catalogue/unit_copier.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/file_name.hpp"

@@ -1,6 +1,7 @@
 #include "schema/catalogue/catalogue_layout.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <mutex>
 #include <set>
@@ -8,9 +9,11 @@
 #include <vector>
 
 #include "schema/catalogue/connection.hpp"
-#include "schema/catalogue/database.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
 #include "schema/files/carried_files.hpp"
+#include "schema/files/printable.hpp"
+#include "schema/files/user_error.hpp"
+#include "schema/files/utf8.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -41,24 +44,32 @@ Layout layout_of(SQLite::Database& database) {
   return layout;
 }
 
-// A catalogue of any version is laid out as one made in version 1 or in version 2 and brought up to
-// it: a column that was added to a table may have a default which one that was there from the start
-// has not, and from version 2 on there is none such. (Where a migration cannot make what
-// catalogue.sql makes, that is to be kept in versions/ and named here.) Comments do not count.
-constexpr int kMadeIn[] = {2, 1};
+// A catalogue of any version is laid out as one made in version 7 and brought up to it. One that
+// was made in version 1, and brought up by release 1.0.0, has a default in a column that was added
+// to its runs, and nothing else is another. (Where a migration cannot make what catalogue.sql
+// makes, that is to be kept in versions/ and named here.) Comments do not count.
+enum class MadeIn { version_7, version_1 };
 
-// Of a catalogue that was made in version `first`; made once.
-const Layout& layout_made_in(int first, int version) {
-  static std::map<std::pair<int, int>, Layout> layouts;
+std::string first_layout(MadeIn made_in) {
+  std::string sql = carried_text("schema/versions/7.sql");
+  if (made_in == MadeIn::version_7) return sql;
+  const std::string column = "schema_version INTEGER NOT NULL";
+  assert(sql.find(column) != std::string::npos);
+  return sql.insert(sql.find(column) + column.size(), " DEFAULT 1");
+}
+
+// Of a catalogue that was made in that version; made once.
+const Layout& layout_of(MadeIn made_in, int version) {
+  static std::map<std::pair<MadeIn, int>, Layout> layouts;
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
-  const auto known = layouts.find({first, version});
+  const auto known = layouts.find({made_in, version});
   if (known != layouts.end()) return known->second;
   const auto database = connect_to_memory();
-  database->exec(carried_text("schema/versions/" + std::to_string(first) + ".sql"));
-  for (int next = first + 1; next <= version; ++next)
+  database->exec(first_layout(made_in));
+  for (int next = 8; next <= version; ++next)
     database->exec(carried_text("schema/migrations/" + std::to_string(next) + ".sql"));
-  return layouts[{first, version}] = layout_of(*database);
+  return layouts[{made_in, version}] = layout_of(*database);
 }
 
 // What ANALYZE makes; what it says of the rows may change which way a statement goes, and no
@@ -165,9 +176,8 @@ UserError not_as_made(const std::string& path, const std::vector<std::string>& d
 void check_layout(SQLite::Database& database, int version, const std::string& path) {
   const Layout found = layout_of(database);
   std::vector<std::string> least;
-  for (const int first : kMadeIn) {
-    if (first > version) continue;
-    std::vector<std::string> differences = differences_of(found, layout_made_in(first, version));
+  for (const MadeIn made_in : {MadeIn::version_7, MadeIn::version_1}) {
+    std::vector<std::string> differences = differences_of(found, layout_of(made_in, version));
     if (differences.empty()) return;
     if (least.empty() || differences.size() < least.size()) least = std::move(differences);
   }

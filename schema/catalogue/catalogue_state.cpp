@@ -9,7 +9,6 @@
 #include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "schema/catalogue/since.hpp"
 #include "schema/records/fault_sample.hpp"
 #include "solver/records/metrics.hpp"
 
@@ -142,14 +141,14 @@ CatalogueState state_of(SQLite::Database& database) {
   if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
   CatalogueState state{};
   SQLite::Statement campaign(
-      database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
-                            "goal_accepted, goal_end, ") +
-                    column_sql("campaign", "goal_relative_error", version_of(database)) +
-                    ", json_extract(configuration, '$.seed'), json_extract(configuration, "
-                    "'$.accept.deploys_from_deg'), json_extract(configuration, "
-                    "'$.accept.stops_at_deg'), json_extract(configuration, '$.search.method'), "
-                    "json_extract(configuration, '$.search.starts') "
-                    "FROM campaign");
+      database,
+      "SELECT identity, name, range_lo, range_hi, goal_draws, "
+      "goal_accepted, goal_end, goal_relative_error, "
+      "json_extract(configuration, '$.seed'), json_extract(configuration, "
+      "'$.accept.deploys_from_deg'), json_extract(configuration, "
+      "'$.accept.stops_at_deg'), json_extract(configuration, '$.search.method'), "
+      "json_extract(configuration, '$.search.starts') "
+      "FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
   const auto optional_draw = [&](const SQLite::Column& column) {
     return column.isNull() ? std::nullopt : std::optional(draw_of(column));
@@ -246,10 +245,10 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
 
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
-    SQLite::Statement row(database, "SELECT " +
-                                        column_sql("run", "metrics_version", version_of(database)) +
-                                        " FROM candidate JOIN unit ON unit.lo = candidate.unit "
-                                        "JOIN run ON run.id = unit.run WHERE draw = ?");
+    SQLite::Statement row(
+        database,
+        "SELECT metrics_version FROM candidate JOIN unit ON unit.lo = candidate.unit "
+        "JOIN run ON run.id = unit.run WHERE draw = ?");
     row.bind(1, stored(draw));
     return row.executeStep() ? row.getColumn(0).getInt() : solver::kMetricsVersion;
   });

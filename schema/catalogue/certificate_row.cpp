@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "schema/catalogue/database.hpp"
-#include "schema/catalogue/since.hpp"
 #include "schema/files/base64.hpp"
 #include "schema/files/hash.hpp"
 #include "schema/pattern/pattern_file.hpp"
@@ -228,13 +227,8 @@ std::optional<CertificateRecord> certificate_of_json(const Json& exported,
   return row;
 }
 
-bool has_certificates(SQLite::Database& database) {
-  return database.execAndGet("PRAGMA user_version").getInt() >= kCertificateSince;
-}
-
 std::optional<CertificateRecord> read_certificate(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&]() -> std::optional<CertificateRecord> {
-    if (!has_certificates(database)) return std::nullopt;
     SQLite::Statement row(database, kSelect);
     row.bind(1, stored(draw));
     if (!row.executeStep()) return std::nullopt;

@@ -54,9 +54,6 @@ Json certificate_json(const CertificateRecord& row);
 std::optional<CertificateRecord> certificate_of_json(const Json& exported,
                                                      const std::string& source);
 
-/// Whether the catalogue's schema has a table for them: since version 7. Throws SQLite::Exception.
-bool has_certificates(SQLite::Database& database);
-
 /// A candidate's, if it has one. Where a column holds what no certificate's can, the hash is empty,
 /// so that certificate_fault finds it. UserError (bad_input) if the file cannot be read.
 std::optional<CertificateRecord> read_certificate(SQLite::Database& database, std::uint64_t draw);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "schema/catalogue/candidate_row.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/population_rows.hpp"
 
 namespace misalign::schema {
@@ -22,7 +23,6 @@ std::optional<Eigen::Matrix2Xd> stored_shifts(SQLite::Database& database, const 
 
 void each_certificate(SQLite::Database& database,
                       const std::function<void(const CertificateRecord& row)>& see) {
-  if (!reading(database, [&] { return has_certificates(database); })) return;
   for (const std::uint64_t draw : draws_of(database, "certificate", {0, kEndOfDraws})) {
     if (const auto row = read_certificate(database, draw)) see(*row);
   }

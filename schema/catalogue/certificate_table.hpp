@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/catalogue/certificate_row.hpp"
-#include "schema/catalogue/ledger_check.hpp"
+#include "schema/catalogue/finding.hpp"
 
 namespace misalign::schema {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "schema/catalogue/ledger_check.hpp"
+#include "schema/catalogue/finding.hpp"
 
 namespace misalign::schema {
 

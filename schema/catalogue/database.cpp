@@ -1,5 +1,6 @@
 #include "schema/catalogue/database.hpp"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <filesystem>
@@ -7,7 +8,7 @@
 #include "schema/catalogue/catalogue_layout.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/older_schema.hpp"
-#include "schema/catalogue/recovery.hpp"
+#include "schema/catalogue/write_ahead_log.hpp"
 #include "schema/files/file_name.hpp"
 
 namespace misalign::schema {
@@ -21,6 +22,12 @@ UserError not_a_catalogue(const std::string& path) {
   return UserError(Cause::bad_input, path +
                                          ": is no catalogue of misalign (another kind of file); "
                                          "name one that `misalign search` wrote");
+}
+
+UserError unknown_version(const std::string& path, int version, const std::string& way_out) {
+  return UserError(Cause::foreign,
+                   fmt::format("{}: has schema version {} (this program knows {} to {}); {}", path,
+                               version, kOldestSchemaVersion, kSchemaVersion, way_out));
 }
 
 UserError without_log(const std::string& path) {
@@ -44,10 +51,11 @@ bool check_kind(SQLite::Database& database, const std::string& path) {
         database.execAndGet("SELECT count(*) FROM sqlite_schema WHERE name = 'campaign'").getInt();
     if (id != kApplicationId || campaigns == 0 || version < 1) throw not_a_catalogue(path);
     if (version > kSchemaVersion) {
-      throw UserError(Cause::foreign, path + ": has schema version " + std::to_string(version) +
-                                          " (this program knows up to " +
-                                          std::to_string(kSchemaVersion) +
-                                          "); use the program that wrote it, or a newer one");
+      throw unknown_version(path, version, "use the program that wrote it, or a newer one");
+    }
+    if (version < kOldestSchemaVersion) {
+      throw unknown_version(
+          path, version, "bring it up to date with misalign 1.0.0: misalign merge NEW.db " + path);
     }
     check_layout(database, version, path);
     trust_schema(database);

@@ -13,6 +13,7 @@ namespace misalign::schema {
 
 inline constexpr int kApplicationId = 0x4D53414C;
 inline constexpr int kSchemaVersion = 10;
+inline constexpr int kOldestSchemaVersion = 7;  ///< that is read: release 1.0.0 wrote it
 
 /// Draws and counts as SQLite keeps them: below 2^63, so that the sign is never used.
 inline std::int64_t stored(std::uint64_t draw) { return static_cast<std::int64_t>(draw); }
@@ -37,7 +38,7 @@ auto reading(const SQLite::Database& database, const Work& work) {
 
 /// A catalogue opened for reading: it cannot write or touch other files, see connect().
 /// UserError: bad_input no such file, no catalogue, or not laid out as one (check_layout); foreign
-/// a newer schema; see storage_failure.
+/// a schema that is newer, or older than that of release 1.0.0; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 
 /// Of pages that stay in memory. Indexes of candidates are touched everywhere at once; pieces of
@@ -46,8 +47,8 @@ inline constexpr int kCache_kb = 64 << 10, kSplittingCache_kb = 8 << 10;
 
 /// The one writer's connection: synchronous FULL, foreign keys, on network storage alone with the
 /// file until it is closed. Changes nothing in the file yet. Creates the file if there is none.
-/// UserError: bad_input no catalogue, or not laid out as one; foreign a newer schema; see
-/// storage_failure.
+/// UserError: bad_input no catalogue, or not laid out as one; foreign a newer or a too old schema;
+/// see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage,
                                                    int cache_kb = kCache_kb);
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/database.hpp"
-#include "schema/catalogue/since.hpp"
 #include "solver/verdict/score.hpp"
 
 namespace misalign::schema {
@@ -37,9 +36,7 @@ void add(const LevelCount& count, LadderLevel& level) {
 
 LadderState read_ladder(SQLite::Database& database, std::uint64_t end) {
   return reading(database, [&] {
-    LadderState ladder;
-    if (version_of(database) < kSplittingSince) return ladder;
-    ladder = empty_ladder(database);
+    LadderState ladder = empty_ladder(database);
     std::vector<std::vector<double>> shares(ladder.levels.size());
     each_population(database, [&](const DrawRange& numbers, const std::vector<LevelCount>& counts) {
       if (numbers.lo >= end) return;

@@ -11,7 +11,6 @@
 #include "schema/catalogue/campaign_check.hpp"
 #include "schema/catalogue/constraint_check.hpp"
 #include "schema/catalogue/digest.hpp"
-#include "schema/catalogue/since.hpp"
 #include "schema/catalogue/unit_writer.hpp"
 #include "schema/catalogue/yield_check.hpp"
 #include "schema/files/hexadecimal.hpp"
@@ -106,10 +105,10 @@ class LedgerCheck {
   }
 
   void read_units() {
-    SQLite::Statement row(database_,
-                          "SELECT lo, hi, accepted, undecided, rejected, digest_part, " +
-                              column_sql("run", "schema_version", version_of(database_)) +
-                              " FROM unit LEFT JOIN run ON run.id = unit.run ORDER BY lo");
+    SQLite::Statement row(
+        database_,
+        "SELECT lo, hi, accepted, undecided, rejected, digest_part, "
+        "schema_version FROM unit LEFT JOIN run ON run.id = unit.run ORDER BY lo");
     std::uint64_t end = 0;
     while (row.executeStep()) {
       const DrawRange range{draw_of(row.getColumn(0)), draw_of(row.getColumn(1))};
@@ -192,7 +191,7 @@ class LedgerCheck {
 
   // What became of each population.
   void sum_levels() {
-    if (!campaign_.search.splitting || version_of(database_) < kSplittingSince) return;
+    if (!campaign_.search.splitting) return;
     const Splitting& splitting = *campaign_.search.splitting;
     const std::vector<int> scores = read_levels(database_);
     const std::vector<int> named = named_scores(splitting, campaign_.sample_deg);
@@ -210,7 +209,7 @@ class LedgerCheck {
 
   // Each sheet has one number.
   void check_sheets_once() {
-    if (!campaign_.search.has_each_once() || version_of(database_) < kSplittingSince) return;
+    if (!campaign_.search.has_each_once()) return;
     SQLite::Statement row(
         database_, "SELECT max(draw), min(draw) FROM sheet GROUP BY hash HAVING count(*) > 1");
     while (row.executeStep()) {
@@ -326,14 +325,6 @@ class LedgerCheck {
 };
 
 }  // namespace
-
-Finding differs(const std::string& where, const std::string& column, const Json& stored,
-                const Json& recomputed) {
-  const auto shown = [](const Json& value) { return shortened(value.dump(), 200); };
-  return {where + ": " + column + " is " + shown(stored) + " as stored, " + shown(recomputed) +
-              " recomputed",
-          {{"where", where}, {"column", column}, {"stored", stored}, {"recomputed", recomputed}}};
-}
 
 CheckedLedger read_checked(SQLite::Database& database, const Campaign& campaign) {
   return reading(database, [&] {

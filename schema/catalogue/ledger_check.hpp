@@ -7,18 +7,9 @@
 #include <vector>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/finding.hpp"
 
 namespace misalign::schema {
-
-/// Something that is not as it should be.
-struct Finding {
-  std::string sentence;
-  Json details;  ///< its parts: "where", "column", "stored", "recomputed"
-};
-
-/// `where` is like "draw 17".
-Finding differs(const std::string& where, const std::string& column, const Json& stored,
-                const Json& recomputed);
 
 /// The file's integrity, foreign keys and CHECKs; the campaign's identity, diagonals and goal's
 /// end, and what its runs say of themselves (see campaign_check.hpp); for every unit the number of

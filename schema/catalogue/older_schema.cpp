@@ -3,9 +3,8 @@
 #include <cassert>
 #include <string>
 
-#include "schema/catalogue/since.hpp"
+#include "schema/catalogue/metric_table.hpp"
 #include "schema/files/carried_files.hpp"
-#include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -23,38 +22,20 @@ std::string temporary_view(const std::string& name) {
 }  // namespace
 
 void show_as_of_today(SQLite::Database& database, int version) {
-  if (version < kRarerSampleSince) {
-    database.exec("CREATE TEMP VIEW fault_sample AS SELECT *, " +
-                  column_sql("fault_sample", "stands_for", version) +
-                  " AS stands_for FROM main.fault_sample");
-    database.exec(temporary_view("faults"));
-  }
-  if (version < kYieldSince) {  // nobody has kept any
+  constexpr int kYieldAngleSince = 8, kAscentSince = 9;
+  if (version < kYieldAngleSince) {
     database.exec(
-        "CREATE TEMP VIEW yield AS SELECT NULL AS draw, NULL AS amplitude_mm, NULL AS from_deg, "
-        "NULL AS trials, "
-        "NULL AS survivors, NULL AS undecided, NULL AS share, NULL AS share_low, "
-        "NULL AS share_high, NULL AS \"commit\", NULL AS made_at WHERE 0");
-    database.exec(temporary_view("common_yield"));
-  }
-  if (version >= kYieldSince && version < kYieldAngleSince) {
-    database.exec("CREATE TEMP VIEW yield AS SELECT *, " +
-                  column_sql("yield", "from_deg", version) + " AS from_deg FROM main.yield");
+        "CREATE TEMP VIEW yield AS SELECT *, (SELECT json_extract(configuration, "
+        "'$.accept.deploys_from_deg') FROM campaign) AS from_deg FROM main.yield");
   }
   if (version >= kAscentSince) return;
   database.exec(
       "CREATE TEMP VIEW ascent AS SELECT NULL AS draw, NULL AS start_value, NULL AS end_value, "
       "NULL AS steps, NULL AS sheets_folded, NULL AS ended, NULL AS limited_by WHERE 0");
-  if (version < kSplittingSince) {
-    database.exec("CREATE TEMP VIEW sheet AS SELECT NULL AS draw, NULL AS hash WHERE 0");
+  std::string later;
+  for (const MetricEntry& metric : metric_table()) {
+    if (version < metric.schema_since) later += std::string(", NULL AS ") + metric.name;
   }
-  if (version < kCertificateSince) {
-    database.exec(
-        "CREATE TEMP VIEW certificate AS SELECT NULL AS draw, NULL AS certified_deg, "
-        "NULL AS asked_deg, NULL AS ended, NULL AS place, NULL AS contact, NULL AS intervals, "
-        "NULL AS seconds, NULL AS hash, NULL AS proof WHERE 0");
-  }
-  const std::string later = later_candidate_columns_sql(version);
   std::string candidates = temporary_view("candidates");
   const std::string table = "FROM candidate;";
   candidates.replace(candidates.rfind(table), table.size(),

@@ -6,10 +6,9 @@
 namespace misalign::schema {
 
 /// Lays today's views, and tables as today's, over those of a catalogue of this older version, for
-/// this connection alone: `candidates` with null in columns that came later, `yield`,
-/// `common_yield`, `yields` and `certificate` without rows, `fault_sample` whose rows stand for
-/// 1024 draws each, and `faults`. Nothing is written; main.NAME is what the file holds. Before the
-/// connection is forbidden to make views. Throws SQLite::Exception.
+/// this connection alone: `candidates` with null in columns that came later, `yield` from the
+/// campaign's threshold, `ascent` without rows. Nothing is written; main.NAME is what the file
+/// holds. Before the connection is forbidden to make views. Throws SQLite::Exception.
 void show_as_of_today(SQLite::Database& database, int version);
 
 }  // namespace misalign::schema

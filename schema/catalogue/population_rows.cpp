@@ -5,10 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/database.hpp"
-#include "schema/catalogue/since.hpp"
-#include "schema/catalogue/yield.hpp"
 #include "solver/verdict/score.hpp"
 
 namespace misalign::schema {
@@ -46,54 +43,11 @@ bool adds_up(SQLite::Statement& row, const std::vector<LevelCount>& before) {
          std::isfinite(seconds);
 }
 
-// Takes the rows of candidates away that `statement` selects, with their yields and certificates.
-void drop(SQLite::Database& database, SQLite::Statement statement) {
-  struct Row {
-    std::int64_t draw, unit;
-    int sample;
-    std::string sheet;
-  };
-  std::vector<Row> rows;
-  while (statement.executeStep()) {
-    rows.push_back({statement.getColumn(0).getInt64(), statement.getColumn(1).getInt64(),
-                    statement.getColumn(2).getInt(), statement.getColumn(3).getString()});
-  }
-  statement.reset();
-  SQLite::Statement part(database, "SELECT digest_part FROM unit WHERE lo = ?");
-  SQLite::Statement update(database,
-                           "UPDATE unit SET accepted = accepted - 1, rejected = rejected + 1, "
-                           "digest_part = ? WHERE lo = ?");
-  SQLite::Statement yields(database, "DELETE FROM yield WHERE draw = ?");
-  SQLite::Statement sheet(database, "DELETE FROM sheet WHERE draw = ?");
-  SQLite::Statement candidate(database, "DELETE FROM candidate WHERE draw = ?");
-  for (const Row& row : rows) {
-    part.reset();
-    part.bind(1, row.unit);
-    if (!part.executeStep() || part.getColumn(0).getBytes() != 16) continue;  // a damaged file
-    CandidateSum sum =
-        CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getColumn(0).getBlob()));
-    CandidateSum one;
-    one.add(static_cast<std::uint64_t>(row.draw), row.sample, row.sheet);
-    sum.subtract(one);
-    update.reset();
-    const auto bytes = sum.bytes();
-    update.bind(1, bytes.data(), static_cast<int>(bytes.size()));
-    update.bind(2, row.unit);
-    update.exec();
-    for (SQLite::Statement* remove : {&yields, &sheet, &candidate}) {
-      remove->reset();
-      remove->bind(1, row.draw);
-      remove->exec();
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<int> read_levels(SQLite::Database& database) {
   return reading(database, [&] {
     std::vector<int> scores;
-    if (version_of(database) < kSplittingSince) return scores;
     SQLite::Statement rows(
         database,
         "SELECT number, score, deploys_from_deg, sample_deg, round(threshold_deg / sample_deg) "
@@ -258,7 +212,6 @@ CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& le
 
 std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database& from,
                                        std::uint64_t draw) {
-  if (version_of(from) < kSplittingSince) return draw;
   SQLite::Statement theirs = prepared(from, "SELECT hash FROM sheet WHERE draw = ?");
   theirs.bind(1, stored(draw));
   if (!reading(from, [&] { return theirs.executeStep(); })) return draw;
@@ -269,42 +222,6 @@ std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database&
   ours.bind(2, stored(draw));
   ours.executeStep();
   return ours.getColumn(0).isNull() ? std::nullopt : std::optional(draw_of(ours.getColumn(0)));
-}
-
-namespace {
-
-void drop_repeated(SQLite::Database& database, const Campaign& campaign,
-                   const solver::Mechanism& mechanism, const DrawRange& added) {
-  SQLite::Statement again(
-      database,
-      "SELECT draw, unit, deploys_from_sample, hash, least FROM sheet JOIN candidate USING (draw) "
-      "JOIN (SELECT hash, min(draw) AS least FROM sheet WHERE hash IN "
-      "(SELECT hash FROM sheet WHERE draw >= ? AND draw < ?) GROUP BY hash) USING (hash) "
-      "WHERE draw > least");
-  again.bind(1, stored(added.lo));
-  again.bind(2, stored(added.hi));
-  while (again.executeStep()) {
-    const std::uint64_t draw = draw_of(again.getColumn(0)), least = draw_of(again.getColumn(4));
-    hand_on_certificate(database, campaign, mechanism, draw, least);
-    hand_on_yields(database, draw, least);
-  }
-  again.reset();
-  drop(database, std::move(again));
-}
-
-}  // namespace
-
-void keep_each_sheet_once(SQLite::Database& database, const Campaign& campaign,
-                          const solver::Mechanism& mechanism, const DrawRange& added) {
-  if (!campaign.search.optimisation) drop_repeated(database, campaign, mechanism, added);
-  const std::optional<std::uint64_t>& most = campaign.stop.accepted;
-  if (!most) return;
-  SQLite::Statement beyond(
-      database,
-      "SELECT draw, unit, deploys_from_sample, hash FROM candidate JOIN sheet USING (draw) "
-      "ORDER BY draw LIMIT -1 OFFSET ?");
-  beyond.bind(1, stored(*most));
-  drop(database, std::move(beyond));
 }
 
 }  // namespace misalign::schema

@@ -1,4 +1,4 @@
-// A splitting search in the catalogue: levels, what became of populations, and each sheet once.
+// A splitting search in the catalogue: levels, what became of populations, the hashes of sheets.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -53,13 +53,5 @@ CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& le
 /// one under which the same sheet is kept, none where it is not.
 std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database& from,
                                        std::uint64_t draw);
-
-/// Of candidates that are the same sheet only the one with the least number stays, to which what is
-/// known of the others goes (certificates, yields), and of all no more than stop.accepted, those
-/// with the least numbers. Looks at sheets of which one lies in `added`. Their units' counts and
-/// digests follow. Of an optimising search every start keeps its end. Within a transaction; throws
-/// SQLite::Exception.
-void keep_each_sheet_once(SQLite::Database& database, const Campaign& campaign,
-                          const solver::Mechanism& mechanism, const DrawRange& added);
 
 }  // namespace misalign::schema

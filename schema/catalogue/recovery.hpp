@@ -14,9 +14,4 @@ void recover(const std::string& path);
 /// verb reads what it will write. Waits while another process writes there.
 void recover_before_writing(const std::string& path);
 
-/// Whether the file's log is missing: it says that it has one, and nobody writes it. A copy that
-/// was made while a search was writing is such a file; so is one whose log another program folded
-/// in. Not while this process reads the file: see is_being_written.
-bool lacks_log(const std::string& path);
-
 }  // namespace misalign::schema

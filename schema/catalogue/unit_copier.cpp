@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "schema/catalogue/since.hpp"
 #include "schema/catalogue/unit_writer.hpp"
 
 namespace misalign::schema {
@@ -57,10 +56,11 @@ class UnitCopier::Table {
 
  private:
   std::string select_of(SQLite::Database& from, const std::string& name) const {
-    const int version = version_of(from);
+    const std::vector<std::string> theirs = columns_of(from, name);
     std::vector<std::string> expressions;
-    for (const std::string& column : columns_) {
-      expressions.push_back(column_sql(name, column, version));
+    for (const std::string& column : columns_) {  // null in what an older schema does not have
+      const bool is_there = std::find(theirs.begin(), theirs.end(), column) != theirs.end();
+      expressions.push_back(is_there ? "\"" + column + "\"" : "NULL");
     }
     return "SELECT " + listed(expressions) + " FROM main." + name + " ";
   }

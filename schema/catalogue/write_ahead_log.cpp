@@ -4,6 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+
+#include "schema/catalogue/writer_lock.hpp"
+#include "schema/files/file_bytes.hpp"
+#include "schema/files/file_name.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -40,15 +45,31 @@ void WriteAheadLog::copy_into_file() {
 // The log is written from its start again once no reader needs it, but with readers all the time
 // that moment never comes by itself.
 void WriteAheadLog::keep_small() {
-  std::error_code error;
-  const auto log_bytes = [&] {
-    const auto bytes = std::filesystem::file_size(path_ + "-wal", error);
-    return error ? 0 : bytes;
-  };
+  const auto log_bytes = [&] { return journal_bytes(path_ + "-wal"); };
   // A reader that stays at one moment keeps it: not every commit is to wait for that one again.
   if (log_bytes() <= std::max(kLargestLog_bytes, kept_bytes_ + kLargestLog_bytes / 4)) return;
   checkpoint(database_);
   kept_bytes_ = log_bytes();
+}
+
+std::uintmax_t journal_bytes(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  return error ? 0 : bytes;
+}
+
+// SQLite's header: bytes 18 and 19 are the versions of the format that writing and reading need,
+// and 2 where there is a log.
+bool lacks_log(const std::string& path) {
+  constexpr std::size_t kWriteVersion = 18;
+  constexpr char kWithLog = 2;
+  const std::string file = end_of_links(path);
+  char header[kWriteVersion + 1] = {};
+  std::ifstream in(file, std::ios::binary);
+  if (!in.read(header, sizeof header)) return false;
+  return std::string_view(header, kDatabaseHeader.size()) == kDatabaseHeader &&
+         header[kWriteVersion] == kWithLog && journal_bytes(file + "-wal") == 0 &&
+         !is_being_written(file);
 }
 
 }  // namespace misalign::schema

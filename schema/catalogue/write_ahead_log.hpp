@@ -1,4 +1,4 @@
-// SQLite's write-ahead log beside a catalogue, kept small.
+// SQLite's write-ahead log beside a catalogue: kept small, and missed where it is not there.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -29,5 +29,13 @@ class WriteAheadLog {
   const Storage storage_;
   std::uintmax_t kept_bytes_ = 0;  // when it could last not be folded in
 };
+
+/// The size of a journal or a log; 0 where there is none.
+std::uintmax_t journal_bytes(const std::string& path);
+
+/// Whether the file's log is missing: it says that it has one, and nobody writes it. A copy that
+/// was made while a search was writing is such a file; so is one whose log another program folded
+/// in. Not while this process reads the file: see is_being_written.
+bool lacks_log(const std::string& path);
 
 }  // namespace misalign::schema

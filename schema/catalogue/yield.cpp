@@ -2,10 +2,13 @@
 
 #include "schema/campaign/share_interval.hpp"
 #include "schema/catalogue/population_rows.hpp"
-#include "schema/catalogue/since.hpp"
 
 namespace misalign::schema {
 namespace {
+
+// The campaign's threshold.
+constexpr const char* kThresholdSql =
+    "(SELECT json_extract(configuration, '$.accept.deploys_from_deg') FROM campaign)";
 
 // Of draws that are no candidates nothing is kept; of as many trials the one that is there stays.
 const std::string kInsertYield =
@@ -23,16 +26,15 @@ const std::string kInsertYield =
     "WHERE excluded.trials > yield.trials";
 constexpr const char* kColumns =
     "draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high, \"commit\", "
-    "made_at, ";
+    "made_at, from_deg";
 constexpr int kColumnCount = 11;
 
 // Rows of a catalogue, each for the candidate whose number `renumber` says, if any.
 template <class Renumber>
 void copy(SQLite::Database& from, SQLite::Database& into, const std::string& which,
           const Renumber& renumber) {
-  SQLite::Statement select = prepared(from, std::string("SELECT ") + kColumns +
-                                                column_sql("yield", "from_deg", version_of(from)) +
-                                                " AS from_deg FROM main.yield " + which);
+  SQLite::Statement select =
+      prepared(from, std::string("SELECT ") + kColumns + " FROM yield " + which);
   SQLite::Statement insert(into, kInsertYield);
   copy_rows(from, select, insert, [&] {
     const std::optional<std::uint64_t> draw = renumber(draw_of(select.getColumn(0)));
@@ -42,10 +44,6 @@ void copy(SQLite::Database& from, SQLite::Database& into, const std::string& whi
 }
 
 }  // namespace
-
-bool has_yields(SQLite::Database& database) {
-  return database.execAndGet("PRAGMA user_version").getInt() >= kYieldSince;
-}
 
 Json yield_json(const Yield& yield) {
   const std::uint64_t decided = yield.trials - yield.undecided;
@@ -101,7 +99,6 @@ std::vector<std::uint64_t> write_yields(SQLite::Database& database,
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
     std::vector<Yield> yields;
-    if (!has_yields(database)) return yields;
     SQLite::Statement row(
         database, std::string("SELECT amplitude_mm, trials, survivors, undecided, CASE WHEN "
                               "abs(from_deg - ") +
@@ -127,7 +124,6 @@ std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
 }
 
 void copy_yields(SQLite::Database& from, SQLite::Database& into) {
-  if (!reading(from, [&] { return has_yields(from); })) return;
   copy(from, into, "ORDER BY draw, amplitude_mm, from_deg",
        [&](std::uint64_t draw) { return number_in(into, from, draw); });
 }

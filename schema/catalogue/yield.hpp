@@ -25,9 +25,6 @@ struct Yield {
   friend bool operator==(const Yield&, const Yield&) = default;
 };
 
-/// Whether the catalogue's schema has a table for them: since version 4. Throws SQLite::Exception.
-bool has_yields(SQLite::Database& database);
-
 /// Share of the decided trials, and its interval: {"amplitude_mm", "trials", "survivors",
 /// "undecided", "share", "share_low", "share_high"}, and "from_deg" where it is not the threshold.
 Json yield_json(const Yield& yield);
@@ -41,8 +38,8 @@ std::vector<std::uint64_t> write_yields(SQLite::Database& database,
                                         const std::vector<Yield>& yields,
                                         const std::string& commit);
 
-/// Of one candidate, by amplitude and angle; none in catalogues from before version 4. UserError
-/// (bad_input) if one of them does not add up: SQLite looks at no CHECK while it reads.
+/// Of one candidate, by amplitude and angle. UserError (bad_input) if one of them does not add up:
+/// SQLite looks at no CHECK while it reads.
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw);
 
 /// Takes over those of another catalogue whose candidates are in this one, of a splitting search

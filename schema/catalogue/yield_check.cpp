@@ -18,7 +18,6 @@ bool agree(const Json& stored, const Json& recomputed) {
 
 std::vector<Finding> check_yields(SQLite::Database& database) {
   std::vector<Finding> findings;
-  if (!has_yields(database)) return findings;
   SQLite::Statement row(database,
                         "SELECT yield.draw, amplitude_mm, trials, survivors, undecided, share, "
                         "share_low, share_high, candidate.draw IS NOT NULL, from_deg "

@@ -1,7 +1,11 @@
 // Checks a catalogue's yields: counts, shares and intervals must agree with each other.
 #pragma once
 
-#include "schema/catalogue/ledger_check.hpp"
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <vector>
+
+#include "schema/catalogue/finding.hpp"
 
 namespace misalign::schema {
 

@@ -9,9 +9,9 @@
 
 namespace misalign::schema {
 
-/// Since this version of the schema rows are the rarer the larger the draw's number (and have a
-/// column for it: fault_sample.stands_for). Rows of units whose run had an older schema are every
-/// 1024 draws, however large, and stay.
+/// Since this version of the schema, older than release 1.0.0, rows are the rarer the larger the
+/// draw's number. Rows of units whose run had an older schema are every 1024 draws, however large,
+/// and stay.
 inline constexpr int kRarerSampleSince = 4;
 
 /// The least number of draws from one row to the next.

@@ -7,7 +7,6 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/yield.hpp"
-#include "schema/exchange/plain_export.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/export_files.hpp"
@@ -29,7 +28,6 @@ struct ExportCall {
   DeckCall deck;
   KitCall kit;
   std::optional<double> friction_n_mm_per_mm;  // of mjcf
-  bool compat = false;
 
   // What the sheets' design says, in which what was typed is already.
   void take(const schema::Design& design) {
@@ -177,10 +175,7 @@ void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) 
     throw schema::UserError(schema::Cause::bad_request,
                             path +
                                 ": nothing is chosen of it (a catalogue holds many); say --best, "
-                                "--draw, --where, --diverse or --sqlite-compat");
-  } else if (call.compat) {
-    schema::export_plain(*schema::open_for_reading(path), call.files.directory);
-    put(schema::printable(call.files.directory) + "\n");
+                                "--draw, --where or --diverse");
   } else {
     check_by(call.choice);
     export_candidates(call);
@@ -239,8 +234,7 @@ constexpr const char* kExportFooter =
     "  misalign export search/patterns/table1.json --format svg --output out\n"
     "  misalign export search/patterns/table1.json --format dxf --kit --kerf 0.15 \\\n"
     "    --joint-bore 1.2 --spring-bore 1.5 --bed 600x400 --output out\n"
-    "  misalign export search/patterns/table1.json --format mjcf --from 90 --output out\n"
-    "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db";
+    "  misalign export search/patterns/table1.json --format mjcf --from 90 --output out";
 
 }  // namespace
 
@@ -255,14 +249,7 @@ Action export_verb(CLI::App& verb) {
       verb.add_option_group("choice", "which candidates of a catalogue (at least one of these)");
   auto* draw = add_draws(*group, choice.draws, "this one");
   const ChoiceOptions chosen = add_choice(verb, *group, choice);
-  auto* plain =
-      group->add_flag("--sqlite-compat", call->compat,
-                      "the whole catalogue as one file that SQLite 3.8 (2014) and later reads");
-  for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) {
-    draw->excludes(other);
-    plain->excludes(other);
-  }
-  draw->excludes(plain);
+  for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draw->excludes(other);
   verb.add_option("--format", files.format, "what to write, see above [json]")
       ->transform(one_of<ExportFormat>({{"json", ExportFormat::json},
                                         {"csv", ExportFormat::csv},
@@ -298,8 +285,7 @@ Action export_verb(CLI::App& verb) {
                 "svg and dxf: without the layers that are not to be cut, for programs that follow "
                 "hidden layers and marks, too");
   add_kit(verb, call->kit);
-  verb.add_option("--output", files.directory,
-                  "directory, made if it is not there; with --sqlite-compat a new file")
+  verb.add_option("--output", files.directory, "directory, made if it is not there")
       ->required()
       ->type_name("PATH");
   return [call, &verb, group] {

@@ -4,6 +4,7 @@
 
 #include "schema/catalogue/campaign_check.hpp"
 #include "schema/catalogue/recovery.hpp"
+#include "schema/catalogue/write_ahead_log.hpp"
 #include "search/terminal/nothing_found.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/status_text.hpp"

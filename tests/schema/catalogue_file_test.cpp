@@ -4,6 +4,7 @@
 #include "catalogue_fixture.hpp"
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/ledger_check.hpp"
+#include "tests/older_catalogues.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -71,6 +72,19 @@ TEST_F(CatalogueFile, NewerSchemaIsRefused) {
   }
 }
 
+// It says which program reads it, and stays as it is.
+TEST_F(CatalogueFile, SchemasBeforeTheFirstReleaseAreRefused) {
+  open();
+  SQLite::Database(path(), SQLite::OPEN_READWRITE)
+      .exec("PRAGMA user_version = " + std::to_string(kOldestSchemaVersion - 1));
+  const std::string before = bytes_of(path());
+  for (const Refusal& r : {refusal([&] { open(); }), refusal([&] { open_for_reading(path()); })}) {
+    EXPECT_EQ(r.cause, Cause::foreign);
+    EXPECT_NE(r.sentence.find("misalign 1.0.0"), std::string::npos) << r.sentence;
+  }
+  EXPECT_EQ(bytes_of(path()), before);
+}
+
 TEST_F(CatalogueFile, VersionAndKindAreThoseOfTheHeader) {
   open();
   SQLite::Database database(path());
@@ -133,7 +147,8 @@ TEST_F(CatalogueFile, LinksAreFollowedToTheirEnd) {
   EXPECT_NE(circle.sentence.find("link"), std::string::npos) << circle.sentence;
 }
 
-// A file of every schema there was: the same rows and digest afterwards, laid out as a new one.
+// A file of every schema since release 1.0.0: the same rows and digest afterwards, laid out as a
+// new one.
 TEST_F(CatalogueFile, OlderSchemasAreBroughtUpToDate) {
   const auto rows = [](const std::string& file, const std::string& columns) {
     return query_table(*open_for_reading(file), "SELECT " + columns + " FROM candidate",
@@ -152,9 +167,9 @@ TEST_F(CatalogueFile, OlderSchemasAreBroughtUpToDate) {
     while (statement.executeStep()) all += statement.getColumn(0).getString() + " ";
     return all;
   };
-  for (int version = 1; version < kSchemaVersion; ++version) {
-    const std::string name = "catalogue-" + std::to_string(version) + ".db";
-    const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/" + name;
+  for (const OlderCatalogue& fixture : kOlderCatalogues) {
+    const auto& [name, version, first] = fixture;
+    const std::string old = fixture.path();
     std::filesystem::copy_file(old, path(name));
     // Whatever has the name of its copy, there is one.
     const std::string copy = path(name) + ".version-" + std::to_string(version);
@@ -178,18 +193,18 @@ TEST_F(CatalogueFile, OlderSchemasAreBroughtUpToDate) {
     { Catalogue again(path(name), campaign, mechanism); }
     EXPECT_FALSE(std::filesystem::exists(copy + "-3"));
   }
-  EXPECT_EQ(count("candidates WHERE bump_deg IS NULL", "catalogue-1.db"),
-            count("candidate", "catalogue-1.db"));
-  EXPECT_EQ(count("undecided", "catalogue-2.db"), 1);
+  EXPECT_EQ(count("candidates WHERE bump_deg IS NULL", "catalogue-7-from-1.db"),
+            count("candidate", "catalogue-7-from-1.db"));
+  EXPECT_EQ(count("undecided", "catalogue-7-from-2.db"), 1);
   // Rows that today's rule would leave out stay, with the weight they had: draw 2^28 + 1024.
-  EXPECT_EQ(count("fault_sample WHERE stands_for = 1024", "catalogue-3.db"), 3);
-  EXPECT_EQ(count("fault_sample WHERE draw = 268436480", "catalogue-3.db"), 1);
+  EXPECT_EQ(count("fault_sample WHERE stands_for = 1024", "catalogue-7-from-3.db"), 3);
+  EXPECT_EQ(count("fault_sample WHERE draw = 268436480", "catalogue-7-from-3.db"), 1);
 }
 
 // An older catalogue goes on by today's rule, in the same file: each unit by that of its run.
 TEST_F(CatalogueFile, UnitsKeepTheRuleOfTheirRun) {
-  std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-3.db",
-                             path());
+  std::filesystem::copy_file(
+      std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7-from-3.db", path());
   const Campaign campaign = read_campaign_of(*open_for_reading(path()), path());
   const solver::Mechanism mechanism = mechanism_of(campaign);
   constexpr std::uint64_t k2_28 = 268435456;

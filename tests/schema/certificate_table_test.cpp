@@ -1,8 +1,9 @@
 // Certificates in a catalogue: what is kept, which of two is taken over, what is found to be
 // changed, and that the rest of the catalogue is as it was.
 #include "certificate_fixture.hpp"
-#include "schema/catalogue/population_rows.hpp"
-#include "schema/exchange/plain_export.hpp"
+#include "schema/catalogue/ledger_check.hpp"
+#include "schema/catalogue/sheets_once.hpp"
+#include "tests/older_catalogues.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -167,12 +168,11 @@ TEST_F(CertificateTest, OfOtherCandidatesNoneIsTakenOver) {
 }
 
 TEST_F(CertificateTest, OlderCataloguesHaveNoneUntilTheyAreBroughtUpToDate) {
-  for (int version = 1; version < kSchemaVersion; ++version) {
+  for (const OlderCatalogue& fixture : kOlderCatalogues) {
     const std::string old = path("old.db");
-    std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
-                                   std::to_string(version) + ".db",
-                               old, std::filesystem::copy_options::overwrite_existing);
-    std::filesystem::remove(old + ".version-" + std::to_string(version));
+    std::filesystem::copy_file(fixture.path(), old,
+                               std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::remove(old + ".version-" + std::to_string(fixture.version));
     const Campaign campaign = read_campaign_of(*open_for_reading(old), old);
     const solver::Mechanism mechanism = mechanism_of(campaign);
     std::uint64_t draw = 0;
@@ -185,7 +185,6 @@ TEST_F(CertificateTest, OlderCataloguesHaveNoneUntilTheyAreBroughtUpToDate) {
       EXPECT_EQ(check_certificates(*database, campaign).count, 0u);
       EXPECT_EQ(database->execAndGet("SELECT count(certified_deg) FROM candidates").getInt(), 0);
       EXPECT_EQ(database->execAndGet("SELECT count(*) FROM certificate").getInt(), 0);
-      export_plain(*database, path("plain-" + std::to_string(version) + ".db"));
     }
     const solver::Certificate nothing{170, CertificateEnd::flat_branch, -1, false, {}, {}};
     const CertificateRecord row = certificate_row(
@@ -196,19 +195,9 @@ TEST_F(CertificateTest, OlderCataloguesHaveNoneUntilTheyAreBroughtUpToDate) {
       EXPECT_TRUE(catalogue.keep({row}).empty());
       catalogue.close();
     }
-    EXPECT_EQ(kept(draw, "old.db"), row) << version;
-    EXPECT_EQ(state("old.db").digest, digest) << version;
+    EXPECT_EQ(kept(draw, "old.db"), row) << fixture.name;
+    EXPECT_EQ(state("old.db").digest, digest) << fixture.name;
   }
-}
-
-// With the table that the view of candidates reads.
-TEST_F(CertificateTest, PlainExportsHoldThem) {
-  keep({row()});
-  export_plain(*open_for_reading(path()), path("plain.db"));
-  SQLite::Database plain(path("plain.db"));
-  EXPECT_EQ(plain.execAndGet("SELECT certified_deg FROM candidates WHERE draw = 5").getDouble(),
-            row().certified_deg);
-  EXPECT_EQ(plain.execAndGet("SELECT proof FROM certificate").getString(), row().proof);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // Damaged catalogues: a sentence for whoever reads one or goes on writing it, and nothing worse.
+#include <algorithm>
+
 #include "catalogue_fixture.hpp"
 #include "schema/catalogue/ledger_check.hpp"
 #include "schema/catalogue/survival.hpp"
-#include "schema/exchange/plain_export.hpp"
 #include "schema/report/report.hpp"
 
 namespace misalign::schema {
@@ -141,21 +142,6 @@ TEST_F(DamageTest, WritersStop) {
   for (const auto& [sql, word] : kDamages) {
     damage(sql);
     expect_bad_file(refusal(write_on), word, sql);
-  }
-}
-
-// What cannot be read is the catalogue's fault, not that of the file that is written.
-TEST_F(DamageTest, PlainExportsNameTheCatalogue) {
-  const std::pair<const char*, const char*> kDamages[] = {
-      {"DROP TABLE undecided", "undecided"},
-      {"UPDATE candidate SET displacements_mm = 'nonsense'", "JSON"},
-      {"DROP VIEW diagonals; CREATE VIEW diagonals AS SELECT 1 AS one", "diagonals"},
-  };
-  for (const auto& [sql, word] : kDamages) {
-    damage(sql);
-    expect_bad_file(refusal([&] { export_plain(*open_for_reading(path()), path("plain.db")); }),
-                    word, sql);
-    EXPECT_FALSE(std::filesystem::exists(path("plain.db")));
   }
 }
 

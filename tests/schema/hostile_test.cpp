@@ -8,9 +8,9 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
-#include "schema/exchange/plain_export.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "tests/bench/cpu_seconds.hpp"
+#include "tests/older_catalogues.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -159,10 +159,7 @@ TEST_F(HostileTest, StatementsCallKnownFunctionsOnly) {
 TEST_F(HostileTest, AllThatACatalogueHasIsRead) {
   write_good();
   std::vector<std::string> files{path()};
-  for (int version = 1; version < kSchemaVersion; ++version) {
-    files.push_back(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
-                    std::to_string(version) + ".db");
-  }
+  for (const OlderCatalogue& fixture : kOlderCatalogues) files.push_back(fixture.path());
   for (const std::string& file : files) {
     const auto database = open_for_reading(file);
     SQLite::Statement row(*database,

@@ -125,7 +125,8 @@ TEST_F(StorageTest, EveryOperationMayFail) {
 
 // A migration is made whole or not at all.
 TEST_F(StorageTest, MigrationsMayFail) {
-  const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-1.db";
+  const std::string old =
+      std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7-from-1.db";
   const Campaign campaign = read_campaign_of(*open_for_reading(old), "fixture");
   const solver::Mechanism mechanism = mechanism_of(campaign);
   const std::string digest = read_state(*open_for_reading(old)).digest;
@@ -145,7 +146,7 @@ TEST_F(StorageTest, MigrationsMayFail) {
     { Catalogue again(path(), campaign, mechanism); }
     EXPECT_EQ(state().digest, digest);
     EXPECT_TRUE(check_ledger(*open_for_reading(path()), campaign).empty());
-    const std::string backup = path() + ".version-1";
+    const std::string backup = path() + ".version-7";
     EXPECT_EQ(read_state(*open_for_reading(backup)).digest, digest);
     EXPECT_EQ(open_for_reading(backup)->execAndGet("PRAGMA integrity_check").getString(), "ok");
     return count;

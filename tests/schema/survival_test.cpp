@@ -134,9 +134,10 @@ TEST(Survival, OneInAThousand) {
 
 using SurvivalOfCatalogue = CatalogueTest;
 
-// By SQL alone, and from a catalogue of an older schema, all of whose rows stand for 1024 draws.
+// By SQL alone, and from a catalogue whose program gave all rows 1024 draws to stand for.
 TEST_F(SurvivalOfCatalogue, ReadsRowsWithTheirWeights) {
-  const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-3.db";
+  const std::string old =
+      std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7-from-3.db";
   const Campaign campaign = read_campaign_of(*open_for_reading(old), old);
   const Survival before = read_survival(*open_for_reading(old));
   EXPECT_EQ(before.all().rows, 3u);

@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "schema/catalogue/metric_table.hpp"
-#include "schema/catalogue/since.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/input.hpp"
@@ -130,19 +129,17 @@ std::map<std::string, Column> candidate_columns(const std::string& sql) {
 }
 
 TEST(MetricTable, IsTheColumnsOfEverySchema) {
-  std::string made = carried_text("schema/versions/1.sql");
-  for (int version = 1; version <= kSchemaVersion; ++version) {
+  std::string made = carried_text("schema/versions/7.sql");
+  for (int version = kOldestSchemaVersion; version <= kSchemaVersion; ++version) {
     std::map<std::string, Column> expected;
     for (const schema::MetricEntry& metric : schema::metric_table()) {
-      const bool is_there = metric.schema_since <= version;
-      EXPECT_EQ(column_sql("candidate", metric.name, version),
-                is_there ? '"' + std::string(metric.name) + '"' : "NULL");
-      if (!is_there) continue;
+      if (metric.schema_since > version) continue;
       const bool came_later = metric.schema_since > 1;  // null in rows from before
       expected[metric.name] = {metric.is_whole() ? "INTEGER" : "REAL",
                                metric.may_be_none() || came_later};
     }
-    if (version > 1) made += carried_text("schema/migrations/" + std::to_string(version) + ".sql");
+    if (version > kOldestSchemaVersion)
+      made += carried_text("schema/migrations/" + std::to_string(version) + ".sql");
     EXPECT_EQ(candidate_columns(made), expected) << version;
     if (version < kSchemaVersion) continue;
     EXPECT_EQ(candidate_columns(carried_text("schema/catalogue.sql")), expected);

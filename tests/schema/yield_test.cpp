@@ -4,9 +4,10 @@
 #include <boost/math/special_functions/beta.hpp>
 
 #include "catalogue_fixture.hpp"
+#include "schema/catalogue/ledger_check.hpp"
 #include "schema/catalogue/metric_table.hpp"
 #include "schema/catalogue/yield_check.hpp"
-#include "schema/exchange/plain_export.hpp"
+#include "tests/older_catalogues.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -242,45 +243,22 @@ TEST_F(YieldTest, WhatDoesNotAddUpIsNotRead) {
   }
 }
 
-// A key of two columns is no number of rows.
-TEST_F(YieldTest, PlainExportsHoldEveryAmplitude) {
-  keep({{5, 0.05, 100, 90, 0}, {5, 0.1, 100, 60, 0}, {102, 0.05, 100, 95, 0}});
-  const Refusal r = refusal([&] { export_plain(*open_for_reading(path()), path("plain.db")); });
-  ASSERT_EQ(r.sentence, "");
-  SQLite::Database plain(path("plain.db"));
-  const auto text = [&](const std::string& sql) { return plain.execAndGet(sql).getString(); };
-  EXPECT_EQ(text("SELECT group_concat(draw || ' ' || amplitude_mm || ' ' || survivors, ', ') FROM "
-                 "(SELECT * FROM yield ORDER BY draw, amplitude_mm)"),
-            "5 0.05 90, 5 0.1 60, 102 0.05 95");
-  EXPECT_EQ(text("SELECT count(*) FROM yields"), "3");
-  const auto keys = [&](const std::string& table) {
-    return text("SELECT coalesce(group_concat(name), '') FROM pragma_table_info('" + table +
-                "') WHERE pk > 0");
-  };
-  EXPECT_EQ(keys("candidate"), "draw");
-  EXPECT_EQ(keys("unit"), "lo");
-  EXPECT_EQ(keys("yield"), "");
-  EXPECT_EQ(keys("screened"), "");
-}
-
 // A catalogue of an older schema answers today's questions, and stays as it is.
 TEST_F(YieldTest, OlderCataloguesHaveNone) {
-  for (int version = 1; version < kSchemaVersion; ++version) {
-    const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
-                            std::to_string(version) + ".db";
-    ASSERT_TRUE(std::filesystem::exists(old)) << old;
+  for (const OlderCatalogue& fixture : kOlderCatalogues) {
+    const std::string old = fixture.path();
     const auto database = open_for_reading(old);
     for (const char* name : {"best", "tolerant", "yields", "smooth", "simplest", "stroke"}) {
       const Refusal r =
           refusal([&] { query_table(*database, named_query(name), TableStyle::json); });
-      EXPECT_EQ(r.sentence, "") << name << ", version " << version;
+      EXPECT_EQ(r.sentence, "") << name << ", " << old;
     }
     EXPECT_TRUE(read_yields(*database, 0).empty());
     EXPECT_TRUE(check_yields(*database).empty());
     EXPECT_GT(database->execAndGet("SELECT count(*) FROM candidates").getInt(), 10);
     const int margins =
         database->execAndGet("SELECT count(miscut_margin_mm) FROM candidates").getInt();
-    EXPECT_EQ(margins > 0, version >= find_metric("miscut_margin_mm")->schema_since);
+    EXPECT_EQ(margins > 0, fixture.first >= find_metric("miscut_margin_mm")->schema_since);
     EXPECT_EQ(database->execAndGet("SELECT count(yield) FROM candidates").getInt(), 0);
   }
 }

@@ -246,7 +246,7 @@ TEST_F(MergeTest, RowsThatNoCatalogueMayHoldAreRefused) {
 // The ledger of an older schema goes in as it is.
 TEST_F(MergeTest, OlderSchemas) {
   const std::string fixtures = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/";
-  const auto one = fixtures + "catalogue-1.db", two = fixtures + "catalogue-2.db";
+  const auto one = fixtures + "catalogue-7-from-1.db", two = fixtures + "catalogue-7-from-2.db";
   std::vector<std::string> inputs = {one, two};
   const MergeReport report = merge({path("all.db"), inputs, run_, schema::Builds::mixed});
   for (const auto& finding : report.findings) ADD_FAILURE() << finding.sentence;
@@ -260,8 +260,8 @@ TEST_F(MergeTest, OlderSchemas) {
 // one when it is decided.
 TEST_F(MergeTest, DecidedDrawsKeepTheirRows) {
   constexpr std::uint64_t kDraw = 268436480;  // 2^28 + 1024, of unit 268436470
-  std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-3.db",
-                             path("old.db"));
+  std::filesystem::copy_file(
+      std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7-from-3.db", path("old.db"));
   DrawEvaluator evaluator(
       schema::read_campaign_of(*schema::open_for_reading(path("old.db")), "old.db"));
   { schema::Catalogue(path("old.db"), evaluator.campaign(), evaluator.mechanism()); }
@@ -296,7 +296,8 @@ TEST_F(MergeTest, DecidedDrawsKeepTheirRows) {
 // A catalogue whose rows are denser than today's goes in with a new one of the same draws: rows
 // that both have are compared, none is lost, and what is made again has those of today's rule.
 TEST_F(MergeTest, DenserFaultSamples) {
-  const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-3.db";
+  const std::string old =
+      std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7-from-3.db";
   constexpr std::uint64_t k2_28 = 268435456;
   const auto in = [&](const std::string& sql) {
     std::filesystem::copy_file(old, path("old.db"),

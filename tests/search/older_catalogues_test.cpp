@@ -1,8 +1,11 @@
-// Catalogues of every schema there was: they are verified as what they are, and joined with what
-// this program finds.
+// Catalogues of every schema since release 1.0.0: they are verified as what they are, and joined
+// with what this program finds.
+#include "tests/older_catalogues.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <span>
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
@@ -14,13 +17,9 @@
 namespace misalign::search {
 namespace {
 
-class OlderCatalogues : public testing::TestWithParam<int> {
+class OlderCatalogues : public testing::TestWithParam<OlderCatalogue> {
  protected:
-  void SetUp() override {
-    std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
-                                   std::to_string(GetParam()) + ".db",
-                               path("old.db"));
-  }
+  void SetUp() override { std::filesystem::copy_file(GetParam().path(), path("old.db")); }
 
   std::string path(const std::string& name) const { return folder_.file(name); }
   schema::CatalogueState state(const std::string& name) const {
@@ -33,7 +32,7 @@ class OlderCatalogues : public testing::TestWithParam<int> {
     EXPECT_GT(v.checked.size(), 10u);
     EXPECT_EQ(v.units.checked, v.units.of);
     // Draw 19 of the fixture has a bump by the cubics of then, and none by today's function.
-    if (GetParam() == 2) {
+    if (GetParam().first == 2) {
       EXPECT_GE(v.not_comparable, 1u);
       EXPECT_EQ(v.other_definitions, (std::set<std::string>{"bump_deg"}));
       EXPECT_NE(verification_text(v).find("bump_deg"), std::string::npos);
@@ -87,9 +86,13 @@ TEST_P(OlderCatalogues, AreJoinedWithAFreshRun) {
   }
 }
 
-constexpr int kLastOlder = schema::kSchemaVersion - 1;
-INSTANTIATE_TEST_SUITE_P(SlowOnes, OlderCatalogues, testing::Range(1, kLastOlder));
-INSTANTIATE_TEST_SUITE_P(Last, OlderCatalogues, testing::Values(kLastOlder));
+std::string first_name(const testing::TestParamInfo<OlderCatalogue>& info) {
+  return std::to_string(info.param.first) + "_" + std::to_string(info.param.version);
+}
+const std::span kAll(kOlderCatalogues);
+INSTANTIATE_TEST_SUITE_P(SlowOnes, OlderCatalogues, testing::ValuesIn(kAll.begin(), kAll.end() - 1),
+                         first_name);
+INSTANTIATE_TEST_SUITE_P(Last, OlderCatalogues, testing::Values(kAll.back()), first_name);
 
 }  // namespace
 }  // namespace misalign::search

@@ -7,7 +7,7 @@ share=$prefix/share
 
 for file in share/doc/misalign/README.md share/doc/misalign/search/manual/index.md \
   share/doc/misalign/LICENSE share/misalign/schema/catalogue.sql \
-  share/misalign/schema/campaign.schema.json share/misalign/schema/migrations/2.sql \
+  share/misalign/schema/campaign.schema.json share/misalign/schema/migrations/8.sql \
   share/misalign/patterns/table1.json share/bash-completion/completions/misalign \
   share/zsh/site-functions/_misalign; do
   [ -s "$prefix/$file" ] || fail "$file is not there"

@@ -54,17 +54,6 @@ refused 3 "no such file" a.db nowhere.db
 "$program" merge all.db a.db > /dev/null 2> err
 [ $? = 2 ] && grep -q "exists already" err || fail "an output that exists"
 
-# For readers that know no STRICT tables.
-"$program" export all.db --sqlite-compat --output plain.db > /dev/null || fail "export --sqlite-compat"
-sql plain.db 'SELECT group_concat(sql) FROM sqlite_master' | grep -qiE 'strict|generated|trigger|json|over *\(|without rowid' &&
-  fail "a plain file with what old readers do not know"
-for table in run unit candidate fault_sample displacements diagonals; do
-  [ "$(sql plain.db "SELECT count(*) FROM $table")" = "$(sql all.db "SELECT count(*) FROM $table")" ] ||
-    fail "the plain file's $table"
-done
-[ "$(sql plain.db 'SELECT sum(dx_mm) + sum(dy_mm) FROM displacements')" = \
-  "$(sql all.db 'SELECT sum(dx_mm) + sum(dy_mm) FROM displacements')" ] || fail "the plain file's numbers"
-
 "$program" doctor > out || fail "doctor"
 grep -q "golden verdicts" out || fail "doctor says nothing of verdicts"
 "$program" doctor nowhere > /dev/null && fail "doctor of a place that is not there"

@@ -18,9 +18,6 @@ for name in all.db.partial all.db.part all.db.tmp; do
   cp a.db $name
   "$program" merge all.db b.db $name > out 2> err || { fail "merge of $name"; cat err; }
   [ "$(of $name)" = "$(of a.db)" ] || fail "merge: $name is not what it was"
-  rm -f all.db
-  "$program" export $name --sqlite-compat --output all.db > out 2> err || { fail "export of $name"; cat err; }
-  [ "$(of $name)" = "$(of a.db)" ] || fail "export: $name is not what it was"
   rm -f all.db $name
 done
 # A journal's name beside the output: SQLite would take it for the output's own.
@@ -73,14 +70,13 @@ alone
 mode_of() { stat -c %a "$1"; }
 chmod 600 a.db
 "$program" merge all.db b.db a.db > /dev/null || fail "merge of a private catalogue"
-"$program" export a.db --sqlite-compat --output plain.db > /dev/null || fail "export of a private catalogue"
-[ "$(mode_of all.db) $(mode_of plain.db)" = "600 600" ] || fail "modes $(mode_of all.db) $(mode_of plain.db)"
-rm -f all.db plain.db
-cp "$source_dir/tests/fixtures/catalogue-1.db" old.db
+[ "$(mode_of all.db)" = 600 ] || fail "mode $(mode_of all.db)"
+rm -f all.db
+cp "$source_dir/tests/fixtures/catalogue-7.db" old.db
 chmod 640 old.db
 sqlite3 old.db 'SELECT configuration FROM campaign' > old.json
 "$program" search old.json --catalogue old.db --draws 1 --allow-mixed-builds > /dev/null 2> err || { fail "an older schema"; cat err; }
-[ "$(mode_of old.db.version-1)" = 640 ] || fail "the copy of an older schema has mode $(mode_of old.db.version-1)"
+[ "$(mode_of old.db.version-7)" = 640 ] || fail "the copy of an older schema has mode $(mode_of old.db.version-7)"
 chmod 644 a.db
 "$program" merge all.db a.db b.db > /dev/null || fail "merge"
 [ "$(mode_of all.db)" = 644 ] || fail "mode $(mode_of all.db)"

@@ -140,7 +140,6 @@ refused 2 "draw 7 can only be chosen from a catalogue" actuators "$table1" 7
 refused 2 "no DRAW is given" actuators a.db
 refused 2 "nothing is chosen" export a.db --output none
 refused 2 "--best can only be chosen" export "$table1" --best 3 --output none
-refused 2 "--sqlite-compat can only" export "$table1" --sqlite-compat --output none
 refused 2 "replace the one that is read" export out/table1.json --output out
 refused 2 "--all can only" verify "$table1" --all
 refused 2 "--sample can only" verify "$table1" --sample 5

@@ -112,11 +112,11 @@ for other in "" other.db; do
 done
 
 # An older catalogue is brought up to date, a copy of it kept.
-cp "$source_dir/tests/fixtures/catalogue-2.db" old.db
+cp "$source_dir/tests/fixtures/catalogue-7.db" old.db
 old=$(sql old.db 'SELECT draw FROM candidate LIMIT 1')
 "$program" tolerance old.db "$old" --amplitude 0.05 --trials 20 > /dev/null || fail "an older one"
 [ "$(sql old.db 'SELECT trials FROM yield')" = 20 ] || fail "an older one keeps nothing"
-[ -s old.db.version-2 ] || fail "an older one was not copied"
+[ -s old.db.version-7 ] || fail "an older one was not copied"
 
 # refused CODE WORDS ARGS...
 refused() {

@@ -48,8 +48,7 @@ report json.db other.db --output page.html|two files match (json.db, other.db)
 search quick.json quick.json|two files match
 status json.db nothing.db|status takes no further argument, such as nothing.db;
 END
-for good in "query json.db best" "export json.db --sqlite-compat --output plain.db" \
-  "export --best 1 json.db --output folder.db"; do
+for good in "query json.db best" "export --best 1 json.db --output folder.db"; do
   # shellcheck disable=SC2086
   "$program" $good > out 2> err || fail "$good: $(cat err)"
 done

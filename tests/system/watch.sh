@@ -220,7 +220,7 @@ becomes "another file" 503 "j ->> '$.problem' GLOB '*is no catalogue*'"
 { head -c 30000 away.db; head -c 60000 /dev/urandom; } > run.db
 becomes "damaged" 503 "j ->> '$.problem' NOT GLOB '*is no catalogue*'"
 eventually "the page of a damaged one" page_is 503
-cp "$source_dir/tests/fixtures/catalogue-1.db" run.db
+cp "$source_dir/tests/fixtures/catalogue-7-from-1.db" run.db
 becomes "replaced by an older one" 200 "j ->> '$.state.identity' != '$identity'"
 says 200 sheet/0 "j ->> '$.identity' = '$(live state.identity)' AND j ->> '$.detail.draw' = '0'" ||
   fail "a sheet does not say of which campaign it is: $(head -c 300 body)"
