@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Format of the C++ files, that standard output has one door, that files and functions are short and no
 # include points to a later folder, that the manual holds together and is spelled, and that all files name one
-# version. With --lint ESLint on the page instead, with --tidy clang-tidy on every room, which takes minutes, or on those
+# version. With --lint ESLint and Prettier on the page instead (--lint --write formats it), with --tidy clang-tidy on every room, which takes minutes, or on those
 # that match: --tidy 'solver/(pattern|linear)'.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -14,16 +14,18 @@ tidy() {
   run-clang-tidy -p build/tidy -j 2 -quiet "$PWD/(build/tidy/)?${1:-(solver|schema|search)}/" > $log 2> $log.err ||
     { grep -vE '^clang-tidy|^$' $log; exit 1; }
 }
-# ESLint as the lock file pins it, beside what it is told.
+# ESLint and Prettier as the lock file pins them, beside what they are told.
 lint() {
   mkdir -p build/lint
   cp scripts/lint/* scripts/lint/.npmrc build/lint
   (cd build/lint && npm ci --silent)
+  build/lint/node_modules/.bin/prettier --config build/lint/prettier.json --log-level warn "${1:---check}" \
+    {schema,tests}/report/'*.{js,mjs}'
   build/lint/node_modules/.bin/eslint --config build/lint/eslint.config.js schema/report tests/report
 }
 case "${1:-}" in
   --tidy) tidy "${2:-}"; exit ;;
-  --lint) lint; exit ;;
+  --lint) lint "${2:-}"; exit ;;
 esac
 
 mapfile -t files < <(git ls-files '*.cpp' '*.hpp')
