@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Format of the C++ files, that standard output has one door, that files and functions are short and no
-# include points to a later folder, that the manual holds together and is spelled, and that all files name one
-# version. With --lint ESLint and Prettier on the page instead (--lint --write formats it), with --tidy clang-tidy on every room, which takes minutes, or on those
-# that match: --tidy 'solver/(pattern|linear)'.
+# include points to a later folder, that no number of scripts/house.json is worse, that the manual
+# holds together and is spelled, and that all files name one version. Instead with
+#   --lint [--write]: ESLint and Prettier on the page's JavaScript; --write lays it out;
+#   --tidy [PATTERN]: clang-tidy on every room, which takes minutes, or on those that match: 'solver/(pattern|linear)'.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tidy() {
