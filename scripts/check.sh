@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Format of the C++ files, that standard output has one door, that files and functions are short and no
-# include points to a later folder, that no number of scripts/house.json is worse, that the manual
-# holds together and is spelled, and that all files name one version. Instead with
+# include points to a later folder, that no number of scripts/house.json is worse, that what is said of the code names
+# what it has, that the manual holds together and is spelled, and that all files name one version. Instead with
 #   --lint [--write]: ESLint and Prettier on the page's JavaScript; --write lays it out;
 #   --tidy [PATTERN]: clang-tidy on every room, which takes minutes, or on those that match: 'solver/(pattern|linear)'.
 set -euo pipefail
@@ -37,6 +37,7 @@ if git grep -nE 'std::(printf|puts|putchar|cout)\b|fwrite\(|fput[sc]\(.*stdout|^
   exit 1
 fi
 python3 scripts/house.py --check
+python3 scripts/names.py
 python3 scripts/manual.py
 git ls-files -z '*.md' 'search/python/*.py' | xargs -0 codespell --ignore-words-list debians,followings
 # mpirun's own options are known to who starts it.

@@ -1,4 +1,5 @@
-# scripts/house.py, on a tree of some lines: a number that is worse fails, and one that is better is kept by --write.
+# scripts/house.py and names.py, on a tree of some lines: a number that is worse fails, one that is better is kept by
+# --write, and a name that the code does not have is found where it stands.
 . "$(dirname "$0")/lib.sh"
 python=$source_dir/scripts
 mkdir -p solver/pattern solver/linear schema search/draws scripts
@@ -48,4 +49,23 @@ printf '#include "solver/linear/a.hpp"\n' > solver/pattern/d.cpp
 house --check && fail "a long file and an include upwards pass"
 grep -q 'solver/pattern/c.cpp: 351 lines' out || fail "no long file: $(cat out)"
 grep -q 'd.cpp includes solver/linear/a.hpp, which is in a later room' out || fail "no include upwards: $(cat out)"
+
+# Names: what code has is none, nor what stands in a changelog; the others are found with their lines.
+git init -q .
+printf 'The `kLines` of `linear/a`, and `solver/linear/`.\nNot `kNone`, `NoType`, `no_such()` or `linear/z`; `X_json` is.\n' > README.md
+printf 'There was `kNone`.\n' > CHANGELOG.md
+printf '// NoType, in tests/none_test.cpp: kLines are in solver/linear/a.hpp.\n' > solver/linear/e.cpp
+printf 'X_json\n' > words.json
+git add README.md CHANGELOG.md solver/linear search words.json
+python3 "$python/names.py" . > out 2>&1 && fail "names of nothing pass"
+cut -d: -f1-3 out | sort > found
+sort > expected << 'END'
+README.md:2: kNone
+README.md:2: NoType
+README.md:2: no_such
+README.md:2: linear/z
+solver/linear/e.cpp:1: NoType
+solver/linear/e.cpp:1: tests/none_test.cpp
+END
+diff expected found || fail "names: $(cat out)"
 finish
