@@ -3,7 +3,8 @@
 # include points to a later folder, that no number of scripts/house.json is worse, that what is said of the code names
 # what it has, that the manual holds together and is spelled, and that all files name one version. Instead with
 #   --lint [--write]: ESLint and Prettier on the page's JavaScript; --write lays it out;
-#   --tidy [PATTERN]: clang-tidy on every room, which takes minutes, or on those that match: 'solver/(pattern|linear)'.
+#   --tidy [PATTERN] [--for SECONDS]: clang-tidy on every room, or on those that match, such as 'solver/(pattern|linear)';
+#     the first time takes many minutes, then what has changed since it was clean.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tidy() {
@@ -11,9 +12,7 @@ tidy() {
   cmake --preset release -B build/tidy -DMISALIGN_TESTS=OFF -DMISALIGN_PYTHON=ON \
     -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
   cmake --build build/tidy --target build_info > /dev/null  # generated, and a source
-  log=build/tidy/findings
-  run-clang-tidy -p build/tidy -j 2 -quiet "$PWD/(build/tidy/)?${1:-(solver|schema|search)}/" > $log 2> $log.err ||
-    { grep -vE '^clang-tidy|^$' $log; exit 1; }
+  python3 scripts/tidy.py build/tidy "$@"
 }
 # ESLint and Prettier as the lock file pins them, beside what they are told.
 lint() {
@@ -25,7 +24,7 @@ lint() {
   build/lint/node_modules/.bin/eslint --config build/lint/eslint.config.js schema/report tests/report
 }
 case "${1:-}" in
-  --tidy) tidy "${2:-}"; exit ;;
+  --tidy) shift; tidy "$@"; exit ;;
   --lint) lint "${2:-}"; exit ;;
 esac
 

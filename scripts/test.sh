@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and runs every unit test and the system tests that are quick; after scripts/run.sh,
-# only tests are left to be built. --all: with warnings as errors, every test there is, ESLint, clang-tidy of the
-# solver's first rooms, what is built on request only, and the unit tests once more under the address and
-# undefined-behaviour sanitizers.
+# only tests are left to be built. --all: with warnings as errors, every test there is, ESLint, four minutes of
+# clang-tidy, what is built on request only, and the unit tests once more under the address and undefined-behaviour
+# sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -50,8 +50,8 @@ all() {
   configure -DMISALIGN_WERROR=ON $once
   cmake --build --preset release
   wait $packages || { cat build/packages.log; exit 1; }
-  stage "clang-tidy of the rooms of a draw's way"
-  scripts/check.sh --tidy 'solver/(pattern|kinematics|linear|continuation|verdict|model|judging|records)'
+  stage "clang-tidy: what the last commits changed, then rooms in turn"
+  scripts/check.sh --tidy --for 240
   # Beside the tests of the release, of which many wait.
   stage "release: every test; sanitizers beside it"
   log=build/sanitizers.log
@@ -78,5 +78,5 @@ esac
 stage "done"
 echo "== in all: $SECONDS s"
 [ "${1-}" = --all ] || echo "scripts/test.sh --all adds: warnings as errors, the long system tests (Python, browser," \
-  "cluster, packages, core alone), sanitizers, ESLint, clang-tidy of the solver's first rooms and the programs of the studies." \
-  "clang-tidy of all rooms: scripts/check.sh --tidy."
+  "cluster, packages, core alone), sanitizers, ESLint, four minutes of clang-tidy and the programs of the" \
+  "studies. clang-tidy of all rooms: scripts/check.sh --tidy."
