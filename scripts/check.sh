@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Format of the C++ files, that standard output has one door, that files and functions are short and no
-# include points to a later folder, that the manual holds together and is spelled, and that all files name one
-# version. With --lint ESLint on the page instead, with --tidy clang-tidy on every room, which takes minutes, or on those
-# that match: --tidy 'solver/(pattern|linear)'.
+# include points to a later folder, that no number of scripts/house.json is worse, that what is said of the code names
+# what it has, that the manual holds together and is spelled, and that all files name one version. Instead with
+#   --lint [--write]: ESLint and Prettier on the page's JavaScript; --write lays it out;
+#   --tidy [PATTERN] [--for SECONDS]: clang-tidy on every room, or on those that match, such as 'solver/(pattern|linear)';
+#     the first time takes many minutes, then what has changed since it was clean.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tidy() {
@@ -10,20 +12,20 @@ tidy() {
   cmake --preset release -B build/tidy -DMISALIGN_TESTS=OFF -DMISALIGN_PYTHON=ON \
     -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
   cmake --build build/tidy --target build_info > /dev/null  # generated, and a source
-  log=build/tidy/findings
-  run-clang-tidy -p build/tidy -j 2 -quiet "$PWD/(build/tidy/)?${1:-(solver|schema|search)}/" > $log 2> $log.err ||
-    { grep -vE '^clang-tidy|^$' $log; exit 1; }
+  python3 scripts/tidy.py build/tidy "$@"
 }
-# ESLint as the lock file pins it, beside what it is told.
+# ESLint and Prettier as the lock file pins them, beside what they are told.
 lint() {
   mkdir -p build/lint
   cp scripts/lint/* scripts/lint/.npmrc build/lint
   (cd build/lint && npm ci --silent)
+  build/lint/node_modules/.bin/prettier --config build/lint/prettier.json --log-level warn "${1:---check}" \
+    {schema,tests}/report/'*.{js,mjs}'
   build/lint/node_modules/.bin/eslint --config build/lint/eslint.config.js schema/report tests/report
 }
 case "${1:-}" in
-  --tidy) tidy "${2:-}"; exit ;;
-  --lint) lint; exit ;;
+  --tidy) shift; tidy "$@"; exit ;;
+  --lint) lint "${2:-}"; exit ;;
 esac
 
 mapfile -t files < <(git ls-files '*.cpp' '*.hpp')
@@ -34,6 +36,7 @@ if git grep -nE 'std::(printf|puts|putchar|cout)\b|fwrite\(|fput[sc]\(.*stdout|^
   exit 1
 fi
 python3 scripts/house.py --check
+python3 scripts/names.py
 python3 scripts/manual.py
 git ls-files -z '*.md' 'search/python/*.py' | xargs -0 codespell --ignore-words-list debians,followings
 # mpirun's own options are known to who starts it.

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds with warnings as errors and runs every unit test and the system tests that are
-# quick. --all: every test there is, ESLint, clang-tidy of the solver's first rooms, what is built on request only, and
-# the unit tests once more under the address and undefined-behaviour sanitizers.
+# Installs what is missing, builds and runs every unit test and the system tests that are quick; after scripts/run.sh,
+# only tests are left to be built. --all: with warnings as errors, every test there is, ESLint, four minutes of
+# clang-tidy, what is built on request only, and the unit tests once more under the address and undefined-behaviour
+# sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -10,7 +11,7 @@ stage() {  # ends the last stage with how long it took, and begins the next
   [ -z "${begun_s-}" ] || echo "== $stage: $((SECONDS - begun_s)) s"
   stage=$1 begun_s=$SECONDS
 }
-configure() { cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON -DMISALIGN_PYTHON=ON "$@" > /dev/null; }
+configure() { cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_PYTHON=ON "$@" > /dev/null; }
 
 quick() {
   stage "packages and layout"
@@ -46,11 +47,11 @@ all() {
   mkdir -p build
   need_packages $test_packages $hosts_packages > build/packages.log 2>&1 &
   packages=$!
-  configure $once
+  configure -DMISALIGN_WERROR=ON $once
   cmake --build --preset release
   wait $packages || { cat build/packages.log; exit 1; }
-  stage "clang-tidy of the rooms of a draw's way"
-  scripts/check.sh --tidy 'solver/(pattern|kinematics|linear|continuation|verdict|model|judging|records)'
+  stage "clang-tidy: what the last commits changed, then rooms in turn"
+  scripts/check.sh --tidy --for 240
   # Beside the tests of the release, of which many wait.
   stage "release: every test; sanitizers beside it"
   log=build/sanitizers.log
@@ -76,6 +77,6 @@ case "${1-}" in
 esac
 stage "done"
 echo "== in all: $SECONDS s"
-[ "${1-}" = --all ] || echo "scripts/test.sh --all adds: the long system tests (Python, browser, cluster, packages," \
-  "core alone), sanitizers, ESLint, clang-tidy of the solver's first rooms and the programs of the studies." \
-  "clang-tidy of all rooms: scripts/check.sh --tidy."
+[ "${1-}" = --all ] || echo "scripts/test.sh --all adds: warnings as errors, the long system tests (Python, browser," \
+  "cluster, packages, core alone), sanitizers, ESLint, four minutes of clang-tidy and the programs of the" \
+  "studies. clang-tidy of all rooms: scripts/check.sh --tidy."

@@ -13,7 +13,11 @@ function show_figures(report) {
   const { rate, rate_low, rate_high } = state.acceptance ?? {};
   const known = rate !== null && rate !== undefined;
   show_tiles([
-    tile("Draws", count(state.draws), how_far(state.complete, state.draws, state.without_end ? null : state.missing)),
+    tile(
+      "Draws",
+      count(state.draws),
+      how_far(state.complete, state.draws, state.without_end ? null : state.missing),
+    ),
     tile(
       "Accepted",
       count(state.accepted),

@@ -2,7 +2,15 @@
 // a reload or the back button shows them again, also on a page opened from a file.
 
 const kQuiet_ms = 300; // what changes faster than that is one step of the back button
-const kNames = { draw: "picked", filter: "filter", sort: "sort", across: "across", up: "up", columns: "columns", beside: "beside" };
+const kNames = {
+  draw: "picked",
+  filter: "filter",
+  sort: "sort",
+  across: "across",
+  up: "up",
+  columns: "columns",
+  beside: "beside",
+};
 
 /** The hash of what differs from how the page begins. */
 function hash_of(state, beginning) {

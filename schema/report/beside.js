@@ -21,32 +21,58 @@ const kStart = "start";
 function held_one(report, candidates, held, picked) {
   const detail_of = (draw) => report.details.find((entry) => entry.draw === draw);
   if (held !== kStart) {
-    return { name: heading(report, held), values: values_of(report, candidates, held), detail: detail_of(held) };
+    return {
+      name: heading(report, held),
+      values: values_of(report, candidates, held),
+      detail: detail_of(held),
+    };
   }
   const ascent = detail_of(picked)?.ascent;
   if (!ascent?.start) return null;
   const name = `${heading(report, picked)} as drawn`;
-  return { name, values: { ...ascent.start.metrics, end_value: ascent.start_value }, detail: ascent.start };
+  return {
+    name,
+    values: { ...ascent.start.metrics, end_value: ascent.start_value },
+    detail: ascent.start,
+  };
 }
 
 function comparison(report, candidates, held, picked) {
   const one = held.values;
   const other = values_of(report, candidates, picked);
   const cell = (metric, values, is_better) =>
-    h("td", is_better ? { class: "better", title: "The better of the two" } : {}, with_unit(metric, values[metric.name]));
+    h(
+      "td",
+      is_better ? { class: "better", title: "The better of the two" } : {},
+      with_unit(metric, values[metric.name]),
+    );
   const lines = metrics
     .filter(({ name }) => one[name] !== undefined && other[name] !== undefined)
     .map((metric) => {
       const which = which_is_better(metric, one[metric.name], other[metric.name]);
-      return h("tr", { "data-metric": metric.name },
+      return h(
+        "tr",
+        { "data-metric": metric.name },
         h("th", { scope: "row", title: metric.about }, metric.label),
         cell(metric, one, which < 0),
-        cell(metric, other, which > 0));
+        cell(metric, other, which > 0),
+      );
     });
   const heads = ["", held.name, heading(report, picked)];
-  return h("table", { class: "beside" },
-    h("thead", {}, h("tr", {}, heads.map((text) => h("th", { scope: "col" }, text)))),
-    h("tbody", {}, lines));
+  return h(
+    "table",
+    { class: "beside" },
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        heads.map((text) => h("th", { scope: "col" }, text)),
+      ),
+    ),
+    h("tbody", {}, lines),
+  );
 }
 
 class Beside {
@@ -74,9 +100,13 @@ class Beside {
   show() {
     const held = this.#state.get("beside"),
       picked = this.#state.get("picked"),
-      one = held !== "" && held !== picked && picked !== null ? held_one(this.#report, this.#candidates, held, picked) : null;
+      one =
+        held !== "" && held !== picked && picked !== null
+          ? held_one(this.#report, this.#candidates, held, picked)
+          : null;
     by_id("hold").hidden = held === picked;
-    by_id("hold-start").hidden = held === kStart || !held_one(this.#report, this.#candidates, kStart, picked);
+    by_id("hold-start").hidden =
+      held === kStart || !held_one(this.#report, this.#candidates, kStart, picked);
     by_id("release").hidden = held === "";
     by_id("beside-words").textContent =
       held === ""

@@ -71,7 +71,16 @@ const kGoals = {
 };
 
 /** What becomes of accepted draws, or sheets, in an optimising search. */
-const ascent_words = ({ method, starts, starts_of_population, maximise, subject_to, from_deg, shifts, grid_mm }) =>
+const ascent_words = ({
+  method,
+  starts,
+  starts_of_population,
+  maximise,
+  subject_to,
+  from_deg,
+  shifts,
+  grid_mm,
+}) =>
   method === "optimise"
     ? ` From ${starts === "splitting" ? `the first ${plural(starts_of_population, "sheet")} that each population meets` : "each accepted draw"} it goes on in steps to sheets near it, until ${kGoals[maximise] ?? maximise}` +
       `${from_deg === null ? "" : ` from ${degrees(from_deg)}`}${subject_to.length ? `, with ${subject_to.join(" and ")}` : ""}; ` +

@@ -23,9 +23,21 @@ export function make_columns_menu(candidates, state) {
     }
   };
   by_id("columns-menu").append(
-    h("p", {}, "Drag a heading to move its column, or press Alt and an arrow key on it. The page’s address keeps the choice. ",
-      h("button", { type: "button", "data-testid": "all-columns", onclick: () => state.set("columns", "") }, "All columns")),
-    h("div", { class: "boxes" }, all.map((column, k) => h("label", { title: column.about }, boxes[k], ` ${column.label}`))),
+    h(
+      "p",
+      {},
+      "Drag a heading to move its column, or press Alt and an arrow key on it. The page’s address keeps the choice. ",
+      h(
+        "button",
+        { type: "button", "data-testid": "all-columns", onclick: () => state.set("columns", "") },
+        "All columns",
+      ),
+    ),
+    h(
+      "div",
+      { class: "boxes" },
+      all.map((column, k) => h("label", { title: column.about }, boxes[k], ` ${column.label}`)),
+    ),
   );
   state.on("columns", show);
   show();

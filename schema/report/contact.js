@@ -48,7 +48,9 @@ function thickness_words({ thickness, first_contact, deploys_from_deg }) {
   if (first_contact?.pilot_deg < deploys_from_deg) return null;
   return (
     `Plates of up to ${number(thickness.largest_mm)} mm reach ${degrees(thickness.reaches_deg)}, with their edges tapered at creases ` +
-    (thickness.trim_mm > 0 ? `and their corners trimmed by ${number(thickness.trim_mm)} mm.` : "and no corner trimmed.")
+    (thickness.trim_mm > 0
+      ? `and their corners trimmed by ${number(thickness.trim_mm)} mm.`
+      : "and no corner trimmed.")
   );
 }
 

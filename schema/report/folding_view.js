@@ -23,8 +23,7 @@ function has_webgl() {
 
 const kTones = "Two-toned: light is the side seen in the crease pattern. ",
   kStress = "Coloured by stress, both sides alike. ";
-const kHelp =
-  "Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.";
+const kHelp = "Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.";
 
 const rad = (deg) => (deg * Math.PI) / 180;
 

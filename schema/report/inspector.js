@@ -150,7 +150,8 @@ export class Inspector {
     for (const { box, chart } of actuation) this.#place_chart(box, chart);
     const deployment = make_deployment(report, along);
     if (deployment) this.#place_chart(by_id("let-go"), deployment);
-    for (const { box, chart } of make_stress(report, detail, decoded)) this.#place_chart(box, chart);
+    for (const { box, chart } of make_stress(report, detail, decoded))
+      this.#place_chart(box, chart);
     show_contact(detail);
     pilot.load(detail, decoded);
     folding.load(detail, decoded);

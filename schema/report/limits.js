@@ -15,17 +15,26 @@ function slider({ name, says }, values, state) {
     step = (most - least) / kSteps;
   const out = h("output", {});
   const input = h("input", {
-    type: "range", min: 0, max: kSteps, step: 1, value: 0, "data-testid": `limit-${name}`,
+    type: "range",
+    min: 0,
+    max: kSteps,
+    step: 1,
+    value: 0,
+    "data-testid": `limit-${name}`,
     "aria-label": `${says}: ${metric_of[name].label} at least`,
   });
   const value_of = (place) => (place === 0 ? null : Number((least + place * step).toPrecision(3)));
   input.addEventListener("input", () => {
-    state.set("filter", with_bounds(state.get("filter"), name, { least: value_of(Number(input.value)) }));
+    state.set(
+      "filter",
+      with_bounds(state.get("filter"), name, { least: value_of(Number(input.value)) }),
+    );
   });
   const show = (filter) => {
     const value = bounds_in(filter, name).least;
     input.value = value === null ? 0 : Math.round((value - least) / step);
-    out.textContent = value === null ? "any" : with_unit({ ...metric_of[name], text: (v) => number(v) }, value);
+    out.textContent =
+      value === null ? "any" : with_unit({ ...metric_of[name], text: (v) => number(v) }, value);
   };
   state.on("filter", show);
   show(state.get("filter"));

@@ -109,12 +109,7 @@ function show_detailed(report, candidates, state) {
   ];
   select.addEventListener("change", () => state.set("picked", select.value));
   const said = h("span", { class: "note" }, how_many());
-  by_id("detailed").append(
-    said,
-    previous,
-    select,
-    next,
-  );
+  by_id("detailed").append(said, previous, select, next);
   const show_place = () => {
     const picked = state.get("picked"),
       at = draws.indexOf(picked);

@@ -84,7 +84,8 @@ const kEnds = [
     better: "more",
     may_be_unknown: true,
     text: (v) => number(v),
-    about: "What the draw itself was worth, by the campaign’s goal (search.maximise), before it was made better.",
+    about:
+      "What the draw itself was worth, by the campaign’s goal (search.maximise), before it was made better.",
   },
   {
     name: "end_value",
@@ -93,7 +94,8 @@ const kEnds = [
     better: "more",
     may_be_unknown: true,
     text: (v) => number(v),
-    about: "What this sheet is worth by the campaign’s goal: N mm per mm of friction, or mm of margin against miscuts.",
+    about:
+      "What this sheet is worth by the campaign’s goal: N mm per mm of friction, or mm of margin against miscuts.",
   },
 ];
 const kEnergy = [
@@ -111,14 +113,18 @@ const kEnergy = [
 const kOfStudies = words.columns_of_studies
   .filter(({ name }) => name !== "energy_n_mm") // which the page has of itself
   .map(({ meaning, ...rest }) => ({
-  ...rest,
-  may_be_unknown: true,
-  text: (v) => number(v),
-  about: meaning,
-}));
+    ...rest,
+    may_be_unknown: true,
+    text: (v) => number(v),
+    about: meaning,
+  }));
 /** Names of columns that a page has only where they were asked for. */
 export const of_studies = new Set(kOfStudies.map(({ name }) => name));
-const kAfter = { reverses_at_deg: [...kCertified, ...kEnds], miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kOfStudies] };
+const kAfter = {
+  reverses_at_deg: [...kCertified, ...kEnds],
+  miscut_margin_mm: kYields,
+  stretch_sq_mm2: [...kEnergy, ...kOfStudies],
+};
 
 export const metrics = kStored.flatMap((metric) => [metric, ...(kAfter[metric.name] ?? [])]);
 

@@ -18,9 +18,19 @@ const kHeight = 300,
 
 // Where no columns are chosen: what people choose by.
 const kUsual = [
-  "deploys_from_deg", "certified_deg", "start_value", "end_value", "critical_friction_n_mm_per_mm",
-  "static_friction_n_mm_per_mm", "miscut_margin_mm", "yield", "slope_min_mm_per_deg", "stroke_min", "stroke_max",
-  "stretch_sq_mm2", "shifted_vertices",
+  "deploys_from_deg",
+  "certified_deg",
+  "start_value",
+  "end_value",
+  "critical_friction_n_mm_per_mm",
+  "static_friction_n_mm_per_mm",
+  "miscut_margin_mm",
+  "yield",
+  "slope_min_mm_per_deg",
+  "stroke_min",
+  "stroke_max",
+  "stretch_sq_mm2",
+  "shifted_vertices",
 ];
 
 /** The metrics in which candidates differ, those of the columns that are chosen, or the usual ones. */
@@ -28,7 +38,9 @@ export function axes_of(candidates, chosen) {
   const wanted = chosen ? chosen.split(",") : kUsual;
   return metrics
     .filter(({ name }) => wanted.includes(name) && candidates.columns[name])
-    .filter(({ name }) => new Set(candidates.columns[name].filter((value) => value !== null)).size > 1)
+    .filter(
+      ({ name }) => new Set(candidates.columns[name].filter((value) => value !== null)).size > 1,
+    )
     .sort((a, b) => wanted.indexOf(a.name) - wanted.indexOf(b.name))
     .slice(0, kMost);
 }
@@ -36,9 +48,14 @@ export function axes_of(candidates, chosen) {
 /** From values to pixels; over more than three decades by their logarithm. */
 function scale_of(values) {
   const known = values.filter((value) => value !== null);
-  const [least, most] = known.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
+  const [least, most] = known.reduce(
+    ([a, b], v) => [Math.min(a, v), Math.max(b, v)],
+    [Infinity, -Infinity],
+  );
   const type = least > 0 && most / least > 1000 ? "log" : "linear";
-  const scale = Plot.scale({ y: { type, domain: [least, most], range: [kHeight - kBottom, kTop] } });
+  const scale = Plot.scale({
+    y: { type, domain: [least, most], range: [kHeight - kBottom, kTop] },
+  });
   return { least, most, apply: scale.apply, invert: scale.invert };
 }
 
@@ -72,7 +89,9 @@ class Parallel {
     });
     canvas.addEventListener("pointermove", (event) => {
       const { x, y } = this.#place(event);
-      canvas.style.cursor = this.#axes.some((one) => Math.abs(one.x - x) <= kReach_px) ? "ns-resize" : "default";
+      canvas.style.cursor = this.#axes.some((one) => Math.abs(one.x - x) <= kReach_px)
+        ? "ns-resize"
+        : "default";
       if (!this.#brush) return;
       this.#brush.to = y;
       this.#paint();
@@ -103,10 +122,12 @@ class Parallel {
       Math.min(Math.max(y, kTop), kHeight - kBottom),
     );
     // An end of the axis is no bound.
-    const bound = (y, end) => (Math.abs(y - end) < 1 ? null : Number(axis.invert(y).toPrecision(3)));
-    const bounds = low - high < kLeast_px
-      ? { least: null, most: null }
-      : { least: bound(low, kHeight - kBottom), most: bound(high, kTop) };
+    const bound = (y, end) =>
+      Math.abs(y - end) < 1 ? null : Number(axis.invert(y).toPrecision(3));
+    const bounds =
+      low - high < kLeast_px
+        ? { least: null, most: null }
+        : { least: bound(low, kHeight - kBottom), most: bound(high, kTop) };
     this.#state.set("filter", with_bounds(this.#state.get("filter"), axis.metric.name, bounds));
     this.#paint();
   }
@@ -155,7 +176,10 @@ class Parallel {
     pen.lineWidth = 1;
     const shown = new Uint8Array(all);
     for (const row of order) shown[row] = 1;
-    for (const [wanted, ink, opacity] of [[0, "ink-soft", 0.06], [1, "accent", all > kMany ? 0.12 : 0.35]]) {
+    for (const [wanted, ink, opacity] of [
+      [0, "ink-soft", 0.06],
+      [1, "accent", all > kMany ? 0.12 : 0.35],
+    ]) {
       pen.strokeStyle = colour(ink);
       pen.globalAlpha = opacity;
       for (let row = 0; row < all; ++row) if (shown[row] === wanted) this.#line(pen, row);
@@ -183,7 +207,10 @@ class Parallel {
       const within = (y) => Math.min(Math.max(y, kTop), bottom);
       const ends = brush
         ? [brush.from, brush.to]
-        : [filter.most === null ? kTop : apply(filter.most), filter.least === null ? bottom : apply(filter.least)];
+        : [
+            filter.most === null ? kTop : apply(filter.most),
+            filter.least === null ? bottom : apply(filter.least),
+          ];
       const [up, down] = [within(Math.min(...ends)), within(Math.max(...ends))];
       [pen.fillStyle, pen.globalAlpha] = [colour("pick"), 0.3];
       pen.fillRect(x - 6, up, 12, Math.max(down - up, 1));
@@ -203,7 +230,11 @@ class Parallel {
     const sql = as_sql(this.#state.get("filter")),
       note = by_id("parallel-note");
     note.textContent = `${plural(order.length, "candidate")} shown, an axis for each metric that is among the usual ones or the columns you choose. Drag along an axis to keep what lies there; a click on it takes that away. `;
-    if (sql) note.append("The same for other verbs: ", h("code", { "data-testid": "parallel-where" }, `--where "${sql}"`));
+    if (sql)
+      note.append(
+        "The same for other verbs: ",
+        h("code", { "data-testid": "parallel-where" }, `--where "${sql}"`),
+      );
   }
 }
 

@@ -200,7 +200,10 @@ class Scatter {
   #front(order) {
     if (!document.getElementById("scatter-front").checked) return [];
     const placed = order.filter((row) => this.#has_place(row)),
-      goals = this.#metrics().map(({ name, better }) => ({ values: this.#candidates.columns[name], better }));
+      goals = this.#metrics().map(({ name, better }) => ({
+        values: this.#candidates.columns[name],
+        better,
+      }));
     return front_of(placed, goals).sort((a, b) => this.#xs[a] - this.#xs[b]);
   }
 
@@ -218,7 +221,9 @@ class Scatter {
       (missing ? `, ${count(missing)} without a value on these axes` : "") +
       (order.length < this.#candidates.count ? "; faint: those the filter leaves out" : "") +
       ". Ringed: with all details in this report." +
-      (front.length ? ` On the line: ${count(front.length)} than which none is better in both.` : "");
+      (front.length
+        ? ` On the line: ${count(front.length)} than which none is better in both.`
+        : "");
   }
 
   #nearest(event) {

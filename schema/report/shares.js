@@ -32,7 +32,10 @@ export function survival_points(rows, { path }) {
     if (first_fault === "none") continue;
     const angle = fault_deg ?? 0; // a fault of the whole range: it deploys from nowhere
     const before = failed_at.get(angle) ?? { sampled: 0, weight: 0 };
-    failed_at.set(angle, { sampled: before.sampled + sampled, weight: before.weight + weight(row) });
+    failed_at.set(angle, {
+      sampled: before.sampled + sampled,
+      weight: before.weight + weight(row),
+    });
   }
   let left = sum(rows),
     left_weight = total;

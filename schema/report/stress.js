@@ -11,7 +11,8 @@ import { file_stem } from "./page_kind.js";
 
 const kHeight = 260;
 
-const fact = (value, words) => h("div", {}, h("dt", {}, words), h("dd", {}, h("strong", {}, value)));
+const fact = (value, words) =>
+  h("div", {}, h("dt", {}, words), h("dd", {}, h("strong", {}, value)));
 
 /** Whether it deployed, and when: [the value, what it is]. */
 function outcome_of({ outcome, deployed_s }, decoded) {
@@ -192,7 +193,11 @@ export function make_stress(report, detail, decoded) {
   return [
     {
       box: by_id("stress-motion"),
-      chart: motion_chart(decoded.stress, stress, Math.max(end_s, decoded.stress.rigid_motion.at(-1)?.[0] ?? 0)),
+      chart: motion_chart(
+        decoded.stress,
+        stress,
+        Math.max(end_s, decoded.stress.rigid_motion.at(-1)?.[0] ?? 0),
+      ),
     },
     { box: by_id("stress-history"), chart: stress_chart(decoded.stress, stress, end_s) },
   ];

@@ -2,7 +2,15 @@
 import { clamp, count, h, with_modifier } from "./format.js";
 import { on_print } from "./paper.js";
 import { csv_text, save_text } from "./save.js";
-import { arranged, chosen_columns, is_fixed, order_of, shown, width_of, words_of } from "./table_columns.js";
+import {
+  arranged,
+  chosen_columns,
+  is_fixed,
+  order_of,
+  shown,
+  width_of,
+  words_of,
+} from "./table_columns.js";
 
 const kRow_px = 28,
   kSpare = 6,

@@ -12,7 +12,8 @@ const kOwn = [
     name: "draw",
     label: "draw",
     unit: "",
-    about: "Number of the draw, or of the sheet that a population met. A dot marks those with all details in this report.",
+    about:
+      "Number of the draw, or of the sheet that a population met. A dot marks those with all details in this report.",
   },
 ];
 const columns = [...kOwn.map((column) => ({ ...column, better: "less" })), ...metrics];
@@ -50,7 +51,11 @@ export function words_of(candidates, chosen) {
 
 /** Whether these words name such columns, and at least one. */
 export const is_choice = (words, candidates) =>
-  words.split(",").every((name) => columns_of(candidates).some((column) => column.name === name && !is_fixed(column)));
+  words
+    .split(",")
+    .every((name) =>
+      columns_of(candidates).some((column) => column.name === name && !is_fixed(column)),
+    );
 
 /** Whether the table of these candidates can be sorted by that. */
 export const is_order = (words, candidates) =>

@@ -81,8 +81,8 @@ Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
 /// What is asked at the angle of use needs a station there, where no sample is.
 StationOptions station_of_use(const schema::Design& design, const schema::Sampling& sampling);
 
-/// Springs of this design on a sheet of its model, which has that station. UserError (2) where it
-/// is used from beyond D.
+/// Springs of this design on a sheet of its model, which has that station. UserError (bad_request)
+/// where it is used from beyond D.
 solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design);
 
 /// Says so, where a sheet is let go beyond D: its diagonals do not go one way there.

@@ -19,12 +19,12 @@ struct CertifyCall {
 /// The file's own if it was exported, otherwise written as if it had been.
 schema::Json document_of(const ChosenSheet& sheet);
 
-/// Of the sheet; UserError (3) where it deploys from nothing.
+/// Of the sheet; UserError (bad_input) where it deploys from nothing.
 double deploys_from_deg(const solver::Sheet& sheet, const std::string& path);
 
 /// Sheets of the parallel family, in rational numbers: that all equations hold, spare ones too.
-/// UserError (2) for options that such proofs have not; (3) for a sheet that is off the family, or
-/// a base of which it cannot be proven. Exit codes.
+/// UserError (bad_request) for options that such proofs have not, (bad_input) for a sheet that is
+/// off the family, or a base of which it cannot be proven. Exit codes.
 void check_closed_form(const CertifyCall& call);
 int prove_in_closed_form(const CertifyCall& call, const ChosenSheet& chosen,
                          const solver::Model& model);

@@ -53,7 +53,7 @@ struct DeckCall {
   schema::DeckOptions of(const schema::Design& whole) const;
 };
 void add_deck(CLI::App& verb, DeckCall& call);
-/// --material, of the panels: a file, and what it says into what was typed. UserError (3).
+/// --material, of the panels: a file, and what it says into what was typed. UserError (bad_input).
 void add_material(CLI::App& verb, std::string& file);
 void read_material(const std::string& file, schema::Design& design);
 /// --trim, of the plates' corners.

@@ -11,7 +11,7 @@ namespace misalign::search {
 /// "all", or how many; empty where nothing was typed.
 void add_ranks(CLI::App& verb, std::string& ranks);
 
-/// How many ranks are to be started; 1 where nobody asked. UserError (2) under mpirun.
+/// How many ranks are to be started; 1 where nobody asked. UserError (bad_request) under mpirun.
 int ranks_wanted(const std::string& ranks);
 
 /// Runs the command that was typed on so many ranks of this machine, with a bar of progress where

@@ -37,15 +37,15 @@ struct ToleranceTargets {
   }
 };
 
-/// Those of a catalogue that are asked about. UserError (2, 3) with one sentence.
+/// Those of a catalogue that are asked about. UserError (bad_request, bad_input) with one sentence.
 ToleranceTargets choose_sheets(const ToleranceCall& call);
 /// A pattern file's as a campaign of its own, from whose threshold the sheet itself just deploys.
-/// The seed is the default one: an exported candidate does not say its campaign's. UserError (3)
-/// where it deploys from nothing.
+/// The seed is the default one: an exported candidate does not say its campaign's. UserError
+/// (bad_input) where it deploys from nothing.
 ToleranceTargets chosen_sheet(const ToleranceCall& call, const ChosenSheet& chosen);
 
 /// The same campaign, from whose threshold copies are to deploy: the angle of use if one is said.
-/// UserError (2) where that is no sample, or lies beyond D of a sheet.
+/// UserError (bad_request) where that is no sample, or lies beyond D of a sheet.
 schema::Campaign campaign_of_use(const ToleranceCall& call, const ToleranceTargets& sheets);
 
 /// Whether one that was named is an answer of its own; what a choice finds is a list.
@@ -58,8 +58,8 @@ void show_copies(const CopiesDone& copies);
 /// One at a time.
 void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets);
 
-/// The study of backlash: UserError (2) for what no study can be made of, found before the sheets
-/// are and after, and the study with its answer on standard output.
+/// The study of backlash: UserError (bad_request) for what no study can be made of, found before
+/// the sheets are and after, and the study with its answer on standard output.
 void check_backlash(const ToleranceCall& call);
 void run_backlash(const ToleranceCall& call, const ToleranceTargets& sheets);
 

@@ -59,7 +59,7 @@ struct RationalBase {
 /// Of a base whose vertices all have two creases in line, of opposite signs, and two of equal signs
 /// in the mirror about them, as the family "miura" has them: round such a vertex those in line fold
 /// alike, so do the others, and tangents of half the angles of the former are cos(sector angle)
-/// times those of the latter (Huffman 1976; tests/solver/degree_four_test.cpp).
+/// times those of the latter (Huffman 1976; tests/solver/pattern/degree_four_test.cpp).
 RationalBase rational_base(const PerforatedSheet& base);
 
 }  // namespace misalign::solver

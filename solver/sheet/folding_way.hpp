@@ -98,7 +98,7 @@ class FoldingWay {
 };
 
 /// With these the polynomials between the stations are off by 1e-11 panel widths or radians at most
-/// (tests/solver/folding_way_test.cpp).
+/// (tests/solver/sheet/folding_way_test.cpp).
 inline constexpr int kWayStations = 60;
 
 }  // namespace misalign::solver

@@ -19,17 +19,27 @@ export async function beside_checks(page, { candidates: { columns, shown }, deta
     await by(page, "hold").click();
     await page.waitForFunction(is_kept, held);
     assert.equal(await by(page, "hold").isVisible(), false, "it is held already");
-    await page.evaluate((draw) => (location.hash = `beside=${draw[0]}&draw=${draw[1]}`), [held, other]);
+    await page.evaluate(
+      (draw) => (location.hash = `beside=${draw[0]}&draw=${draw[1]}`),
+      [held, other],
+    );
     await page.waitForFunction((wanted) => window.misalign.picked === wanted, other);
     const heads = await by(page, "beside").locator("thead th").allTextContents();
     assert.ok(heads[1].endsWith(` ${held}`) && heads[2].endsWith(` ${other}`), heads.join());
-    for (const [name, less_is_better] of [["stroke_max", true], ["deploys_from_deg", false]]) {
+    for (const [name, less_is_better] of [
+      ["stroke_max", true],
+      ["deploys_from_deg", false],
+    ]) {
       const values = [held, other].map((draw) => columns[name][columns.draw.indexOf(draw)]);
       const cells = row_of(page, name).locator("td");
       const numbers = (await cells.allTextContents()).map((text) => Number.parseFloat(text));
       const shown_as = name === "stroke_max" ? 100 : 1;
-      numbers.forEach((number, k) => assert.ok(Math.abs(number - shown_as * values[k]) <= 0.5, name));
-      const classes = await cells.evaluateAll((nodes) => nodes.map((node) => node.className === "better"));
+      numbers.forEach((number, k) =>
+        assert.ok(Math.abs(number - shown_as * values[k]) <= 0.5, name),
+      );
+      const classes = await cells.evaluateAll((nodes) =>
+        nodes.map((node) => node.className === "better"),
+      );
       const first = values[0] < values[1] === less_is_better;
       assert.deepEqual(classes, values[0] === values[1] ? [false, false] : [first, !first], name);
     }

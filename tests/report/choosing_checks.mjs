@@ -16,10 +16,8 @@ export async function no_detail_checks(page, data) {
       await by(page, "filter").fill(`draw = ${bare}`);
       await by(page, "grid").locator(".line").first().click();
       const { misalign, catalogue, choice, springs, output } = data.commands;
-      assert.equal(
-        await by(page, "command-report").textContent(),
-        `${misalign} report ${catalogue} --draw ${bare}${choice}${springs} --output ${output}`,
-      );
+      const report = `${misalign} report ${catalogue} --draw ${bare}${choice}${springs} --output ${output}`;
+      assert.equal(await by(page, "command-report").textContent(), report);
       assert.equal(
         await by(page, "command-replay").textContent(),
         `${misalign} replay ${catalogue} ${bare}`,
@@ -43,10 +41,7 @@ export async function no_detail_checks(page, data) {
         }),
       );
       await by(page, "no-details").getByTestId("copy").click();
-      assert.equal(
-        await page.evaluate(() => window.copied),
-        `${misalign} report ${catalogue} --draw ${bare}${choice}${springs} --output ${output}`,
-      );
+      assert.equal(await page.evaluate(() => window.copied), report);
       await by(page, "filter").fill("");
     },
   );
@@ -60,7 +55,8 @@ export async function no_detail_checks(page, data) {
       await page.evaluate(() => {
         const timeout = setTimeout;
         window.later = [];
-        window.setTimeout = (run, ms) => (ms > 1000 ? void window.later.push(run) : timeout(run, ms));
+        window.setTimeout = (run, ms) =>
+          ms > 1000 ? void window.later.push(run) : timeout(run, ms);
         window.time_goes_by = () => {
           for (const run of window.later) run();
           window.setTimeout = timeout;
@@ -97,7 +93,7 @@ export async function layout_checks(page, data) {
         `hidden columns and the sign of them at ${width} px`,
       );
     }
-    for (const end = Date.now() + kPatience_ms; (await more.isVisible()) && Date.now() < end; ) {
+    for (const end = Date.now() + kPatience_ms; (await more.isVisible()) && Date.now() < end;) {
       await more.click({ timeout: 2000 }).catch(() => {}); // it goes with the last column
       await page.evaluate(
         () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
@@ -181,7 +177,9 @@ export async function certificate_checks(page, data) {
       const [, angle, end, intervals] = (await box.textContent()).match(
         /^Certified to ([\d.]+)° \((\w+)[^,]*, (\d+) intervals?/,
       );
-      assert.ok(Number(angle) <= entry.certified_deg && Number(angle) > entry.certified_deg - 0.011);
+      assert.ok(
+        Number(angle) <= entry.certified_deg && Number(angle) > entry.certified_deg - 0.011,
+      );
       assert.deepEqual([end, Number(intervals)], [entry.end, entry.intervals]);
     }
   });

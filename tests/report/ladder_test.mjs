@@ -25,7 +25,10 @@ function number_of(text) {
 function same(shown, wanted, what) {
   if (wanted === null) return assert.equal(shown, null, what);
   assert.notEqual(shown, null, `${what}: nothing, not ${wanted}`);
-  assert.ok(Math.abs(shown - wanted) <= 0.0051 * Math.abs(wanted), `${what}: ${shown}, not ${wanted}`);
+  assert.ok(
+    Math.abs(shown - wanted) <= 0.0051 * Math.abs(wanted),
+    `${what}: ${shown}, not ${wanted}`,
+  );
 }
 
 const interval_of = (text) => {
@@ -49,9 +52,14 @@ async function asked_check(page, data) {
     assert.match(words, /Searched by splitting/);
     assert.ok(words.includes(`${accept.deploys_from_deg}°`), words);
     for (const [many, what] of numbers)
-      assert.match(words, new RegExp(` ${many.toLocaleString("en")} ${what}${many > 1 ? "s" : "\\b"}`));
-    if (search.levels_deg === "auto") assert.match(words, /levels? that a pilot (found|finds first)/);
-    else for (const deg of search.levels_deg.slice(0, 12)) assert.ok(words.includes(`${deg}°`), words);
+      assert.match(
+        words,
+        new RegExp(` ${many.toLocaleString("en")} ${what}${many > 1 ? "s" : "\\b"}`),
+      );
+    if (search.levels_deg === "auto")
+      assert.match(words, /levels? that a pilot (found|finds first)/);
+    else
+      for (const deg of search.levels_deg.slice(0, 12)) assert.ok(words.includes(`${deg}°`), words);
   });
 }
 
@@ -65,7 +73,8 @@ async function figures_check(page, data, levels) {
       beside = await tile(page, "Share of draws").locator(".note").textContent();
     if (!last) return assert.equal(share, "–");
     same(number_of(share), last.rate, "share");
-    if (last.rate_low === null) assert.match(beside, /^(no interval|no population|nothing searched)/);
+    if (last.rate_low === null)
+      assert.match(beside, /^(no interval|no population|nothing searched)/);
     else {
       const { low, high } = interval_of(beside.replace("95 %: ", ""));
       same(low, last.rate_low, "low");
@@ -74,7 +83,10 @@ async function figures_check(page, data, levels) {
     same(number_of(await value_of(page, "One in")), last.rate > 0 ? 1 / last.rate : null, "one in");
     assert.equal(number_of(await value_of(page, "Ancestors")), levels.at(-2).ancestors);
     const drawn = levels[0].particles.toLocaleString("en");
-    assert.match(await tile(page, "Ancestors").textContent(), new RegExp(`of ${drawn} first draws`));
+    assert.match(
+      await tile(page, "Ancestors").textContent(),
+      new RegExp(`of ${drawn} first draws`),
+    );
   });
 }
 
@@ -84,7 +96,10 @@ async function goal_check(page, data, levels, status) {
       words = await tile(page, "Populations").locator(".note").textContent();
     if (missing) {
       const [, goal] = /^of ([\d,]+), the last run's goal$/.exec(words);
-      assert.equal(number_of(goal), number_of(await value_of(page, "Populations")) + Number(missing));
+      assert.equal(
+        number_of(goal),
+        number_of(await value_of(page, "Populations")) + Number(missing),
+      );
     } else assert.equal(words, /without end/.test(status) ? "the campaign may go on" : "complete");
     const all = data.state.draws_in_ledger / 1e10,
       beyond = all - (levels[0]?.populations_here ?? 0);
@@ -231,11 +246,13 @@ async function nothing_plain_check(page) {
   await check("nothing of what only plain draws have, and no card is empty", async () => {
     for (const id of ["faults", "survival", "where", "map", "sample-note"])
       assert.equal(await by(page, id).isVisible(), false, `${id} is shown`);
-    const empty = await page.locator("#overview .card:visible").evaluateAll((cards) =>
-      cards
-        .filter((card) => !card.querySelector("svg.plot, table"))
-        .map((card) => card.querySelector("h3").textContent),
-    );
+    const empty = await page
+      .locator("#overview .card:visible")
+      .evaluateAll((cards) =>
+        cards
+          .filter((card) => !card.querySelector("svg.plot, table"))
+          .map((card) => card.querySelector("h3").textContent),
+      );
     assert.deepEqual(empty, []);
     const text = await page.locator("body").innerText();
     assert.doesNotMatch(text, /undefined|NaN|\bnull\b|Infinity/);
@@ -248,7 +265,9 @@ async function layout_check(page) {
   await check("long numbers break no layout", async () => {
     for (const width of [1400, 800, 390]) {
       await page.setViewportSize({ width, height: 900 });
-      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 60))));
+      await page.evaluate(
+        () => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 60))),
+      );
       const { page_wide, cut } = await page.evaluate(() => ({
         page_wide: document.documentElement.scrollWidth - innerWidth,
         cut: [...document.querySelectorAll("#figures > div, #picked-title, #detailed, .command")]

@@ -5,9 +5,15 @@ import { by, check } from "./reading.mjs";
 /** Every panel has a mark that says its page of the manual. */
 async function manual_check(page) {
   await check("every panel names its page of the manual", async () => {
-    const panels = await page.locator("main .card h3, main .part h2").evaluateAll((headings) =>
-      headings.map((heading) => [heading.dataset.manual, heading.nextElementSibling?.title, heading.textContent]),
-    );
+    const panels = await page
+      .locator("main .card h3, main .part h2")
+      .evaluateAll((headings) =>
+        headings.map((heading) => [
+          heading.dataset.manual,
+          heading.nextElementSibling?.title,
+          heading.textContent,
+        ]),
+      );
     for (const [file, title, words] of panels)
       assert.ok(file && title?.includes(file.replace(/^search\/manual\/|\.md$/g, "")), words);
     return `${panels.length} panels`;

@@ -24,23 +24,35 @@ async function brush(page, name, from, to) {
 }
 
 const filter_is = (page, test, what) =>
-  eventually(page, { test: (words) => document.getElementById("filter").value === words, with: test }, what);
+  eventually(
+    page,
+    { test: (words) => document.getElementById("filter").value === words, with: test },
+    what,
+  );
 
 async function brush_check(page, { candidates: { columns, total } }) {
   if (!(await by(page, "parallel").isVisible())) return;
   await unfiltered(page, "a brush on an axis is a condition of the filter", async () => {
     const axes = (await by(page, "parallel-canvas").getAttribute("data-axes")).split(" ");
-    for (const name of axes) assert.ok(new Set(known(columns, name)).size > 1, `${name} says nothing`);
+    for (const name of axes)
+      assert.ok(new Set(known(columns, name)).size > 1, `${name} says nothing`);
     const name = axes.includes("stroke_max") ? "stroke_max" : axes[0],
       [least, most] = [Math.min(...known(columns, name)), Math.max(...known(columns, name))],
       is_log = least > 0 && most / least > 1000,
       at = (share) => (is_log ? least * (most / least) ** share : least + share * (most - least));
     await brush(page, name, 0.25, 0.75);
     const words = await by(page, "filter").inputValue(),
-      [, low, high] = new RegExp(`^${name} >= (\\S+) ${name} <= (\\S+)$`).exec(words) ?? assert.fail(words);
-    const near = (a, b) => Math.abs(a - b) <= 0.02 * (is_log ? b : most - least) + 0.005 * Math.abs(b);
-    assert.ok(near(Number(low), at(0.25)) && near(Number(high), at(0.75)), `${words}: not ${at(0.25)} to ${at(0.75)}`);
-    const held = columns[name].filter((v) => v !== null && v >= Number(low) && v <= Number(high)).length;
+      [, low, high] =
+        new RegExp(`^${name} >= (\\S+) ${name} <= (\\S+)$`).exec(words) ?? assert.fail(words);
+    const near = (a, b) =>
+      Math.abs(a - b) <= 0.02 * (is_log ? b : most - least) + 0.005 * Math.abs(b);
+    assert.ok(
+      near(Number(low), at(0.25)) && near(Number(high), at(0.75)),
+      `${words}: not ${at(0.25)} to ${at(0.75)}`,
+    );
+    const held = columns[name].filter(
+      (v) => v !== null && v >= Number(low) && v <= Number(high),
+    ).length;
     assert.equal((await state(page)).filtered, held);
     assert.equal(
       await by(page, "parallel-where").textContent(),
@@ -52,7 +64,10 @@ async function brush_check(page, { candidates: { columns, total } }) {
     assert.match(upper, new RegExp(`^${name} >= \\S+$`));
     const other = axes.find((one) => one !== name);
     await brush(page, other, -0.05, 0.5);
-    assert.match(await by(page, "filter").inputValue(), new RegExp(`^${name} >= \\S+ ${other} <= \\S+$`));
+    assert.match(
+      await by(page, "filter").inputValue(),
+      new RegExp(`^${name} >= \\S+ ${other} <= \\S+$`),
+    );
     await brush(page, other, 0.3, 0.3);
     await filter_is(page, upper, "the condition stays");
     await brush(page, name, 0.3, 0.3);
@@ -81,7 +96,10 @@ async function front_check(page, { candidates: { columns } }) {
       }
     }
     const said = await page.locator("#scatter-note").textContent();
-    assert.ok(said.includes(`On the line: ${front.toLocaleString("en-US")} than`), `${front}: ${said}`);
+    assert.ok(
+      said.includes(`On the line: ${front.toLocaleString("en-US")} than`),
+      `${front}: ${said}`,
+    );
     await by(page, "scatter-front").uncheck();
     assert.doesNotMatch(await page.locator("#scatter-note").textContent(), /On the line/);
     return `${front}`;
@@ -91,7 +109,9 @@ async function front_check(page, { candidates: { columns } }) {
 /** Of a search that made draws better: what each was worth, and the draw beside what it became. */
 async function ascent_check(page, { details, candidates: { columns } }) {
   // What a population found is not stored, so that it cannot be held.
-  const made = details.find(({ ascent, draw }) => ascent?.steps > 0 && ascent.start && columns.draw.includes(draw));
+  const made = details.find(
+    ({ ascent, draw }) => ascent?.steps > 0 && ascent.start && columns.draw.includes(draw),
+  );
   if (!made) return;
   await unfiltered(page, "a sheet beside the draw that it was made of", async () => {
     await page.evaluate((draw) => (location.hash = `draw=${draw}`), made.draw);

@@ -19,8 +19,20 @@ for (const report of reports) {
     const shifted = Object.keys(detail.displacements_mm).length;
     const asked = await by(page, "asked").textContent();
     assert.ok(asked.includes(`${data.sheet.panels.length} panels`), asked);
-    assert.ok(asked.includes(shifted ? `${shifted} vertices shifted` : "no vertex is shifted"), asked);
-    for (const id of ["figures", "faults", "survival", "where", "map", "table", "scatter", "filter"]) {
+    assert.ok(
+      asked.includes(shifted ? `${shifted} vertices shifted` : "no vertex is shifted"),
+      asked,
+    );
+    for (const id of [
+      "figures",
+      "faults",
+      "survival",
+      "where",
+      "map",
+      "table",
+      "scatter",
+      "filter",
+    ]) {
       assert.equal(await by(page, id).isVisible(), false, `${id} is shown`);
     }
     assert.equal(await page.locator('nav a[href="#candidates"]').isVisible(), false);
@@ -41,7 +53,8 @@ for (const report of reports) {
   await check("commands are about the file", async () => {
     const commands = await by(page, "commands").locator("code").allTextContents();
     const has = (verb) => commands.some((command) => command.includes(` ${verb} `));
-    for (const verb of ["fold", "verify", "export", "actuators"]) assert.ok(has(verb), `no command ${verb}`);
+    for (const verb of ["fold", "verify", "export", "actuators"])
+      assert.ok(has(verb), `no command ${verb}`);
     // What deploys from nowhere has nothing that miscut copies could lose.
     assert.equal(has("tolerance"), detail.verdict.deploys_from_deg > 0, "command tolerance");
     for (const command of commands) {
@@ -54,7 +67,15 @@ for (const report of reports) {
     assert.doesNotMatch(await by(page, "metrics").textContent(), /miscut/);
   });
   await check("there is no card of what was not asked for", async () => {
-    for (const id of ["contact", "stress-card", "stress-motion", "stress-history", "stress-scale", "stress-button", "met-legend"])
+    for (const id of [
+      "contact",
+      "stress-card",
+      "stress-motion",
+      "stress-history",
+      "stress-scale",
+      "stress-button",
+      "met-legend",
+    ])
       assert.equal(await by(page, id).isVisible(), false, `${id} is shown`);
   });
   await check("the fold limit is named where no line is", async () => {
@@ -66,7 +87,10 @@ for (const report of reports) {
           by(page, id).locator("svg text", { hasText: text }).boundingBox(),
         ),
       );
-      assert.ok(words.x + words.width < depth.x - 5, `${id}: the fold limit's words lie on the lines`);
+      assert.ok(
+        words.x + words.width < depth.x - 5,
+        `${id}: the fold limit's words lie on the lines`,
+      );
     }
   });
   await check("commands break between words, and lists show all of a small sheet", async () => {
@@ -77,7 +101,9 @@ for (const report of reports) {
           const walker = document.createTreeWalker(code, NodeFilter.SHOW_TEXT),
             words = [];
           while (walker.nextNode()) {
-            for (const { index, 0: word } of walker.currentNode.data.matchAll(/(?<!\S)\S{1,40}(?!\S)/g)) {
+            for (const { index, 0: word } of walker.currentNode.data.matchAll(
+              /(?<!\S)\S{1,40}(?!\S)/g,
+            )) {
               const range = new Range();
               range.setStart(walker.currentNode, index);
               range.setEnd(walker.currentNode, index + word.length);
@@ -89,7 +115,9 @@ for (const report of reports) {
         }),
       );
       assert.deepEqual(broken, [], `${width} px`);
-      const cut = await by(page, "diagonals").evaluate((box) => box.scrollHeight - box.clientHeight);
+      const cut = await by(page, "diagonals").evaluate(
+        (box) => box.scrollHeight - box.clientHeight,
+      );
       assert.ok(cut <= 0, `${width} px: ${cut} px of the diagonals' list are out of sight`);
     }
   });

@@ -35,7 +35,9 @@ export async function check(what, run) {
     const said = await run(),
       took_s = (performance.now() - start) / 1000;
     if (process.env.VERBOSE)
-      say(`ok    ${what}${said ? `: ${said}` : ""}${took_s > 1 ? ` (${took_s.toFixed(1)} s)` : ""}`);
+      say(
+        `ok    ${what}${said ? `: ${said}` : ""}${took_s > 1 ? ` (${took_s.toFixed(1)} s)` : ""}`,
+      );
   } catch (error) {
     ++failures;
     say(`FAIL  ${what}\n      ${String(error.message).split("\n").slice(0, 6).join("\n      ")}`);

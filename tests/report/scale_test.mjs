@@ -13,7 +13,11 @@ const { colour_scale, light_of, oklab_of } = await import(
 );
 
 const kSight = {
-  all: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+  all: [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
   "no long cones": [
     [0.152286, 1.052583, -0.204868],
     [0.114503, 0.786281, 0.099216],
@@ -33,7 +37,12 @@ const kSight = {
 const seen = (matrix, hex) => {
   const rgb = light_of(hex);
   return oklab_of(
-    matrix.map((row) => Math.max(0, row.reduce((sum, factor, i) => sum + factor * rgb[i], 0))),
+    matrix.map((row) =>
+      Math.max(
+        0,
+        row.reduce((sum, factor, i) => sum + factor * rgb[i], 0),
+      ),
+    ),
   );
 };
 
@@ -58,7 +67,10 @@ for (const [theme, text] of Object.entries({ light, dark })) {
     const way = Math.sign(labs.at(-1)[0] - labs[0][0]);
     assert.equal(way, theme === "light" ? -1 : 1, `${theme}: the most stands out from the ground`);
     labs.slice(1).forEach((lab, i) => {
-      assert.ok(way * (lab[0] - labs[i][0]) > 0.02, `${theme}, ${sight}: lightness at step ${i + 1}`);
+      assert.ok(
+        way * (lab[0] - labs[i][0]) > 0.02,
+        `${theme}, ${sight}: lightness at step ${i + 1}`,
+      );
       const apart = Math.hypot(...lab.map((value, k) => value - labs[i][k]));
       assert.ok(apart > kLeast, `${theme}, ${sight}: step ${i + 1} is ${apart.toFixed(3)} away`);
     });

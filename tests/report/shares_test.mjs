@@ -37,7 +37,11 @@ await check("survival by angle", () => {
     // Wilson: the ends are the shares from which what was seen is 1.96 standard errors away.
     for (const end of [low, high]) {
       if (end === 1 || end === 0) continue; // cut off
-      near((share - end) ** 2, (1.96 ** 2 * end * (1 - end)) / n, `end of the interval at ${angle}`);
+      near(
+        (share - end) ** 2,
+        (1.96 ** 2 * end * (1 - end)) / n,
+        `end of the interval at ${angle}`,
+      );
     }
     assert.ok(low <= share && share <= high, `interval at ${angle}`);
   }

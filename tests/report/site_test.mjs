@@ -9,23 +9,73 @@ const kFirstResults = 5;
 
 // What they want; what they type into the search box; the pages that answer; what must be said there.
 const kTasks = [
-  ["cut my own 60 × 90 mm sheet", "cut panels 60 90", ["how-to/cut-my-own-sheet", "tutorials/from-sizes-to-a-drawing"], /--kit/],
-  ["what is a pilot crease", "pilot crease", ["explanation/method", "reference/words"], /crease whose fold angle/],
+  [
+    "cut my own 60 × 90 mm sheet",
+    "cut panels 60 90",
+    ["how-to/cut-my-own-sheet", "tutorials/from-sizes-to-a-drawing"],
+    /--kit/,
+  ],
+  [
+    "what is a pilot crease",
+    "pilot crease",
+    ["explanation/method", "reference/words"],
+    /crease whose fold angle/,
+  ],
   ["run on Slurm", "slurm", ["how-to/slurm"], /sbatch/],
   ["install without root", "without root", ["how-to/without-root"], /\.local/],
   ["which amplitude", "which amplitude", ["how-to/amplitude"], /amplitude_mm/],
   ["load in MATLAB", "matlab", ["how-to/matlab"], /--format mat/],
-  ["resume after a kill", "resume after kill", ["how-to/resume", "reference/interruptions"], /same command/],
+  [
+    "resume after a kill",
+    "resume after kill",
+    ["how-to/resume", "reference/interruptions"],
+    /same command/,
+  ],
   ["merge two machines", "merge machines", ["how-to/merge"], /misalign merge/],
-  ["what does a fault mean", "fault", ["reference/faults", "how-to/why-it-fails", "explanation/verdicts"], /not_monotone/],
-  ["add a pattern of my own", "own pattern", ["how-to/own-mesh", "code/search/patterns/index"], /FOLD/],
+  [
+    "what does a fault mean",
+    "fault",
+    ["reference/faults", "how-to/why-it-fails", "explanation/verdicts"],
+    /not_monotone/,
+  ],
+  [
+    "add a pattern of my own",
+    "own pattern",
+    ["how-to/own-mesh", "code/search/patterns/index"],
+    /FOLD/,
+  ],
   ["stop half open", "stop half open", ["how-to/stop-half-open"], /stops_at_deg/],
-  ["springs and wires", "springs wires", ["how-to/springs-and-wires", "explanation/deployment"], /--stroke-limit/],
-  ["how thick may panels be", "how thick panels", ["how-to/thickness", "explanation/building"], /misalign contact/],
-  ["cut a little off", "cut a little off", ["how-to/cut-a-little-off", "explanation/building"], /misalign tolerance|tolerance/],
+  [
+    "springs and wires",
+    "springs wires",
+    ["how-to/springs-and-wires", "explanation/deployment"],
+    /--stroke-limit/,
+  ],
+  [
+    "how thick may panels be",
+    "how thick panels",
+    ["how-to/thickness", "explanation/building"],
+    /misalign contact/,
+  ],
+  [
+    "cut a little off",
+    "cut a little off",
+    ["how-to/cut-a-little-off", "explanation/building"],
+    /misalign tolerance|tolerance/,
+  ],
   ["play in joints", "joints play", ["how-to/play", "explanation/building"], /--backlash/],
-  ["what is certified", "certified", ["explanation/certificates", "how-to/certificate"], /certified angle|certified_deg/],
-  ["a rarer sheet", "rarer sheet", ["how-to/rare", "explanation/rare-sheets", "tutorials/rare-sheets"], /splitting/],
+  [
+    "what is certified",
+    "certified",
+    ["explanation/certificates", "how-to/certificate"],
+    /certified angle|certified_deg/,
+  ],
+  [
+    "a rarer sheet",
+    "rarer sheet",
+    ["how-to/rare", "explanation/rare-sheets", "tutorials/rare-sheets"],
+    /splitting/,
+  ],
   ["SQL over candidates", "SQL candidates", ["how-to/sql", "code/schema/queries/index"], /SELECT/],
   ["figures from Python", "figures python", ["how-to/python-figures", "gallery/index"], /Python/],
   ["cite it", "cite", ["how-to/cite", "overview"], /10\.1098\/rspa\.2015\.0235/],
@@ -63,13 +113,18 @@ for (const [task, typed, answers, said] of kTasks) {
   const wanted = answers.map(address);
   let clicks = "-";
   if (wanted.some((href) => one_click.has(href))) clicks = 1;
-  else if ([...two_clicks.values()].some((next) => wanted.some((href) => next.has(href)))) clicks = 2;
+  else if ([...two_clicks.values()].some((next) => wanted.some((href) => next.has(href))))
+    clicks = 2;
 
   await page.goto(address("index"));
   await page.fill(".sidebar-search", typed);
   await page.press(".sidebar-search", "Enter");
-  await page.waitForFunction(() => /found|did not match/.test(document.querySelector(".search-summary")?.textContent));
-  const found = await page.locator("ul.search li a").evaluateAll((each) => each.map(({ href }) => href));
+  await page.waitForFunction(() =>
+    /found|did not match/.test(document.querySelector(".search-summary")?.textContent),
+  );
+  const found = await page
+    .locator("ul.search li a")
+    .evaluateAll((each) => each.map(({ href }) => href));
   const rank = found.findIndex((href) => wanted.includes(without_anchor(href).split("?")[0])) + 1;
 
   const exists = [];

@@ -64,7 +64,10 @@ async function colour_checks(page, data, { panels_mpa }) {
     await page.getByText("From above", { exact: true }).click();
     assert.equal(await by(page, "stress-button").getAttribute("aria-pressed"), "true");
     const scale = await by(page, "stress-scale").innerText();
-    assert.ok(scale.startsWith("0 MPa") && is_close(mpa_in(scale.replace("0 MPa", "")), most), scale);
+    assert.ok(
+      scale.startsWith("0 MPa") && is_close(mpa_in(scale.replace("0 MPa", "")), most),
+      scale,
+    );
     for (const scheme of ["dark", "light"]) {
       await light_up(page, scheme);
       const { count } = await pixels_of(page, "stress-most");
@@ -78,7 +81,10 @@ async function colour_checks(page, data, { panels_mpa }) {
     const { x, y } = await pixels_of(page, "stress-most");
     await canvas.hover({ position: { x, y } });
     const words = await by(page, "panel-tip").innerText();
-    assert.ok(words.startsWith(`${panel_words(data, hardest)}: `) && is_close(mpa_in(words), most), words);
+    assert.ok(
+      words.startsWith(`${panel_words(data, hardest)}: `) && is_close(mpa_in(words), most),
+      words,
+    );
     await page.mouse.move(2, 2);
     assert.ok(!(await by(page, "panel-tip").isVisible()));
   });
@@ -121,14 +127,21 @@ async function card_checks(page, data, stress) {
     order.forEach((panel, i) => {
       const line = lines[i].trim();
       assert.ok(
-        line.startsWith(`${panel_words(data, panel)}: `) && is_close(mpa_in(line), panels_mpa[panel]),
+        line.startsWith(`${panel_words(data, panel)}: `) &&
+          is_close(mpa_in(line), panels_mpa[panel]),
         line,
       );
     });
   });
   await check("motion and stress run through the data", async () => {
     for (const [id, lines] of [
-      ["stress-motion", [[stress.rigid_motion, "pilot_deg"], [stress.motion, "pilot_deg"]]],
+      [
+        "stress-motion",
+        [
+          [stress.rigid_motion, "pilot_deg"],
+          [stress.motion, "pilot_deg"],
+        ],
+      ],
       ["stress-history", [[stress.history, "outside_discs_mpa"]]],
     ]) {
       const [x, y] = [await axis(by(page, id), "x"), await axis(by(page, id), "y")];
@@ -201,20 +214,26 @@ async function contact_checks(page, detail) {
     ];
     const k = pilot_deg.findIndex((angle) => angle >= first.pilot_deg),
       last = pilot_deg.length - 1;
-    const at = k < 0 ? last : k - (pilot_deg[k] - first.pilot_deg) / (pilot_deg[k] - pilot_deg[k - 1]);
+    const at =
+      k < 0 ? last : k - (pilot_deg[k] - first.pilot_deg) / (pilot_deg[k] - pilot_deg[k - 1]);
     const wanted = track.x + 8 + (1 - at / last) * (track.width - 16);
     assert.ok(Math.abs(tick.x + 1 - wanted) < 3, `${tick.x} for ${wanted}`);
     for (const id of ["histories", "moment"])
-      assert.equal(await by(page, id).locator("svg text", { hasText: /^panels meet/ }).count(), 1, id);
+      assert.equal(
+        await by(page, id)
+          .locator("svg text", { hasText: /^panels meet/ })
+          .count(),
+        1,
+        id,
+      );
     const frames = [];
     for (const mark of ["depth", "limit", "contact"]) {
       const words = by(page, `mark-${mark}`).locator("b");
       for (const one of await words.all()) frames.push(await one.boundingBox());
     }
     frames.sort((a, b) => a.x - b.x);
-    frames.slice(1).forEach((frame, i) =>
-      assert.ok(frame.x > frames[i].x + frames[i].width, "words of two marks lie on each other"),
-    );
+    for (const [i, frame] of frames.slice(1).entries())
+      assert.ok(frame.x > frames[i].x + frames[i].width, "words of two marks lie on each other");
   });
   await check("from there on the two panels are marked", async () => {
     const k = pilot_deg.findIndex((angle) => angle >= first.pilot_deg);
@@ -233,7 +252,10 @@ async function contact_checks(page, detail) {
     const after = await marked(k);
     assert.ok(after.pixels > 50 && after.said, `from there on: ${JSON.stringify(after)}`);
     const is_beyond = pilot_deg[k] > detail.verdict.deploys_from_deg + 1e-9;
-    assert.match(await by(page, "pilot-says").innerText(), is_beyond ? /beyond D/ : /panels have met/);
+    assert.match(
+      await by(page, "pilot-says").innerText(),
+      is_beyond ? /beyond D/ : /panels have met/,
+    );
     if (await button.isVisible()) await button.click();
     assert.ok((await marked(k)).pixels > 50, "beside the stresses");
   });

@@ -245,7 +245,10 @@ async function column_check(page) {
     assert.deepEqual(all.slice(0, 2), ["rank", "draw"]);
     await page.getByText("Choose columns").click();
     await by(page, `show-${second}`).uncheck();
-    assert.deepEqual(await heads(page), all.filter((name) => name !== second));
+    assert.deepEqual(
+      await heads(page),
+      all.filter((name) => name !== second),
+    );
     assert.equal(await by(page, "grid").getAttribute("aria-colcount"), String(all.length - 1));
     const cells = await by(page, "grid").locator(".line").first().locator("> *").count();
     assert.equal(cells, all.length - 1);
@@ -261,7 +264,8 @@ async function column_check(page) {
     assert.deepEqual(await heads(page), all);
     await page.keyboard.press("Alt+ArrowRight");
     assert.deepEqual((await heads(page)).slice(2, 5), [first, third, second]);
-    const is_kept = ([a, b, c]) => new URLSearchParams(location.hash.slice(1)).get("columns")?.startsWith(`${a},${b},${c}`);
+    const is_kept = ([a, b, c]) =>
+      new URLSearchParams(location.hash.slice(1)).get("columns")?.startsWith(`${a},${b},${c}`);
     await page.waitForFunction(is_kept, [first, third, second]);
     const focused = await page.evaluate(() => document.activeElement.dataset.sort);
     assert.equal(focused, second, "the moved heading keeps the focus");
@@ -285,7 +289,11 @@ async function limit_check(page, { candidates: { columns } }) {
       const typed = await by(page, "filter").inputValue(),
         least = Number(typed.split(" >= ")[1]);
       assert.ok(typed.startsWith(`${name} >= `), typed);
-      assert.equal((await state(page)).filtered, values.filter((value) => value >= least).length, typed);
+      assert.equal(
+        (await state(page)).filtered,
+        values.filter((value) => value >= least).length,
+        typed,
+      );
       await by(page, "filter").fill(`stroke_max < 5 % ${name} >= ${Math.max(...values)}`);
       assert.equal(await slider.inputValue(), "200");
       await slider.fill("0");

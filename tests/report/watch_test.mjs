@@ -80,32 +80,37 @@ async function problem_checks() {
 }
 
 async function loading_check(page) {
-  await check("new candidates are loaded when that is wanted; filter and picked draw stay", async () => {
-    const rows = () => page.evaluate(() => document.querySelector('[role="grid"]').ariaRowCount);
-    const load = by(page, "watch-load");
-    await load.waitFor({ state: "visible" });
-    assert.match(await load.textContent(), /^Load [\d,]+ new candidates?$/);
-    await by(page, "filter").fill("deploys_from_deg >= 21");
-    await page.waitForFunction(() => location.hash.includes("filter="));
-    const written = await page.locator("#foot").textContent();
-    // A page that took long to make is made anew only after a while; until then the old one comes again.
-    let loaded = written;
-    for (const end = Date.now() + kPatience_ms; loaded === written && Date.now() < end; ) {
+  await check(
+    "new candidates are loaded when that is wanted; filter and picked draw stay",
+    async () => {
+      const rows = () => page.evaluate(() => document.querySelector('[role="grid"]').ariaRowCount);
+      const load = by(page, "watch-load");
       await load.waitFor({ state: "visible" });
-      await Promise.all([page.waitForEvent("load"), load.click()]);
-      await page.waitForFunction(() => window.misalign !== undefined);
-      loaded = await page.locator("#foot").textContent();
-    }
-    assert.notEqual(loaded, written, "the same page");
-    assert.equal(await by(page, "filter").inputValue(), "deploys_from_deg >= 21");
-    return `${await rows()} rows`;
-  });
+      assert.match(await load.textContent(), /^Load [\d,]+ new candidates?$/);
+      await by(page, "filter").fill("deploys_from_deg >= 21");
+      await page.waitForFunction(() => location.hash.includes("filter="));
+      const written = await page.locator("#foot").textContent();
+      // A page that took long to make is made anew only after a while; until then the old one comes again.
+      let loaded = written;
+      for (const end = Date.now() + kPatience_ms; loaded === written && Date.now() < end;) {
+        await load.waitFor({ state: "visible" });
+        await Promise.all([page.waitForEvent("load"), load.click()]);
+        await page.waitForFunction(() => window.misalign !== undefined);
+        loaded = await page.locator("#foot").textContent();
+      }
+      assert.notEqual(loaded, written, "the same page");
+      assert.equal(await by(page, "filter").inputValue(), "deploys_from_deg >= 21");
+      return `${await rows()} rows`;
+    },
+  );
 }
 
 async function folding_check(page) {
   await check("a sheet without details is folded when that is wanted", async () => {
     const bare = await page.evaluate(() => {
-      const { details, candidates } = JSON.parse(document.getElementById("report-data").textContent);
+      const { details, candidates } = JSON.parse(
+        document.getElementById("report-data").textContent,
+      );
       const detailed = new Set(details.map(({ draw }) => draw));
       return candidates.columns.draw.find((draw) => !detailed.has(draw));
     });
@@ -118,7 +123,9 @@ async function folding_check(page) {
     );
     await by(page, "compute").click();
     await page.waitForFunction(() =>
-      document.querySelector('[data-testid="compute-says"]').textContent.startsWith("Another campaign"),
+      document
+        .querySelector('[data-testid="compute-says"]')
+        .textContent.startsWith("Another campaign"),
     );
     await page.unroute("**/sheet/*");
     assert.equal(await by(page, "folding").isVisible(), false);
@@ -136,7 +143,11 @@ async function others_check(context) {
     const other = await context.newPage();
     await other.goto("data:text/html,<title>other</title>");
     const read = await other.evaluate(
-      (place) => fetch(`${place}live`).then((answer) => answer.text(), () => "refused"),
+      (place) =>
+        fetch(`${place}live`).then(
+          (answer) => answer.text(),
+          () => "refused",
+        ),
       url,
     );
     assert.equal(read, "refused");
@@ -148,7 +159,10 @@ async function others_check(context) {
       return frame.contentDocument === null;
     }, url);
     assert.ok(framed);
-    assert.ok(other.frames().every((frame) => !frame.url().startsWith(url)), "it is framed");
+    assert.ok(
+      other.frames().every((frame) => !frame.url().startsWith(url)),
+      "it is framed",
+    );
     await other.close();
   });
 }
@@ -175,14 +189,17 @@ async function campaign_checks() {
       before,
     );
   });
-  await check("one picture a chart, and one row of buttons, however often they were drawn", async () => {
-    for (const id of ["angles", "faults", "survival"]) {
-      const card = page.locator(".card").filter({ has: by(page, id) });
-      if (!(await card.isVisible())) continue;
-      assert.equal(await by(page, id).locator("svg.plot").count(), 1, id);
-      assert.equal(await card.locator(".saving").count(), 1, id);
-    }
-  });
+  await check(
+    "one picture a chart, and one row of buttons, however often they were drawn",
+    async () => {
+      for (const id of ["angles", "faults", "survival"]) {
+        const card = page.locator(".card").filter({ has: by(page, id) });
+        if (!(await card.isVisible())) continue;
+        assert.equal(await by(page, id).locator("svg.plot").count(), 1, id);
+        assert.equal(await card.locator(".saving").count(), 1, id);
+      }
+    },
+  );
   await loading_check(page);
   await folding_check(page);
   await check("it says when nobody answers, and when somebody does again", async () => {

@@ -1,6 +1,6 @@
 // campaign.schema.json and read_campaign accept and refuse the same files.
 #include "schema/campaign/campaign_file.hpp"
-#include "schema_agreement.hpp"
+#include "tests/schema/schema_agreement.hpp"
 
 namespace misalign::schema {
 namespace {

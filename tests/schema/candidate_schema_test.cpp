@@ -5,8 +5,8 @@
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/deploy_json.hpp"
 #include "schema/pattern/vertex_labels.hpp"
-#include "schema_agreement.hpp"
 #include "solver/certificate/certifier.hpp"
+#include "tests/schema/schema_agreement.hpp"
 
 namespace misalign::schema {
 namespace {

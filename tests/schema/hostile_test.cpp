@@ -4,13 +4,13 @@
 
 #include <cstdlib>
 
-#include "catalogue_fixture.hpp"
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "tests/bench/cpu_seconds.hpp"
 #include "tests/older_catalogues.hpp"
+#include "tests/schema/catalogue_fixture.hpp"
 
 namespace misalign::schema {
 namespace {

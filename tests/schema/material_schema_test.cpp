@@ -1,8 +1,8 @@
 // material.schema.json and read_material_file accept and refuse the same files.
 #include "schema/files/text_file.hpp"
 #include "schema/pattern/material.hpp"
-#include "schema_agreement.hpp"
 #include "tests/folder.hpp"
+#include "tests/schema/schema_agreement.hpp"
 
 namespace misalign::schema {
 namespace {

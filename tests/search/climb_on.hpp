@@ -3,7 +3,7 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "search/ranks/climb_task.hpp"
-#include "splitting_campaigns.hpp"
+#include "tests/search/splitting_campaigns.hpp"
 
 namespace misalign::search {
 

@@ -5,8 +5,6 @@
 
 #include <limits>
 
-#include "../schema/catalogue_fixture.hpp"
-#include "climb_on.hpp"
 #include "schema/exchange/ladder_json.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
@@ -15,6 +13,8 @@
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
 #include "tests/folder.hpp"
+#include "tests/schema/catalogue_fixture.hpp"
+#include "tests/search/climb_on.hpp"
 
 namespace misalign::search {
 

@@ -6,14 +6,14 @@
 #include <functional>
 #include <iostream>
 
-#include "../schema/catalogue_fixture.hpp"
-#include "../schema/faulty_vfs.hpp"
-#include "climb_on.hpp"
 #include "schema/catalogue/ledger_check.hpp"
 #include "search/draws/models.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/row_certifier.hpp"
 #include "tests/folder.hpp"
+#include "tests/schema/catalogue_fixture.hpp"
+#include "tests/schema/faulty_vfs.hpp"
+#include "tests/search/climb_on.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,9 +1,9 @@
 // Fast tests and full paths together accept exactly what the reference accepts, at any threshold.
 #include <set>
 
-#include "blocks.hpp"
 #include "solver/lanes/lane_batch.hpp"
 #include "solver/reference/reference.hpp"
+#include "tests/solver/blocks.hpp"
 
 namespace misalign::solver {
 namespace {

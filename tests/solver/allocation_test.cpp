@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdlib>
 
-#include "blocks.hpp"
 #include "solver/reference/reference.hpp"
+#include "tests/solver/blocks.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define MISALIGN_COUNTS_ALLOCATIONS 0  // the sanitizer has an allocator of its own

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "sheets.hpp"
 #include "solver/lanes/batch.hpp"
+#include "tests/solver/sheets.hpp"
 
 namespace misalign::solver {
 

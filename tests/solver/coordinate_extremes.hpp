@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "vertex_coordinates.hpp"
+#include "tests/solver/vertex_coordinates.hpp"
 
 namespace misalign::solver {
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "blocks.hpp"
 #include "schema/pattern/fold_format.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "solver/reference/arc_length.hpp"
+#include "tests/solver/blocks.hpp"
 
 namespace misalign::solver {
 

@@ -1,12 +1,12 @@
 // Every family of base patterns: its folding found again by other means and in other steps.
-#include "families.hpp"
+#include "tests/solver/families.hpp"
 
 #include <optional>
 
 #include "solver/continuation/homotopy.hpp"
 #include "solver/continuation/path_follower.hpp"
 #include "solver/linear/pivot_order.hpp"
-#include "vertex_coordinates.hpp"
+#include "tests/solver/vertex_coordinates.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "sheets.hpp"
 #include "solver/pattern/parallel_family.hpp"
+#include "tests/solver/sheets.hpp"
 
 namespace misalign::solver {
 

@@ -1,6 +1,6 @@
 // Invariance of a verdict: the unit of length, where the sheet lies and from which side it is seen,
 // and how its vertices are numbered.
-#include "viewed_family.hpp"
+#include "tests/solver/viewed_family.hpp"
 
 namespace misalign::solver {
 namespace {

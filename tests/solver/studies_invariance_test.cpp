@@ -10,7 +10,7 @@
 #include "solver/play/backlash.hpp"
 #include "solver/records/metrics.hpp"
 #include "solver/records/path_record.hpp"
-#include "viewed_family.hpp"
+#include "tests/solver/viewed_family.hpp"
 
 namespace misalign::solver {
 namespace {

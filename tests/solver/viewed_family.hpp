@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "families.hpp"
 #include "schema/pattern/pattern_file.hpp"
+#include "tests/solver/families.hpp"
 
 namespace misalign::solver {
 

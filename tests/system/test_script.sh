@@ -27,6 +27,10 @@ scripts/test.sh > out 2>&1 || fail "exit $?: $(cat out)"
 grep -q 'ctest .*-L quick' calls || fail "no quick tests: $(cat calls)"
 grep -qE 'asan|studies|--lint' calls && fail "it does what --all adds: $(cat calls)"
 
+flags() { grep -oE 'DMISALIGN_\w+=\w+' "$1" | grep -v _TESTS= | sort; }
+[ "$(flags calls)" = "$(flags "$source_dir/scripts/run.sh")" ] ||
+  fail "after scripts/run.sh more than tests is compiled, with $(flags calls)"
+
 rm calls
 scripts/test.sh --all > out 2>&1
 code=$?
