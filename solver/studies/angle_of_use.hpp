@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/sheet/sheet.hpp"
-#include "solver/studies/studied.hpp"
+#include "solver/studies/option_fault.hpp"
 
 namespace misalign::solver {
 
