@@ -266,7 +266,7 @@ Json campaign_json(const Campaign& campaign) {
 Json stored_configuration(const Campaign& campaign) {
   static const Json defaults = campaign_json(default_campaign());
   Json configuration = campaign_json(campaign);
-  configuration["design"] = said_design_json(campaign.design);
+  configuration["design"] = explicit_design_json(campaign.design);
   if (configuration["design"].empty()) configuration.erase("design");
   if (!campaign.certify) configuration.erase("certify");
   if (!campaign.misalignment.parallel) {

@@ -65,7 +65,7 @@ Json card_json(const Card& card) {
           {"asked", card.asked()},
           {"passed", card.passed()},
           {"from_deg", card.from_deg},
-          {"design", said_design_json(card.design)},
+          {"design", explicit_design_json(card.design)},
           {"lines", lines}};
 }
 

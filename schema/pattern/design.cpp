@@ -293,7 +293,7 @@ Json design_json(const Design& design) {
   return json;
 }
 
-Json said_design_json(const Design& design) {
+Json explicit_design_json(const Design& design) {
   static const Json kNothing = design_json({});
   Json json = design_json(design);
   const auto leave_out = [](Json& object, const Json& standard) {

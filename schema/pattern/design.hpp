@@ -77,6 +77,6 @@ Design read_springs(const Json& value, const std::string& where, InputFaults& fa
 /// Every key; null what is not said and has no number that holds instead.
 Json design_json(const Design& design);
 /// Without what says no more than that.
-Json said_design_json(const Design& design);
+Json explicit_design_json(const Design& design);
 
 }  // namespace misalign::schema

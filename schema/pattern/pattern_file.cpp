@@ -228,7 +228,7 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
 Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
                        const Sampling& sampling, const Design& design) {
   Json json = {{"pattern", pattern_json(base, shifts_mm)}, {"sampling", sampling_json(sampling)}};
-  const Json said = said_design_json(design);
+  const Json said = explicit_design_json(design);
   if (!said.empty()) json["design"] = said;
   return json;
 }

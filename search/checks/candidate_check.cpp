@@ -144,7 +144,7 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
             schema::displacements_json(start.shifts_mm()).dump());
   }
   const auto fitted = solver::fitted_start(start, *asked_);
-  const Json value = fitted.study ? Json(fitted.study->value) : Json();
+  const Json value = fitted ? Json(fitted->value) : Json();
   compare("start_value", value);
   if (is_as_drawn) compare("end_value", value);
 }

@@ -20,8 +20,8 @@
 #include "search/sheets/choice.hpp"
 #include "search/sheets/query_text.hpp"
 #include "search/sheets/study_functions.hpp"
+#include "search/sheets/study_json.hpp"
 #include "search/sheets/tolerance.hpp"
-#include "solver/motion/actuation.hpp"
 
 namespace misalign::search::python {
 namespace {
@@ -120,12 +120,8 @@ class Catalogue {
   std::string springs(const py::object& number) const {
     const std::uint64_t draw = draw_number(number);
     return unlocked([&] {
-      const schema::Campaign& campaign = *source_->campaign;
-      FoldingModel model(campaign, station_of_use(campaign.design, campaign.sampling()));
-      const solver::Sheet sheet = model.sheet(shifts_of({draw}).front());
-      schema::Json json = springs_json({model.base(), sheet}, actuated(sheet, model.design()));
-      json["draw"] = draw;
-      return json.dump();
+      const Subject subject(sheet_of_draw(*source_->campaign, draw, shifts_of({draw}).front()), {});
+      return study_json(subject, actuated(subject.sheet, subject.model.design())).dump();
     });
   }
 

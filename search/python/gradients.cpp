@@ -8,6 +8,7 @@
 #include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
 #include "search/python/stations.hpp"
+#include "search/sheets/studies.hpp"
 #include "solver/optimise/path_gradients.hpp"
 
 namespace misalign::search::python {
@@ -27,11 +28,11 @@ struct Gradients {
 Gradients gradients_of(const PatternSource& source, const std::vector<double>& stations_deg) {
   Subject subject(source.sheet, {});
   const solver::Sheet& sheet = subject.sheet;
-  if (sheet.model().has_spare_equations() || !sheet.way()) {
-    throw schema::UserError(schema::Cause::failure,
-                            sheet.name() +
-                                ": has no gradients (its path is lost, or it has fewer "
-                                "holes than count to one degree of freedom)");
+  const bool is_overconstrained = sheet.model().has_spare_equations();
+  if (is_overconstrained || !sheet.way()) {
+    throw study_error(
+        is_overconstrained ? solver::NoResult::overconstrained : solver::NoResult::path_lost,
+        sheet.name(), "it has no gradients");
   }
   solver::PathGradients gradients(sheet);
   Gradients all{{}, {}, {}, gradients.fold_limit()};

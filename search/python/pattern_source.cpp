@@ -101,7 +101,7 @@ std::string text_of(const PatternSource& source) {
   return schema::Json{{"name", sheet.pattern},
                       {"pattern", schema::pattern_json(sheet.base, sheet.shifts_mm)},
                       {"sampling", schema::sampling_json(sheet.sampling)},
-                      {"design", schema::said_design_json(sheet.design)},
+                      {"design", schema::explicit_design_json(sheet.design)},
                       {"exported", sheet.exported}}
       .dump();
 }

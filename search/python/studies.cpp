@@ -10,8 +10,9 @@
 #include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
 #include "search/sheets/card.hpp"
+#include "search/sheets/deploy_input.hpp"
 #include "search/sheets/row_certifier.hpp"
-#include "search/sheets/sheet_said.hpp"
+#include "search/sheets/study_json.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/studies/angle_of_use.hpp"
 
@@ -33,12 +34,19 @@ schema::Design design_of(const std::string& said) {
 std::string contact(const PatternSource& source, const std::string& design,
                     const std::optional<double>& trim_mm) {
   if (trim_mm) check_parameter("", "trim_mm", *trim_mm);
-  return unlocked(
-      [&] { return contact_said(Subject(source.sheet, design_of(design)), trim_mm).dump(); });
+  return unlocked([&] {
+    const Subject subject(source.sheet, design_of(design));
+    return study_json(subject,
+                      contact_of(subject.sheet, {trim_mm, subject.model.design().from_deg}))
+        .dump();
+  });
 }
 
 std::string actuators(const PatternSource& source, const std::string& design) {
-  return unlocked([&] { return actuators_said(Subject(source.sheet, design_of(design))).dump(); });
+  return unlocked([&] {
+    const Subject subject(source.sheet, design_of(design));
+    return study_json(subject, actuated(subject.sheet, subject.model.design())).dump();
+  });
 }
 
 std::string deploy(const PatternSource& source, const std::string& design,
@@ -46,8 +54,9 @@ std::string deploy(const PatternSource& source, const std::string& design,
   return unlocked([&] {
     const Subject subject(source.sheet, design_of(design));
     const schema::Design& whole = subject.model.design();
-    return deploy_said(subject, deploy_options(whole, subject.sheet),
-                       bends.value_or(panels_bend(whole, subject.sheet)))
+    return study_json(subject,
+                      released_sheet(subject.sheet, deploy_options(whole, subject.sheet), whole,
+                                     bends.value_or(panels_bend(whole, subject.sheet))))
         .dump();
   });
 }
@@ -77,19 +86,19 @@ std::string optimise(const PatternSource& source, const std::string& design,
           "name one such as " + schema::goal_names().front()});
     }
     Subject subject(source.sheet, design_of(design));
-    return optimise_said(subject, optimised(subject, {.goal = named->goal,
-                                                      .amplitude_mm = amplitude_mm,
-                                                      .deploys_from_deg = deploys_from_deg,
-                                                      .ternary = ternary,
-                                                      .grid_mm = grid_mm,
-                                                      .within_family = within_family,
-                                                      .subject_to = subject_to,
-                                                      .stiffness_n_per_mm = stiffness_n_per_mm,
-                                                      .preload_n = preload_n,
-                                                      .rest_deg = rest_deg,
-                                                      .miscut_mm = miscut_mm,
-                                                      .trials = copies,
-                                                      .watch = watch_signals}))
+    return study_json(subject, optimised(subject, {.goal = named->goal,
+                                                   .amplitude_mm = amplitude_mm,
+                                                   .deploys_from_deg = deploys_from_deg,
+                                                   .ternary = ternary,
+                                                   .grid_mm = grid_mm,
+                                                   .within_family = within_family,
+                                                   .subject_to = subject_to,
+                                                   .stiffness_n_per_mm = stiffness_n_per_mm,
+                                                   .preload_n = preload_n,
+                                                   .rest_deg = rest_deg,
+                                                   .miscut_mm = miscut_mm,
+                                                   .trials = copies,
+                                                   .watch = watch_signals}))
         .dump();
   });
 }
@@ -100,7 +109,7 @@ std::string card(const PatternSource& source, const std::string& design, std::in
                             checked_count<int>("", "jobs", jobs)};
   return unlocked([&] {
     const Subject subject(source.sheet, design_of(design));
-    return card_said(subject, card_of(subject, options).card).dump();
+    return study_json(subject, card_of(subject, options).card).dump();
   });
 }
 

@@ -105,7 +105,7 @@ Json ReportDetails::detail(const solver::Sheet& sheet, std::uint64_t draw, bool 
 Json ReportDetails::deployment(const solver::Sheet& sheet) const {
   solver::DeployOptions options = deploy_options(model_.design(), sheet);
   options.from_deg = from_of(sheet);
-  const auto study = solver::deploy(sheet, options).study;
+  const auto study = solver::deploy(sheet, options);
   return study ? schema::page_deployment_json(*study) : Json();
 }
 
@@ -119,10 +119,10 @@ std::optional<double> ReportDetails::from_of(const solver::Sheet& sheet) const {
 // by nothing; null where the path is lost.
 Json ReportDetails::contact(const solver::Sheet& sheet) const {
   solver::ContactOptions options{{}, from_of(sheet)};
-  auto studied = solver::contact(sheet, options);
-  if (studied.fault) studied = solver::contact(sheet, {0, options.from_deg});
-  if (!studied.study) return nullptr;
-  Json json = schema::contact_study_json(model_.base(), sheet.panels(), *studied.study);
+  auto study = solver::contact(sheet, options);
+  if (study.fault()) study = solver::contact(sheet, {0, options.from_deg});
+  if (!study) return nullptr;
+  Json json = schema::contact_study_json(model_.base(), sheet.panels(), *study);
   json.erase("clearance");
   return json;
 }

@@ -10,8 +10,8 @@
 
 #include "search/draws/models.hpp"
 #include "search/sheets/deploy_input.hpp"
-#include "search/sheets/found_study.hpp"
 #include "search/sheets/row_certifier.hpp"
+#include "search/sheets/studies.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
@@ -82,17 +82,17 @@ std::optional<double> lower(const std::optional<double>& a, const std::optional<
 }
 
 // What the start does not keep is called by the limit that says it, where that is none of springs.
-solver::Studied<solver::Optimised> called_by(const schema::OptimiseBounds& bounds,
-                                             solver::Studied<solver::Optimised> studied) {
-  if (!studied.fault) return studied;
-  solver::OptionFault& fault = *studied.fault;
+solver::StudyResult<solver::Optimised> called_by(const schema::OptimiseBounds& bounds,
+                                                 solver::StudyResult<solver::Optimised> study) {
+  if (!study.fault()) return study;
+  solver::OptionFault fault = *study.fault();
   for (const auto& [name, limit, own] :
        {std::tuple("stroke_limit", "stroke_max", bounds.stroke_max),
         std::tuple("largest_force_n", "largest_force_n", bounds.largest_force_n)}) {
     if (fault.name != name || !own || fault.value != fmt::format("{:g}", *own)) continue;
     fault = {"subject_to", std::string(limit) + " <= " + *fault.value, fault.why, fault.suggestion};
   }
-  return studied;
+  return fault;
 }
 
 bool asks_for(const solver::OptimiseOptions& options, solver::OptimiseGoal goal) {
@@ -167,13 +167,6 @@ void choose_springs(const OptimiseInput& input, solver::OptimiseOptions& options
 ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   const auto& [chosen, model, sheet] = subject;
   const schema::Design& design = model.design();
-  if (sheet.model().has_spare_equations()) {
-    throw schema::UserError(schema::Cause::bad_request,
-                            sheet.name() +
-                                ": has fewer holes than count to one degree of freedom "
-                                "(next to it only sheets of its parallel family fold); "
-                                "`misalign construct` makes the best of these");
-  }
   solver::OptimiseOptions options;
   options.goal = input.goal;
   options.used_from_deg = design.from_deg;
@@ -218,8 +211,8 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   if (input.grid_mm) shifts_mm = (shifts_mm.array() / *input.grid_mm).round() * *input.grid_mm;
   const solver::Sheet start(solver, shifts_mm, sheet.name());
   return proven(subject,
-                found(called_by(bounds, solver::optimise(start, options)),
-                      sheet.name() + ": its path is lost"),
+                value_or_throw(called_by(bounds, solver::optimise(start, options)), sheet.name(),
+                               "no better sheet is looked for"),
                 input.watch);
 }
 

@@ -8,10 +8,9 @@
 #include "schema/files/features.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/sheets/backlash.hpp"
-#include "search/sheets/contact_text.hpp"
 #include "search/sheets/deploy_input.hpp"
-#include "search/sheets/found_study.hpp"
 #include "search/sheets/row_certifier.hpp"
+#include "search/sheets/studies.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/certificate/member_proof.hpp"
 #include "solver/contact/least_box.hpp"
@@ -164,8 +163,7 @@ class CardMaker {
   // Panels are bent by springs on the vertices alone.
   void rigid() {
     const solver::Standstill study =
-        found(solver::standstill(sheet_, release_),
-              sheet_.name() + ": its folding path is lost (a numerical failure)");
+        value_or_throw(solver::standstill(sheet_, release_), sheet_.name(), "it has no card");
     margin("energy_margin", "energy margin over the hinges' friction, panels rigid",
            design_.energy_margin.value_or(solver::kWantedMargin),
            study.friction.critical_n_mm_per_mm, release_.sheet.joints.friction_n_mm_per_mm);

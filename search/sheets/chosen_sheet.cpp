@@ -89,6 +89,17 @@ ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::s
           std::move(read.exported)};
 }
 
+ChosenSheet sheet_of_draw(schema::Campaign campaign, std::uint64_t draw,
+                          Eigen::Matrix2Xd shifts_mm) {
+  return {campaign.pattern,
+          campaign.sampling(),
+          campaign.design,
+          std::move(shifts_mm),
+          ChosenSheet::Drawn{std::move(campaign), draw},
+          "",
+          {}};
+}
+
 Subject::Subject(ChosenSheet what, const schema::Design& options)
     : chosen(std::move(what)),
       model(chosen.base, chosen.sampling, options.instead_of(chosen.design),
@@ -112,23 +123,7 @@ Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
   }
   schema::Campaign campaign = schema::read_campaign_of(*database, path);
   Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database, campaign, *draw);
-  return {{campaign.pattern,
-           campaign.sampling(),
-           campaign.design,
-           std::move(shifts_mm),
-           ChosenSheet::Drawn{campaign, *draw},
-           "",
-           {}},
-          options};
-}
-
-solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design) {
-  if (design.from_deg) {
-    if (const auto fault = solver::beyond_d(sheet, *design.from_deg)) {
-      throw schema::UserError(*fault);
-    }
-  }
-  return solver::actuate(sheet, design.actuators(), design.from_deg);
+  return {sheet_of_draw(std::move(campaign), *draw, std::move(shifts_mm)), options};
 }
 
 void warn_beyond_d(const solver::Sheet& sheet, std::optional<double> from_deg) {

@@ -63,6 +63,10 @@ ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::s
                                       const std::filesystem::path& directory,
                                       const std::string& name, schema::Perforations perforations);
 
+/// A draw of a campaign.
+ChosenSheet sheet_of_draw(schema::Campaign campaign, std::uint64_t draw,
+                          Eigen::Matrix2Xd shifts_mm);
+
 /// A sheet to study, its model and design, and what was chosen.
 struct Subject {
   Subject(ChosenSheet what, const schema::Design& options);
@@ -80,10 +84,6 @@ Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
 
 /// What is asked at the angle of use needs a station there, where no sample is.
 StationOptions station_of_use(const schema::Design& design, const schema::Sampling& sampling);
-
-/// Springs of this design on a sheet of its model, which has that station. UserError (bad_request)
-/// where it is used from beyond D.
-solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design);
 
 /// Says so, where a sheet is let go beyond D: its diagonals do not go one way there.
 void warn_beyond_d(const solver::Sheet& sheet, std::optional<double> from_deg);

@@ -6,7 +6,6 @@
 
 #include "schema/exchange/contact_json.hpp"
 #include "schema/pattern/pattern_file.hpp"
-#include "search/sheets/found_study.hpp"
 
 namespace misalign::search {
 namespace {
@@ -55,13 +54,6 @@ std::string contact_text(const schema::Pattern& base, const solver::Panels& pane
                         least.vertex_deg, least.crease_deg);
   }
   return text;
-}
-
-solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options) {
-  return found(solver::contact(sheet, options),
-               sheet.name() +
-                   ": its folding path is lost (a numerical failure), so it is not known where "
-                   "panels meet; `misalign fold` says how far the path is known");
 }
 
 }  // namespace misalign::search

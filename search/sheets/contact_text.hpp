@@ -12,7 +12,4 @@ namespace misalign::search {
 std::string contact_text(const schema::Pattern& base, const solver::Panels& panels,
                          const solver::ContactStudy& study);
 
-/// The study itself. UserError: 2 where a trim does not fit the sheet, 1 where its path is lost.
-solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options);
-
 }  // namespace misalign::search

@@ -8,8 +8,6 @@
 #include <charconv>
 
 #include "schema/exchange/actuators_json.hpp"
-#include "schema/files/features.hpp"
-#include "search/sheets/found_study.hpp"
 
 namespace misalign::search {
 namespace {
@@ -77,11 +75,6 @@ solver::HeldPanel held_panel(const solver::Sheet& sheet, const std::array<int, 2
   return held;
 }
 
-std::string lost(const solver::Sheet& sheet, const char* so) {
-  return sheet.name() + ": its folding path is lost (a numerical failure), so " + so +
-         "; `misalign fold` says how far it is known";
-}
-
 }  // namespace
 
 double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sheet& sheet) {
@@ -145,37 +138,12 @@ solver::DeployOptions DeployInput::of(const solver::Sheet& sheet,
   return fitted;
 }
 
-solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options) {
-  schema::need("SUNDIALS");
-  return found(solver::deploy(sheet, options), lost(sheet, "it cannot be let go"));
-}
-
-std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
-                                        const solver::DeployOptions& deploying,
-                                        const schema::Design& design) {
-  if (!design.pin_friction_mm) return {};
-  return found(
-      solver::study_pins(sheet, deploying, *design.pin_friction_mm, bending(design).to_deg),
-      lost(sheet, "its pins cannot be loaded"));
-}
-
 solver::BentPanelsOptions bending(const schema::Design& design) {
   const schema::Material material = design.material.value_or(schema::Material{});
   solver::BentPanelsOptions options;
   options.material = {material.e_gpa, material.poisson};
   options.to_deg = design.margin_to_deg.value_or(options.to_deg);
   return options;
-}
-
-schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
-                             const schema::Design& design) {
-  solver::BentPanels panels = found(solver::bend_panels(sheet, deploying, bending(design)),
-                                    lost(sheet, "its panels cannot be bent"));
-  std::optional<solver::PreloadStudy> preload;
-  if (deploying.sheet.springs.preload.is_any()) preload = study_preload(sheet, deploying, panels);
-  const double wanted = design.static_margin.value_or(solver::kWantedMargin);
-  const solver::BentAdvice advice = advise(sheet, deploying, panels, wanted);
-  return {design.material.value_or(schema::Material{}), std::move(panels), advice, preload};
 }
 
 }  // namespace misalign::search

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "schema/exchange/bent_panels_json.hpp"
 #include "search/sheets/folding_model.hpp"
-#include "solver/motion/pin_friction.hpp"
+#include "solver/bending/bent_panels.hpp"
 
 namespace misalign::search {
 
@@ -31,24 +30,12 @@ double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sh
 /// hold.
 solver::DeployOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet);
 
-/// The sheet let go. UserError: 2 where an option does not fit it, 1 where its path is lost.
-solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options);
-
-/// What pins it overcomes, with the design's, or nothing where it says none. UserError as above.
-std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
-                                        const solver::DeployOptions& deploying,
-                                        const schema::Design& design);
-
 /// How panels of this design bend: of its material, otherwise aluminium.
 solver::BentPanelsOptions bending(const schema::Design& design);
 
-/// Whether they do where nothing is said: a material is named, and springs end on the vertices.
+/// Whether panels bend where nothing is said: a material is named, and springs end on the vertices.
 inline bool panels_bend(const schema::Design& design, const solver::Sheet& sheet) {
   return design.material && sheet.base().springs.at_vertices();
 }
-
-/// Its panels bent. UserError as above.
-schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
-                             const schema::Design& design);
 
 }  // namespace misalign::search

@@ -19,10 +19,9 @@
 #include "schema/kit/kit_guide.hpp"
 #include "schema/kit/test_piece.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/contact_text.hpp"
 #include "search/sheets/deploy_input.hpp"
+#include "search/sheets/studies.hpp"
 #include "search/terminal/terminal.hpp"
-#include "solver/motion/deploy.hpp"
 
 namespace misalign::search {
 namespace {
@@ -163,11 +162,11 @@ schema::Json ExportFiles::data_of(const solver::Sheet& sheet, const schema::Json
   const schema::FoldingView view(model_.base(), sheet);
   std::optional<solver::Sheet> another;
   const solver::Sheet& alone = at_samples(sheet, another);
-  const auto deployment = solver::deploy(alone, deploy_options(model_.design(), alone)).study;
+  const auto deployment = solver::deploy(alone, deploy_options(model_.design(), alone));
   schema::Json data = schema::folded_pattern_json(
       model_.sampling(), view, schema::actuation_json(view, actuated(sheet, model_.design())),
       deployment ? schema::exported_deployment_json(*deployment) : schema::Json());
-  const schema::Json design = schema::said_design_json(model_.design());
+  const schema::Json design = schema::explicit_design_json(model_.design());
   if (!design.empty()) data["design"] = design;
   data.update(origin);
   return data;

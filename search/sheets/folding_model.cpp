@@ -1,6 +1,5 @@
 #include "search/sheets/folding_model.hpp"
 
-#include "schema/exchange/actuators_json.hpp"
 #include "schema/pattern/preload_json.hpp"
 #include "solver/pattern/half_angle.hpp"
 
@@ -23,12 +22,6 @@ FoldingModel::FoldingModel(const schema::Campaign& campaign, const StationOption
       model_(model_of(campaign, stations)),
       solver_(model_) {
   schema::check_preloads(design_.other_preloads, mechanism());
-}
-
-schema::Json springs_json(const schema::FoldingView& view, const solver::Actuation& actuation) {
-  schema::Json json = schema::actuation_history_json(view, actuation);
-  json["deploys_from_deg"] = view.sheet.sample_deg(view.history.verdict.deploys_from_sample);
-  return json;
 }
 
 void check_shapes(const solver::Sheet& sheet, const std::vector<Eigen::Index>& rows) {

@@ -39,10 +39,6 @@ class FoldingModel {
   solver::SheetSolver solver_;
 };
 
-/// What `misalign actuators` says of a sheet with these springs: actuation_history_json, and
-/// "deploys_from_deg".
-schema::Json springs_json(const schema::FoldingView& view, const solver::Actuation& actuation);
-
 /// UserError (check_failed) if the shapes of these rows are not the flat sheet's panels, folded as
 /// the history says: judged by coordinates alone.
 void check_shapes(const solver::Sheet& sheet, const std::vector<Eigen::Index>& rows);

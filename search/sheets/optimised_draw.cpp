@@ -39,11 +39,11 @@ OptimisedDraw::OptimisedDraw(const solver::OptimiseOptions& asked, const solver:
       })) {
   candidate_.shifts_mm = start_.shifts_mm();
   auto fitted = solver::fitted_start(start_, asked);
-  if (fitted.study) {
-    ascent_.emplace(start_, *std::move(fitted.study));
+  if (fitted) {
+    ascent_.emplace(start_, *std::move(fitted));
     return;
   }
-  const bool breaks_a_limit = fitted.fault && fitted.fault->name != "goal";
+  const bool breaks_a_limit = fitted.fault() && fitted.fault()->name != "goal";
   candidate_.ascent.emplace().ended = breaks_a_limit ? "breaks_a_limit" : "has_no_value";
 }
 

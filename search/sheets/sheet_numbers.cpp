@@ -89,11 +89,13 @@ Found find(const solver::Sheet& sheet, const schema::Design& design,
            const Needed& needed) {
   const auto needs = [&](Needs what) { return needed[static_cast<std::size_t>(what)]; };
   Found found;
-  if (needs(Needs::standstill)) found.standstill = solver::standstill(sheet, options).study;
+  if (needs(Needs::standstill)) found.standstill = solver::standstill(sheet, options).if_any();
   if (needs(Needs::springs)) found.springs_n_mm = solver::springs_n_mm(sheet, options);
-  if (needs(Needs::motion)) found.motion = solver::deploy(sheet, options).study;
-  if (needs(Needs::contact)) found.contact = solver::contact(sheet, {{}, from_deg}).study;
-  if (needs(Needs::bent)) found.bent = solver::bend_panels(sheet, options, bending(design)).study;
+  if (needs(Needs::motion)) found.motion = solver::deploy(sheet, options).if_any();
+  if (needs(Needs::contact)) found.contact = solver::contact(sheet, {{}, from_deg}).if_any();
+  if (needs(Needs::bent)) {
+    found.bent = solver::bend_panels(sheet, options, bending(design)).if_any();
+  }
   return found;
 }
 

@@ -9,6 +9,7 @@
 #include "schema/pattern/perforation_check.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/on_threads.hpp"
+#include "search/sheets/studies.hpp"
 #include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
@@ -172,10 +173,9 @@ std::vector<solver::Tolerance> study_tolerance(const schema::Campaign& campaign,
                                                const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                                                const ToleranceOptions& options) {
   if (options.trials > 0 && schema::has_spare_equations(campaign.pattern.base)) {
-    throw schema::UserError(schema::Cause::bad_request,
-                            "tolerance: no miscut copy of a sheet with so few holes folds, so that "
-                            "none can be counted; `misalign tolerance` of one sheet says by how "
-                            "much its joints stay open");
+    throw study_error(solver::NoResult::overconstrained, "the sheet",
+                      "no miscut copy folds and none can be counted",
+                      "`misalign tolerance` of one sheet says by how much its joints stay open");
   }
   return Study(campaign, shifts_mm, options).run();
 }

@@ -3,7 +3,7 @@
 
 #include "schema/catalogue/study_table.hpp"
 #include "search/sheets/actuators_text.hpp"
-#include "search/sheets/sheet_said.hpp"
+#include "search/sheets/study_json.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -20,9 +20,9 @@ struct ActuatorsCall {
 
 void show_actuators(const ActuatorsCall& call) {
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
-  if (call.json) return put_json(actuators_said(subject));
   const auto& [chosen, model, sheet] = subject;
   const solver::Actuation actuation = actuated(sheet, model.design());
+  if (call.json) return put_json(study_json(subject, actuation));
   const solver::Verdict& verdict = sheet.history().verdict;
   const double deploys_from_deg = sheet.sample_deg(verdict.deploys_from_sample);
   const char* decision = "";

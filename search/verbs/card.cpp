@@ -8,7 +8,7 @@
 #include "schema/kit/card_page.hpp"
 #include "search/sheets/backlash.hpp"
 #include "search/sheets/card_text.hpp"
-#include "search/sheets/sheet_said.hpp"
+#include "search/sheets/study_json.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/terminal/usable_threads.hpp"
 #include "search/verbs/options.hpp"
@@ -36,7 +36,7 @@ void show_card(CardCall call) {
     schema::write_text_file(call.output, schema::card_page(card, subject.sheet, springs));
   }
   if (!call.json) return put(card_text(card));
-  put_json(card_said(subject, card));
+  put_json(study_json(subject, card));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "schema/files/text_file.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/construct_text.hpp"
+#include "search/sheets/studies.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -35,7 +36,7 @@ void construct_sheet(ConstructCall& call) {
   const solver::ConstructStudy study = constructed(base, call.pattern_path, call.rim, call.options);
   if (!call.output_path.empty()) {
     schema::Json made = schema::pattern_json(base, study.shifts_mm);
-    const schema::Json design = schema::said_design_json(read.design);
+    const schema::Json design = schema::explicit_design_json(read.design);
     if (!design.empty()) made["design"] = design;
     schema::write_text_file(call.output_path, made.dump(1) + "\n");
   }

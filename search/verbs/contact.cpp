@@ -3,7 +3,7 @@
 
 #include "schema/catalogue/study_table.hpp"
 #include "search/sheets/contact_text.hpp"
-#include "search/sheets/sheet_said.hpp"
+#include "search/sheets/study_json.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -21,9 +21,9 @@ struct ContactCall {
 
 void show_contact(const ContactCall& call) {
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
-  if (call.json) return put_json(contact_said(subject, call.trim_mm));
   const auto& [chosen, model, sheet] = subject;
   const solver::ContactStudy study = contact_of(sheet, {call.trim_mm, model.design().from_deg});
+  if (call.json) return put_json(study_json(subject, study));
   put("{}: deploys from {:g} deg\n", sheet.name(), study.deploys_from_deg);
   put(contact_text(chosen.base, sheet.panels(), study));
 }

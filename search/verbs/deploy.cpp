@@ -7,7 +7,7 @@
 #include "schema/catalogue/study_table.hpp"
 #include "search/sheets/bent_panels_text.hpp"
 #include "search/sheets/deploy_text.hpp"
-#include "search/sheets/sheet_said.hpp"
+#include "search/sheets/study_json.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/deploy_options.hpp"
 #include "search/verbs/options.hpp"
@@ -37,20 +37,14 @@ void show_deployment(DeployCall call) {
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
   const bool bends =
       call.panels ? *call.panels == PanelKind::bend : panels_bend(model.design(), sheet);
-  if (call.json) {
-    const schema::Json json = deploy_said(subject, options, bends);
-    warn_beyond_d(sheet, options.from_deg);
-    return put_json(json);
-  }
-  const solver::DeploymentStudy study = deployed(sheet, options);
+  const ReleasedSheet found = released_sheet(sheet, options, model.design(), bends);
+  warn_beyond_d(sheet, options.from_deg);
+  if (call.json) return put_json(study_json(subject, found));
   std::string text =
       fmt::format("{}: deploys from {:g} deg\n", sheet.name(), sheet.deploys_from_deg());
-  if (bends) {
-    text += bent_panels_text(bent_sheet(sheet, options, model.design()), study.friction);
-  }
-  text += deployment_text(sheet.mechanism(), study);
-  if (const auto pins = pins_of(sheet, options, model.design())) text += pins_text(*pins);
-  warn_beyond_d(sheet, options.from_deg);
+  if (found.bent) text += bent_panels_text(*found.bent, found.motion.friction);
+  text += deployment_text(sheet.mechanism(), found.motion);
+  if (found.pins) text += pins_text(*found.pins);
   put(text);
 }
 

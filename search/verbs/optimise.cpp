@@ -5,7 +5,8 @@
 #include "schema/files/text_file.hpp"
 #include "search/sheets/card.hpp"
 #include "search/sheets/card_text.hpp"
-#include "search/sheets/sheet_said.hpp"
+#include "search/sheets/optimise_text.hpp"
+#include "search/sheets/study_json.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/terminal/usable_threads.hpp"
 #include "search/verbs/options.hpp"
@@ -48,12 +49,12 @@ void show_optimised(OptimiseCall call) {
   std::optional<Cards> cards;
   if (call.with_card) cards = cards_of(subject, better);
   if (call.json) {
-    schema::Json said = optimise_said(subject, better);
+    schema::Json json = study_json(subject, better);
     if (cards) {
-      said["card_before"] = schema::card_json(cards->before);
-      said["card_after"] = schema::card_json(cards->after);
+      json["card_before"] = schema::card_json(cards->before);
+      json["card_after"] = schema::card_json(cards->after);
     }
-    return put_json(said);
+    return put_json(json);
   }
   const auto& shifts_mm = better.found.best().shifts_mm;
   put(optimise_text(subject, subject.model.sheet(shifts_mm, "the sheet that was found"), better));

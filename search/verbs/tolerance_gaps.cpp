@@ -1,5 +1,6 @@
 // The study of gaps of `misalign tolerance`: how far joints of miscut copies stay open.
 #include "schema/exchange/tolerance_json.hpp"
+#include "search/sheets/studies.hpp"
 #include "search/sheets/tolerance_text.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
@@ -24,11 +25,9 @@ std::vector<Eigen::Index> rows_up_to(const solver::Sheet& sheet, double from_deg
   return rows;
 }
 
-void refuse(const ToleranceCall& call, const char* option, const char* why) {
-  throw schema::UserError(schema::Cause::bad_request,
-                          call.path +
-                              ": has fewer holes than count to one degree of freedom, where " +
-                              option + " has no meaning (" + why + "); take it out");
+void refuse(const ToleranceCall& call, const std::string& option, const char* why) {
+  throw study_error(solver::NoResult::overconstrained, call.path,
+                    option + " has no meaning (" + why + ")", "take it out");
 }
 
 }  // namespace

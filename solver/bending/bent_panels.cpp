@@ -231,12 +231,11 @@ int BentPanels::unsure() const {
                                         [](const auto& angle) { return !angle.is_sure; }));
 }
 
-Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
-                                const BentPanelsOptions& options) {
-  const Studied<DeployOptions> fitted = fitted_release(sheet, deploying);
-  if (fitted.fault) return *fitted.fault;
-  if (!fitted.study) return {};
-  const double from_deg = fitted.study->motion.from_deg;
+StudyResult<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
+                                    const BentPanelsOptions& options) {
+  const StudyResult<DeployOptions> fitted = fitted_release(sheet, deploying);
+  if (!fitted) return fitted.obstacle();
+  const double from_deg = fitted->motion.from_deg;
   const DeployingOptions& held = deploying.sheet;
   if (!sheet.base().springs.at_vertices()) {
     return OptionFault{
@@ -259,7 +258,7 @@ Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deployi
   const double thickness_mm = held.plates.thickness_mm;
   const BentWay way(sheet, options.material, thickness_mm, options.to_deg, from_deg,
                     options.angles);
-  if (!way.is_known()) return {};
+  if (!way.is_known()) return NoResult::panels_not_stable;
   const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
   const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
   const auto [method, newton_over_linear] =

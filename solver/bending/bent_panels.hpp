@@ -125,8 +125,8 @@ struct BentPanels {
   int unsure() const;                  ///< angles where Newton's method did not converge
 };
 /// Faults: of the angles as `deploy`, springs that only pull, an angle `to_deg` that does not lie
-/// below the start. Nothing where the path is lost, or the panels' stiffness.
-Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
-                                const BentPanelsOptions& options = {});
+/// below the start. Reasons: path_lost; panels_not_stable at one of the angles.
+StudyResult<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
+                                    const BentPanelsOptions& options = {});
 
 }  // namespace misalign::solver

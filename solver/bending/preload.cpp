@@ -43,15 +43,16 @@ Matrix3Xd settled_in_plane(const ElasticSheet& sheet, const DiagonalSprings& spr
 
 }  // namespace
 
-PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
-                              double thickness_mm, const VectorXd& shares) {
+std::optional<PreloadAtFlat> preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
+                                             double thickness_mm, const VectorXd& shares) {
   const ElasticSheet panels(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals,
                             material, thickness_mm, kStiffer);
-  const Compliance near = find_compliance(panels, rigid_shape_mm(sheet, kNearFlat_deg)).value();
+  const auto near = find_compliance(panels, rigid_shape_mm(sheet, kNearFlat_deg));
+  if (!near) return {};
   const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2);
-  const VectorXd longer = near.lengths_mm - panels.flat_lengths_mm(),
+  const VectorXd longer = near->lengths_mm - panels.flat_lengths_mm(),
                  forces = shares.cwiseProduct(longer.cwiseSign());
-  return {forces.dot(longer) / square, forces.dot(near.mm_per_n * forces) / square};
+  return PreloadAtFlat{forces.dot(longer) / square, forces.dot(near->mm_per_n * forces) / square};
 }
 
 FlatModes find_flat_modes(const ElasticSheet& sheet, const DiagonalSprings& springs) {
@@ -111,8 +112,8 @@ BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
   return best > without ? BestPreload{best_n, best} : BestPreload{0, without};
 }
 
-PreloadStudy study_preload(const Sheet& sheet, const DeployOptions& deploying,
-                           const BentPanels& bent) {
+StudyResult<PreloadStudy> study_preload(const Sheet& sheet, const DeployOptions& deploying,
+                                        const BentPanels& bent) {
   const Springs& springs = deploying.sheet.springs;
   const PanelMaterial& material = bent.options.material;
   const BentWay way(sheet, material, bent.thickness_mm, bent.options.to_deg, bent.from_deg,
@@ -121,13 +122,15 @@ PreloadStudy study_preload(const Sheet& sheet, const DeployOptions& deploying,
   const double n_per_mm = springs.stiffness_n_per_mm;
   const double preload_n = springs.preload.largest_n();
   const VectorXd shares = springs.preload.forces_n(sheet.mechanism().diagonals) / preload_n;
-  const PreloadAtFlat at_flat = preload_at_flat(sheet, material, bent.thickness_mm, shares);
+  const auto at_flat = preload_at_flat(sheet, material, bent.thickness_mm, shares);
+  if (!at_flat) return NoResult::panels_not_stable;
   const double pilot_rate = sheet.way()->pilot_rate(0);
   const double mass = rigid.at(0).mass / (pilot_rate * pilot_rate),  // t mm^2 by the pilot's angle
-      stiffness = std::max(0.0, at_flat.stiffness_n_mm(preload_n));
-  return {preload_n, at_flat, find_flat_modes(way.panels(), {n_per_mm, rigid.relaxed_mm()}),
-          best_preload(way, n_per_mm, bent.options.to_deg, at_flat, shares),
-          std::sqrt(stiffness / mass) / (2 * std::numbers::pi)};
+      stiffness = std::max(0.0, at_flat->stiffness_n_mm(preload_n));
+  return PreloadStudy{preload_n, *at_flat,
+                      find_flat_modes(way.panels(), {n_per_mm, rigid.relaxed_mm()}),
+                      best_preload(way, n_per_mm, bent.options.to_deg, *at_flat, shares),
+                      std::sqrt(stiffness / mass) / (2 * std::numbers::pi)};
 }
 
 }  // namespace misalign::solver

@@ -29,8 +29,9 @@ struct PreloadAtFlat {
 inline constexpr double kNearFlat_deg = 1;
 
 /// Panels that only bend; from a state next to flat. `shares`: of F in each spring.
-PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
-                              double thickness_mm, const Eigen::VectorXd& shares);
+/// None where the panels' stiffness is not positive.
+std::optional<PreloadAtFlat> preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
+                                             double thickness_mm, const Eigen::VectorXd& shares);
 
 /// Small motions of the flat sheet out of its plane in which no panel bends, its one motion among
 /// them, and how many of them the springs' forces push on: each lowers the energy. A free sheet
@@ -59,7 +60,8 @@ struct PreloadStudy {
   double frequency_hz;
 };
 /// Of the springs with which the panels were bent (`bend_panels` of the same sheet and options).
-PreloadStudy study_preload(const Sheet& sheet, const DeployOptions& deploying,
-                           const BentPanels& bent);
+/// Reasons: panels_not_stable next to flat.
+StudyResult<PreloadStudy> study_preload(const Sheet& sheet, const DeployOptions& deploying,
+                                        const BentPanels& bent);
 
 }  // namespace misalign::solver

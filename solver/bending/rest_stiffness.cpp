@@ -20,8 +20,9 @@ std::optional<RestStiffness> rest_stiffness(const Sheet& sheet, const DeployOpti
     const double preload_n = springs.preload.largest_n();
     if (preload_n == 0) return RestStiffness{0, VectorXd::Zero(way->flat_mm().size())};
     const VectorXd shares = springs.preload.forces_n(sheet.mechanism().diagonals) / preload_n;
-    const PreloadAtFlat flat = preload_at_flat(sheet, material, thickness_mm, shares);
-    return RestStiffness{flat.stiffness_n_mm(preload_n), {}, flat.give_mm_per_n};
+    const auto flat = preload_at_flat(sheet, material, thickness_mm, shares);
+    if (!flat) return {};
+    return RestStiffness{flat->stiffness_n_mm(preload_n), {}, flat->give_mm_per_n};
   }
   const double x = way->x_of(springs.rest_deg);
   VectorXd lengths_mm, slopes_mm;

@@ -6,7 +6,7 @@
 
 namespace misalign::solver {
 
-Studied<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options) {
+StudyResult<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options) {
   const double largest_mm = largest_trim_mm(sheet.panels(), sheet.vertices_mm());
   if (options.from_deg) {
     if (auto fault = beyond_d(sheet, *options.from_deg)) return *fault;
@@ -20,7 +20,7 @@ Studied<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options)
                        "trim less"};
   }
   const std::optional<PanelMotion> motion = resolved_motion(sheet);
-  if (!motion) return {};
+  if (!motion) return NoResult::path_lost;
   const FoldingWay& way = motion->way();
   const double known = motion->resolved_until();
   study.deploys_from_deg = sheet.deploys_from_deg();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/contact/plate_thickness.hpp"
-#include "solver/studies/studied.hpp"
+#include "solver/studies/study_result.hpp"
 
 namespace misalign::solver {
 
@@ -34,7 +34,7 @@ struct ContactStudy {
   std::optional<PlateThickness> thickness;  ///< none where the sheet deploys from nothing
 };
 
-/// Faults: from_deg lies beyond D; trim_mm leaves nothing of an edge.
-Studied<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options = {});
+/// Faults: from_deg lies beyond D; trim_mm leaves nothing of an edge. Reasons: path_lost.
+StudyResult<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options = {});
 
 }  // namespace misalign::solver

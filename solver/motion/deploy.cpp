@@ -154,8 +154,8 @@ std::optional<LeastDamping> least_damping(const std::function<Deployment(double)
   return LeastDamping{resting, run.last().time_s};
 }
 
-Studied<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options) {
-  if (!sheet.way()) return {};
+StudyResult<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options) {
+  if (!sheet.way()) return NoResult::path_lost;
   DeployOptions from = options;
   from.motion.from_deg = options.from_deg.value_or(kDeployFrom_deg);
   if (!options.from_deg && sheet.deploys_from_deg() > 0) {
@@ -166,19 +166,18 @@ Studied<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& o
   return from;
 }
 
-Studied<Standstill> standstill(const Sheet& sheet, const DeployOptions& options) {
-  const Studied<DeployOptions> fitted = fitted_release(sheet, options);
-  if (fitted.fault) return *fitted.fault;
-  if (!fitted.study) return {};
+StudyResult<Standstill> standstill(const Sheet& sheet, const DeployOptions& options) {
+  const StudyResult<DeployOptions> fitted = fitted_release(sheet, options);
+  if (!fitted) return fitted.obstacle();
   const FoldingWay& way = *sheet.way();
-  const double from_deg = fitted.study->motion.from_deg;
+  const double from_deg = fitted->motion.from_deg;
   const DeployingSheet deploying(way, sheet.model().shape(), sheet.model().base(), options.sheet);
   return Standstill{from_deg, deploying.at(way.x_of(from_deg)).springs_n_mm,
                     find_friction_limits(deploying, from_deg)};
 }
 
 std::optional<double> springs_n_mm(const Sheet& sheet, const DeployOptions& options) {
-  if (const auto found = standstill(sheet, options).study) return found->springs_n_mm;
+  if (const auto study = standstill(sheet, options)) return study->springs_n_mm;
   // By the state that was solved there: next to where it is folded flat ways are off.
   if (!sheet.way() || options.from_deg != sheet.deploys_from_deg() ||
       preload_fault(options.sheet.springs)) {
@@ -192,13 +191,12 @@ std::optional<double> springs_n_mm(const Sheet& sheet, const DeployOptions& opti
   return springs.stiffness_n_per_mm * longer_mm.squaredNorm() / 2;
 }
 
-Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options) {
-  if constexpr (!has("SUNDIALS")) return {};
-  const Studied<DeployOptions> fitted = fitted_release(sheet, options);
-  if (fitted.fault) return *fitted.fault;
-  if (!fitted.study) return {};
+StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options) {
+  if constexpr (!has("SUNDIALS")) return NoResult::not_in_this_build;
+  const StudyResult<DeployOptions> fitted = fitted_release(sheet, options);
+  if (!fitted) return fitted.obstacle();
   const FoldingWay* const way = sheet.way();
-  const DeploymentOptions& motion = fitted.study->motion;
+  const DeploymentOptions& motion = fitted->motion;
   DeploymentStudy study =
       study_deployment(*way, sheet.model(), options.sheet, motion, options.forces);
   if (options.sheet.joints.damping_n_mm_s_per_mm > 0) {

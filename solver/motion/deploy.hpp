@@ -8,7 +8,7 @@
 #include "solver/motion/equilibria.hpp"
 #include "solver/motion/joint_forces.hpp"
 #include "solver/sheet/sheet.hpp"
-#include "solver/studies/studied.hpp"
+#include "solver/studies/study_result.hpp"
 #include "solver/studies/wanted.hpp"
 
 namespace misalign::solver {
@@ -75,17 +75,18 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
 
 /// The same with the start that is meant (in `motion`), where it lies on the sheet's way as all
 /// other angles do, and springs can have their preload: what studies of a release begin with.
-/// Nothing where its path is lost.
-Studied<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options);
+/// Reasons: path_lost.
+StudyResult<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options);
 /// The same without the motion, and so at a tenth of the cost. Faults as those of deploy().
-Studied<Standstill> standstill(const Sheet& sheet, const DeployOptions& options = {});
+/// Reasons: path_lost.
+StudyResult<Standstill> standstill(const Sheet& sheet, const DeployOptions& options = {});
 /// The energy of the springs where it would be let go, at a D of 180 degrees too, where it is
 /// folded flat and nothing moves it. None where the angle does not lie on its way.
 std::optional<double> springs_n_mm(const Sheet& sheet, const DeployOptions& options);
 
 /// Lets a sheet go. Faults: the start, or an angle at which springs or creases are relaxed, does
-/// not lie on its way. With damping the critical friction is the one in motion. Nothing also where
-/// this build is without SUNDIALS.
-Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options = {});
+/// not lie on its way. With damping the critical friction is the one in motion. Reasons:
+/// path_lost; not_in_this_build, where it is without SUNDIALS.
+StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options = {});
 
 }  // namespace misalign::solver

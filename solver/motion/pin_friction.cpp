@@ -118,12 +118,11 @@ std::optional<double> PinFriction::stall_deg(double mu_r_mm) const {
   return {};
 }
 
-Studied<PinStudy> study_pins(const Sheet& sheet, const DeployOptions& deploying, double own_mm,
-                             double to_deg) {
-  const Studied<DeployOptions> fitted = fitted_release(sheet, deploying);
-  if (fitted.fault) return *fitted.fault;
-  if (!fitted.study) return {};
-  const double from_deg = fitted.study->motion.from_deg;
+StudyResult<PinStudy> study_pins(const Sheet& sheet, const DeployOptions& deploying, double own_mm,
+                                 double to_deg) {
+  const StudyResult<DeployOptions> fitted = fitted_release(sheet, deploying);
+  if (!fitted) return fitted.obstacle();
+  const double from_deg = fitted->motion.from_deg;
   if (to_deg >= from_deg) {
     return OptionFault{
         "margin_to_deg", shown("%g", to_deg),

@@ -41,8 +41,8 @@ struct PinStudy {
 };
 
 /// From the start down to `to_deg`; closer to flat the joints' forces are singular. Faults: of the
-/// angles as `deploy`. Nothing where the path is lost.
-Studied<PinStudy> study_pins(const Sheet& sheet, const DeployOptions& deploying, double own_mm,
-                             double to_deg = kMarginTo_deg);
+/// angles as `deploy`. Reasons: path_lost.
+StudyResult<PinStudy> study_pins(const Sheet& sheet, const DeployOptions& deploying, double own_mm,
+                                 double to_deg = kMarginTo_deg);
 
 }  // namespace misalign::solver

@@ -85,15 +85,15 @@ OptionFault worthless(OptimiseGoal goal) {
 
 }  // namespace
 
-Studied<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options) {
+StudyResult<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options) {
   assert(!options.shifted.empty() && options.deploys_from_sample > 0);
   assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
-  const Studied<DeployOptions> fitted = fitted_release(start, options.deploying);
-  if (fitted.fault) return *fitted.fault;
-  if (!fitted.study || start.model().has_spare_equations()) return {};
+  if (start.model().has_spare_equations()) return NoResult::overconstrained;
+  const StudyResult<DeployOptions> fitted = fitted_release(start, options.deploying);
+  if (!fitted) return fitted.obstacle();
   if (auto fault = shifts_fault(start, options)) return *fault;
   OptimiseOptions from = options;
-  from.deploying.from_deg = fitted.study->motion.from_deg;
+  from.deploying.from_deg = fitted->motion.from_deg;
   if (!is_strong_enough(start, from)) {
     return OptionFault{"largest_force_n", shown("%g", *options.largest_force_n),
                        "a spring of the sheet that it starts from pulls or pushes with more",

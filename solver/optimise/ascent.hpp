@@ -17,8 +17,8 @@ struct AscentStart {
   double value;
 };
 
-/// Faults as of optimise().
-Studied<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options);
+/// Faults and reasons as of optimise().
+StudyResult<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options);
 
 class Ascent {
  public:

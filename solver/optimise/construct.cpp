@@ -183,8 +183,8 @@ bool ConstructStudy::is_monotone() const {
                      [](const ConstructedHole& hole) { return hole.direction != 0; });
 }
 
-Studied<ConstructStudy> construct(const PerforatedSheet& base, const ParallelFamily& family,
-                                  const ConstructOptions& options) {
+StudyResult<ConstructStudy> construct(const PerforatedSheet& base, const ParallelFamily& family,
+                                      const ConstructOptions& options) {
   if (auto fault = signs_fault(family, options.signs)) return *fault;
   const HalfAngle<double> pilot = half_angle_of_deg(options.at_deg);
   double best = kLeastRate_per_mm;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/pattern/parallel_family.hpp"
-#include "solver/studies/studied.hpp"
+#include "solver/studies/study_result.hpp"
 
 namespace misalign::solver {
 
@@ -43,7 +43,7 @@ struct ConstructStudy {
 /// `options.signs` is empty, several arrangements of signs are tried and the best is taken: not
 /// certain to be the best of all. Faults: signs of another number than the holes, or that the
 /// family does not have; a stroke out of reach; shifts that take a facet's convexity.
-Studied<ConstructStudy> construct(const PerforatedSheet& base, const ParallelFamily& family,
-                                  const ConstructOptions& options);
+StudyResult<ConstructStudy> construct(const PerforatedSheet& base, const ParallelFamily& family,
+                                      const ConstructOptions& options);
 
 }  // namespace misalign::solver

@@ -60,8 +60,7 @@ std::vector<LocalGoal> rigid_energies(SheetChanges& around) {
 }
 
 std::vector<LocalGoal> bent_energies(SheetChanges& around) {
-  const auto bent =
-      bend_panels(around.sheet, around.options.deploying, around.options.bending).study;
+  const auto bent = bend_panels(around.sheet, around.options.deploying, around.options.bending);
   if (!bent) return {};
   const SpringChanges springs(around);
   const BentAngle& first = bent->angles.front();

@@ -4,11 +4,10 @@
 
 namespace misalign::solver {
 
-Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options) {
-  Studied<AscentStart> fitted = fitted_start(start, options);
-  if (fitted.fault) return *fitted.fault;
-  if (!fitted.study) return {};
-  Ascent ascent(start, *std::move(fitted.study));
+StudyResult<Optimised> optimise(const Sheet& start, const OptimiseOptions& options) {
+  StudyResult<AscentStart> fitted = fitted_start(start, options);
+  if (!fitted) return fitted.obstacle();
+  Ascent ascent(start, *std::move(fitted));
   while (!ascent.finished()) ascent.advance();
   return ascent.take();
 }

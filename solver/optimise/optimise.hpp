@@ -13,14 +13,14 @@
 #pragma once
 
 #include "solver/optimise/optimise_options.hpp"
-#include "solver/studies/studied.hpp"
+#include "solver/studies/study_result.hpp"
 
 namespace misalign::solver {
 
 /// From `start`. Faults: of the angles as deploy(); amplitude_mm where its own shifts are larger or
 /// not ternary, or there is none; grid_mm where they do not lie on it; deploys_from_deg,
 /// stroke_limit, largest_force_n and floors where it does not keep them; goal where it is worth
-/// nothing. Nothing where its path is lost.
-Studied<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
+/// nothing. Reasons: overconstrained, path_lost.
+StudyResult<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

@@ -118,7 +118,7 @@ DistanceGradient distance_gradient(const Sheet& sheet, const VertexGradients& fo
 
 std::vector<ThicknessChange> thickness_changes(const Sheet& sheet, PathGradients& gradients,
                                                std::optional<double> from_deg) {
-  const auto study = contact(sheet, {{}, from_deg}).study;
+  const auto study = contact(sheet, {{}, from_deg});
   if (!study || !study->thickness || study->thickness->thickness_mm <= 0) return {};
   const PlateThickness& now = *study->thickness;
   const auto trimmed = trimmed_panels(sheet.panels(), sheet.way()->from_a1_mm(), study->trim_mm);

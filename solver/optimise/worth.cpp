@@ -79,7 +79,7 @@ std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
     case OptimiseGoal::yield:
       return options.yield(sheet);
     case OptimiseGoal::thickness: {
-      const auto found = contact(sheet, {{}, options.used_from_deg}).study;
+      const auto found = contact(sheet, {{}, options.used_from_deg});
       return found && found->thickness ? std::optional(found->thickness->thickness_mm)
                                        : std::nullopt;
     }
@@ -96,14 +96,14 @@ std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
     case OptimiseGoal::energy:
       return springs_n_mm(sheet, deploying);
     case OptimiseGoal::critical_friction: {
-      const auto rigid = standstill(sheet, deploying).study;
+      const auto rigid = standstill(sheet, deploying);
       return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
     }
     case OptimiseGoal::bent_critical_friction:
     case OptimiseGoal::static_friction:
       break;
   }
-  const auto bent = bend_panels(sheet, deploying, options.bending).study;
+  const auto bent = bend_panels(sheet, deploying, options.bending);
   if (!bent || bent->unsure() > 0) return {};
   if (goal == OptimiseGoal::static_friction) return bent->friction.static_n_mm_per_mm;
   return bent->friction.critical_n_mm_per_mm;

@@ -3,7 +3,7 @@
 
 #include "solver/continuation/path.hpp"
 #include "solver/sheet/sheet.hpp"
-#include "solver/studies/studied.hpp"
+#include "solver/studies/option_fault.hpp"
 
 namespace misalign::solver {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/deploy_input.hpp"
+#include "search/sheets/studies.hpp"
 #include "tests/bench/mujoco_comparison.hpp"
 
 namespace misalign::search {

@@ -26,7 +26,7 @@ Json table1_candidate() {
     solver::SheetSolver solver(model);
     const solver::Sheet sheet(solver, shifts_mm);
     const FoldingView view(campaign.pattern, sheet);
-    const auto released = solver::deploy(sheet).study.value();
+    const auto released = *solver::deploy(sheet);
     const solver::Actuators wires{50, 0.03};  // which some diagonals of Table 1 exceed
     Json exported = folded_pattern_json(campaign.sampling(), view,
                                         actuation_json(view, solver::actuate(sheet, wires)),

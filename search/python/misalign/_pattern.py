@@ -155,7 +155,8 @@ class Pattern:
         `from_deg`  the sheet is used between this pilot angle and flat; none: the design's, or D
         `trim_mm`   how far corners of plates are trimmed
 
-        `misalign.Error` (2) where these do not fit the sheet, (1) where its path is lost; so with all studies below.
+        `misalign.Error` (2) where these do not fit the sheet, (1) where its path is lost or its panels are too
+        thin to bend; so with all studies below.
 
         >>> pattern = misalign.read("search/patterns/table1.json")
         >>> pattern.contact(from_deg=90)["thickness"]["reaches_deg"]

@@ -41,8 +41,8 @@ Json full() {
 
 TEST(Design, IsWrittenAsItIsRead) {
   EXPECT_EQ(design_json(read(full())), full());
-  EXPECT_EQ(said_design_json(read(full())), full());
-  EXPECT_EQ(said_design_json(read(Json::object())), Json::object());
+  EXPECT_EQ(explicit_design_json(read(full())), full());
+  EXPECT_EQ(explicit_design_json(read(Json::object())), Json::object());
   EXPECT_EQ(read(design_json({})).from_deg, std::nullopt);
   // Each key alone is said, and nothing else is.
   const Json flat = full().flatten();
@@ -52,7 +52,7 @@ TEST(Design, IsWrittenAsItIsRead) {
       continue;
     }
     const Json one = Json({{at, value}}).unflatten();
-    EXPECT_EQ(said_design_json(read(one)), one);
+    EXPECT_EQ(explicit_design_json(read(one)), one);
   }
 }
 

@@ -11,8 +11,8 @@
 #include "schema/exchange/calculix_deck.hpp"
 #include "schema/exchange/calculix_result.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/deploy_input.hpp"
 #include "search/sheets/release.hpp"
+#include "search/sheets/studies.hpp"
 #include "solver/motion/actuation.hpp"
 
 namespace misalign::search {

@@ -63,7 +63,7 @@ TEST_F(OptimisedDraws, EndWhereSingleSheetsDo) {
       EXPECT_TRUE(can_be_kept(asked, end.shifts_mm)) << end.draw;
       const solver::Sheet sheet(solver, end.shifts_mm);
       EXPECT_EQ(end.metrics.deploys_from_sample, sheet.history().verdict.deploys_from_sample);
-      if (!found.study) {
+      if (!found) {
         ++outside;
         EXPECT_EQ(end.ascent->ended, "breaks_a_limit");
         EXPECT_FALSE(end.ascent->start_value);
@@ -71,12 +71,12 @@ TEST_F(OptimisedDraws, EndWhereSingleSheetsDo) {
         EXPECT_GT(starts.candidates[k].metrics.stroke_max, 0.05);
         continue;
       }
-      EXPECT_EQ(end.shifts_mm, found.study->best().shifts_mm) << end.draw;
-      EXPECT_EQ(end.ascent->end_value, found.study->best().value);
-      EXPECT_EQ(end.ascent->start_value, found.study->start().value);
-      EXPECT_EQ(end.ascent->steps, found.study->steps());
-      EXPECT_EQ(end.ascent->sheets_folded, found.study->looks);
-      EXPECT_EQ(end.ascent->limited_by.has_value(), found.study->limits.has_value());
+      EXPECT_EQ(end.shifts_mm, found->best().shifts_mm) << end.draw;
+      EXPECT_EQ(end.ascent->end_value, found->best().value);
+      EXPECT_EQ(end.ascent->start_value, found->start().value);
+      EXPECT_EQ(end.ascent->steps, found->steps());
+      EXPECT_EQ(end.ascent->sheets_folded, found->looks);
+      EXPECT_EQ(end.ascent->limited_by.has_value(), found->limits.has_value());
       better += end.ascent->steps > 0;
       if (end.ascent->steps == 0) continue;
       EXPECT_GE(end.metrics.deploys_from_sample, 150);
@@ -233,12 +233,12 @@ TEST_F(SheetsOfPopulations, EndWhereSingleSheetsDo) {
     const solver::Sheet start(solver, found.found[k].candidate.shifts_mm);
     const auto alone = solver::optimise(start, asked_of_ends(asked_));
     ASSERT_TRUE(end.ascent);
-    EXPECT_EQ(alone.study.has_value(), end.ascent->ended != "breaks_a_limit");
-    EXPECT_EQ(end.shifts_mm, alone.study ? alone.study->best().shifts_mm : start.shifts_mm());
+    EXPECT_EQ(bool(alone), end.ascent->ended != "breaks_a_limit");
+    EXPECT_EQ(end.shifts_mm, alone ? alone->best().shifts_mm : start.shifts_mm());
     better += end.ascent->steps > 0;
-    if (!alone.study) continue;
-    EXPECT_EQ(end.ascent->start_value, alone.study->start().value);
-    EXPECT_EQ(end.ascent->end_value, alone.study->best().value);
+    if (!alone) continue;
+    EXPECT_EQ(end.ascent->start_value, alone->start().value);
+    EXPECT_EQ(end.ascent->end_value, alone->best().value);
   }
   EXPECT_GT(better, 0);
 }

@@ -98,13 +98,13 @@ TEST_F(FunctionsOfSheets, SayWhatTheStudiesSay) {
       options.from_deg = from_deg;
       options.sheet.springs.stiffness_n_per_mm = 2;
       options.sheet.joints.friction_n_mm_per_mm = 1e-4;
-      const solver::DeploymentStudy study = *solver::deploy(studied, options).study;
+      const solver::DeploymentStudy study = *solver::deploy(studied, options);
       EXPECT_EQ(of("critical_friction_n_mm_per_mm", draw),
                 study.friction.critical_n_mm_per_mm.value_or(-1));
       EXPECT_EQ(of("stall_deg", draw), study.friction.static_stall_deg);
       EXPECT_EQ(of("deploy_time_s", draw), study.deploy_time_s().value_or(-1));
       EXPECT_NEAR(of("energy_n_mm", draw), study.run.rows.front().springs_n_mm, 1e-9);
-      const solver::ContactStudy contact = *solver::contact(studied, {{}, from_deg}).study;
+      const solver::ContactStudy contact = *solver::contact(studied, {{}, from_deg});
       EXPECT_EQ(of("thickness_mm", draw), contact.thickness->thickness_mm);
       EXPECT_EQ(of("first_contact_deg", draw), contact.first ? contact.first->pilot_deg : -1);
       // By its history at the samples, which shares no table with the way.

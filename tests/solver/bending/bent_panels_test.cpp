@@ -195,7 +195,7 @@ struct Bent : testing::Test {
     return own.model.shape().vertices_mm(geometry, state);
   }
   BentPanels bent(const DeployOptions& deploying, const BentPanelsOptions& options = {}) const {
-    return *bend_panels(own.sheet, deploying, options).study;
+    return *bend_panels(own.sheet, deploying, options);
   }
   const OwnSheet own;
 };
@@ -351,8 +351,8 @@ TEST(BentFriction, OfAQuadraticEnergy) {
 // 3 and 6; of 18 ways to leave flat eight or nine are unstable with any preload.
 TEST_F(Bent, PreloadOfTable1) {
   const VectorXd all = Preload{1, {}}.forces_n(own.sheet.mechanism().diagonals);
-  const PreloadAtFlat thin = preload_at_flat(own.sheet, {}, 1, all),
-                      thick = preload_at_flat(own.sheet, {}, 4, all);
+  const PreloadAtFlat thin = *preload_at_flat(own.sheet, {}, 1, all),
+                      thick = *preload_at_flat(own.sheet, {}, 4, all);
   EXPECT_NEAR(thin.best_n(), 0.05, 0.005);
   EXPECT_NEAR(thick.best_n(), 3, 0.3);
   const ElasticSheet sheet = panels();
@@ -377,10 +377,10 @@ TEST_F(Bent, PreloadMovesItOnNearFlat) {
   EXPECT_GT(with.friction.static_n_mm_per_mm, 20 * without);
   const BentWay way(own.sheet, {}, 4, 1, 36, 16);
   const VectorXd all = Preload{1, {}}.forces_n(own.sheet.mechanism().diagonals);
-  const BestPreload best = best_preload(way, 50, 1, preload_at_flat(own.sheet, {}, 4, all), all);
+  const BestPreload best = best_preload(way, 50, 1, *preload_at_flat(own.sheet, {}, 4, all), all);
   EXPECT_GE(best.static_n_mm_per_mm, with.friction.static_n_mm_per_mm * (1 - 1e-6));
   deploying.sheet.springs.rest_deg = 20;
-  EXPECT_EQ(bend_panels(own.sheet, deploying, {}).fault->name, "preload_n");
+  EXPECT_EQ(bend_panels(own.sheet, deploying, {}).fault()->name, "preload_n");
 }
 
 // Panels like rock: let go near flat it is there after a quarter of its period; also where springs
@@ -397,10 +397,10 @@ TEST_F(Bent, PreloadSwingsItAboutFlat) {
     deploying.sheet.springs.preload = preload;
     BentPanelsOptions rock;
     rock.material.e_gpa = 1e11;
-    const BentPanels panels = *bend_panels(own.sheet, deploying, rock).study;
-    const PreloadStudy found = study_preload(own.sheet, deploying, panels);
+    const BentPanels panels = *bend_panels(own.sheet, deploying, rock);
+    const PreloadStudy found = *study_preload(own.sheet, deploying, panels);
     EXPECT_EQ(found.preload_n, preload.largest_n());
-    const DeploymentStudy let_go = *deploy(own.sheet, deploying).study;
+    const DeploymentStudy let_go = *deploy(own.sheet, deploying);
     // The springs' own stiffness adds k L2^2 rho^2 / 2 F L2 of it: half a per mille here; lengths
     // near flat are off L2 rho^2 by (1 degree / 3)^2.
     EXPECT_NEAR(4 * let_go.deploy_time_s().value() * found.frequency_hz, 1, 2e-3);
@@ -420,7 +420,7 @@ TEST(BentPanels, FollowsItsEquilibrium) {
   DeployOptions deploying;
   deploying.from_deg = 60;
   deploying.sheet.plates.thickness_mm = 0.2;
-  const BentPanels bent = *bend_panels(own.sheet, deploying).study;
+  const BentPanels bent = *bend_panels(own.sheet, deploying);
   EXPECT_EQ(bent.method, BendMethod::newton);
   EXPECT_EQ(bent.unsure(), 0);
   const std::array<double, 3> continued_n_mm{4.580e-5, 6.389e-5, 1.0677e-4};
@@ -444,7 +444,7 @@ TEST(BentPanels, UsefulSprings) {
     deploying.from_deg = 90;
     deploying.sheet.plates.thickness_mm = 0.5;
     deploying.sheet.springs.stiffness_n_per_mm = n_per_mm;
-    return *bend_panels(own.sheet, deploying).study->friction.critical_n_mm_per_mm;
+    return *bend_panels(own.sheet, deploying)->friction.critical_n_mm_per_mm;
   };
   EXPECT_NEAR(critical(useful) / critical(1e6), kUseful, 0.01);
 }

@@ -41,7 +41,7 @@ struct PinnedSheet : testing::Test {
   PinStudy study(double stiffness_n_per_mm = 50, double own_mm = 0) const {
     DeployOptions options;
     options.sheet.springs.stiffness_n_per_mm = stiffness_n_per_mm;
-    return *study_pins(own.sheet, options, own_mm).study;
+    return *study_pins(own.sheet, options, own_mm);
   }
 
   const TestSheet test{6, 6};
@@ -146,8 +146,8 @@ TEST_F(PinnedSheet, GetsToFlatWithItsEnergy) {
 
 TEST_F(PinnedSheet, RefusesWhatLiesAboveItsStart) {
   const auto refused = study_pins(own.sheet, {}, 0.1, 40);
-  ASSERT_TRUE(refused.fault);
-  EXPECT_EQ(refused.fault->name, "margin_to_deg");
+  ASSERT_TRUE(refused.fault());
+  EXPECT_EQ(refused.fault()->name, "margin_to_deg");
 }
 
 }  // namespace

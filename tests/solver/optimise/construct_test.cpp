@@ -64,9 +64,9 @@ TEST(Simplex, SaysWhatIsUnbounded) {
 struct Made {
   Made(int rows, int columns, bool rim, const ConstructOptions& options,
        const char* holes = "checkerboard-odd")
-      : sheet(rows, columns, holes), family(family_of(sheet.base, rim)) {
-    studied = construct(sheet.base, family, options);
-  }
+      : sheet(rows, columns, holes),
+        family(family_of(sheet.base, rim)),
+        studied(construct(sheet.base, family, options)) {}
   static ParallelFamily family_of(const PerforatedSheet& base, bool rim) {
     std::vector<int> vertices = interior_vertices(base.sheet);
     if (rim) {
@@ -77,7 +77,7 @@ struct Made {
   }
   const TestSheet sheet;
   const ParallelFamily family;
-  Studied<ConstructStudy> studied;
+  const StudyResult<ConstructStudy> studied;
 };
 
 // What the closed form says is what the followed path does: Newton's method on the loops.
@@ -86,8 +86,8 @@ TEST(Construct, SheetsDeployOnTheirFollowedPaths) {
     for (const char* holes : {"checkerboard-odd", "checkerboard-even"}) {
       const Made made(6, 6, rim, {.amplitude_mm = 4, .stroke = {}, .at_deg = 179, .signs = {}},
                       holes);
-      ASSERT_TRUE(made.studied.study);
-      const ConstructStudy& study = *made.studied.study;
+      ASSERT_TRUE(made.studied);
+      const ConstructStudy& study = *made.studied;
       EXPECT_TRUE(study.is_monotone());
       EXPECT_LE(study.amplitude_mm, 4);
       EXPECT_GE(study.amplitude_mm, 4 - 1e-9);
@@ -105,8 +105,8 @@ TEST(Construct, SheetsDeployOnTheirFollowedPaths) {
 TEST(Construct, NoRandomMemberHasALargerStroke) {
   const ConstructOptions options{.amplitude_mm = 0.01, .stroke = {}, .at_deg = 120, .signs = {}};
   const Made made(6, 6, false, options);
-  ASSERT_TRUE(made.studied.study);
-  const Eigen::VectorXd best = made.family.coordinates_of(made.studied.study->shifts_mm);
+  ASSERT_TRUE(made.studied);
+  const Eigen::VectorXd best = made.family.coordinates_of(made.studied->shifts_mm);
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 300; ++trial) {
@@ -118,17 +118,17 @@ TEST(Construct, NoRandomMemberHasALargerStroke) {
     for (const HoleMotion& motion : made.family.motions(shifts)) {
       least = std::min(least, motion.stroke(half_angle_of_deg(options.at_deg)));
     }
-    EXPECT_LE(least, made.studied.study->stroke * (1 + 1e-3));
+    EXPECT_LE(least, made.studied->stroke * (1 + 1e-3));
   }
 }
 
 TEST(Construct, GivesTheStrokeThatIsAsked) {
   const Made made(4, 4, true,
                   {.amplitude_mm = 4, .stroke = 0.004, .at_deg = 150, .signs = {1, -1}});
-  ASSERT_TRUE(made.studied.study);
-  EXPECT_NEAR(made.studied.study->stroke, 0.004, 1e-12);
-  EXPECT_LT(made.studied.study->amplitude_mm, 4);
-  const auto& holes = made.studied.study->holes;
+  ASSERT_TRUE(made.studied);
+  EXPECT_NEAR(made.studied->stroke, 0.004, 1e-12);
+  EXPECT_LT(made.studied->amplitude_mm, 4);
+  const auto& holes = made.studied->holes;
   EXPECT_GT(holes[0].direction * holes[0].delta_mm, 0);
   EXPECT_LT(holes[1].delta_mm, 0);
 }
@@ -136,7 +136,7 @@ TEST(Construct, GivesTheStrokeThatIsAsked) {
 TEST(Construct, SaysWhatBinds) {
   const auto fault = [](const ConstructOptions& options, bool rim) {
     const Made made(6, 6, rim, options);
-    return made.studied.fault.value_or(OptionFault{});
+    return made.studied ? OptionFault{} : *made.studied.fault();
   };
   const OptionFault far =
       fault({.amplitude_mm = 0.4, .stroke = 0.5, .at_deg = 179, .signs = {}}, false);

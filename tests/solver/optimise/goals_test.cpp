@@ -182,7 +182,7 @@ TEST_F(Goals, RestStiffnessIsTheCurvatureOfTheEnergy) {
     springs().preload.each_n = 0.02;
     const RestStiffness flat = *rest_stiffness(sheet, options_.deploying, {});
     const PreloadAtFlat at_flat =
-        preload_at_flat(sheet, {}, 1, VectorXd::Ones(sheet.mechanism().diagonal_count()));
+        *preload_at_flat(sheet, {}, 1, VectorXd::Ones(sheet.mechanism().diagonal_count()));
     EXPECT_NEAR(flat.n_mm_per_rad / at_flat.stiffness_n_mm(0.02), 1, 1e-12);
     springs().rest_deg = 60;
     EXPECT_FALSE(rest_stiffness(sheet, options_.deploying, {})) << "at a stop, with a preload";
@@ -220,7 +220,7 @@ TEST_F(Goals, SheetsComeToDeployFromFarther) {
   int farther = 0, turning = 0;
   for (int trial = 0; trial < 2; ++trial) {
     const Sheet start(solver_, next_start());
-    const Optimised found = *optimise(start, options_).study;
+    const Optimised found = *optimise(start, options_);
     for (std::size_t k = 1; k < found.taken.size(); ++k) {
       EXPECT_GT(found.taken[k].value, found.taken[k - 1].value);
       // A diagonal turns back there, if the sheet folds on: within the last two degrees before 180,
@@ -288,10 +288,10 @@ TEST_F(Goals, ThicknessAndYieldGrowAsTheirStudiesSay) {
   options_.most_looks = 20;
   options_.most_steps = 3;
   const Sheet start(solver_, next_start());
-  const Optimised found = *optimise(start, options_).study;
+  const Optimised found = *optimise(start, options_);
   EXPECT_GT(found.best().value, found.start().value);
   const Sheet end(solver_, found.best().shifts_mm);
-  EXPECT_EQ(found.best().value, contact(end, {{}, 150}).study->thickness->thickness_mm);
+  EXPECT_EQ(found.best().value, contact(end, {{}, 150})->thickness->thickness_mm);
 
   const Model judged(base_.base, base_.shifted_vertices, {}, 150);
   SheetSolver solver(judged);
@@ -312,7 +312,7 @@ TEST_F(Goals, ThicknessAndYieldGrowAsTheirStudiesSay) {
   for (int trial = 0; trial < 2; ++trial) {
     const Sheet own(solver, next_start());
     if (*options_.yield(own) == 0 || *options_.yield(own) == 1) continue;
-    const Optimised made = *optimise(own, options_).study;
+    const Optimised made = *optimise(own, options_);
     EXPECT_GT(made.best().value, made.start().value);
     EXPECT_LE(made.best().value, 1);
   }
@@ -328,7 +328,7 @@ TEST_F(Goals, SpringsAreChosen) {
     springs() = {};
     if (!is_strong_enough(start, options_)) continue;
     options_.stiffness_n_per_mm = {10, 500};
-    const Optimised chosen = *optimise(start, options_).study;
+    const Optimised chosen = *optimise(start, options_);
     EXPECT_GT(chosen.best().value, chosen.start().value);
     const Sheet end(solver_, chosen.best().shifts_mm);
     OptimiseOptions there = options_;
@@ -349,7 +349,7 @@ TEST_F(Goals, SpringsAreChosen) {
     options_.stiffness_n_per_mm.reset();
     springs().preload.each_n = 0.005;
     options_.preload_n = {0, 5};
-    const Optimised pulled = *optimise(start, options_).study;
+    const Optimised pulled = *optimise(start, options_);
     EXPECT_GT(pulled.best().value, pulled.start().value);
     const Sheet taut(solver_, pulled.best().shifts_mm);
     for (const double share : {0.8, 1.25}) {

@@ -35,7 +35,7 @@ class Optimising : public testing::Test {
   }
 
   static double friction(const Sheet& sheet, const DeployOptions& deploying) {
-    return standstill(sheet, deploying).study->friction.critical_n_mm_per_mm.value_or(0);
+    return standstill(sheet, deploying)->friction.critical_n_mm_per_mm.value_or(0);
   }
   double friction(const Eigen::Matrix2Xd& shifts_mm) {
     return friction(Sheet(solver_, shifts_mm), options_.deploying);

@@ -44,13 +44,13 @@ TEST_F(UsedTable1, DIsTheLastAngle) {
 // Tapers are as steep as the largest fold angle on the way up to there, and no longer.
 TEST_F(UsedTable1, PlatesFoldAsFarAsTheyAreUsed) {
   const OwnSheet table1 = own();
-  const ContactStudy whole = *contact(table1.sheet).study;
+  const ContactStudy whole = *contact(table1.sheet);
   EXPECT_EQ(whole.used_from_deg, 156);
-  ASSERT_FALSE(contact(table1.sheet, {{}, 157.0}).study);
-  EXPECT_EQ(contact(table1.sheet, {{}, 157.0}).fault->name, "from_deg");
+  ASSERT_FALSE(contact(table1.sheet, {{}, 157.0}));
+  EXPECT_EQ(contact(table1.sheet, {{}, 157.0}).fault()->name, "from_deg");
   double before_mm = std::numeric_limits<double>::infinity();
   for (const double from_deg : {30.0, 90.0, 140.0, 156.0}) {
-    const ContactStudy used = *contact(table1.sheet, {{}, from_deg}).study;
+    const ContactStudy used = *contact(table1.sheet, {{}, from_deg});
     EXPECT_EQ(used.used_from_deg, from_deg);
     EXPECT_EQ(used.reach_deg, from_deg) << "nothing meets before " << from_deg;
     ASSERT_TRUE(used.thickness);

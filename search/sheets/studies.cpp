@@ -1,0 +1,138 @@
+#include "search/sheets/studies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include "schema/files/features.hpp"
+#include "search/sheets/deploy_input.hpp"
+#include "solver/linear/mobility.hpp"
+#include "solver/studies/angle_of_use.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Cause;
+using schema::UserError;
+using solver::NoResult;
+
+// What a sheet has in the way of a study.
+struct Reason {
+  NoResult reason;
+  Cause cause;
+  const char* why;
+  const char* advice;
+};
+
+constexpr Reason kReasons[] = {
+    {NoResult::path_lost, Cause::failure, "its folding path is lost (a numerical failure)",
+     "`misalign fold` says how far it is known"},
+    {NoResult::panels_not_stable, Cause::failure,
+     "the stiffness of its panels is not positive (a numerical failure, as of panels that are too "
+     "thin beside their width)",
+     "take thicker panels"},
+    {NoResult::overconstrained, Cause::bad_request,
+     "it has fewer holes than count to one degree of freedom (next to it only sheets of its "
+     "parallel family fold)",
+     "`misalign construct` makes the best of these"}};
+
+void check_freedom(const schema::Pattern& base, const std::string& path) {
+  const solver::PerforatedSheet& sheet = base.base;
+  if (sheet.holes.empty()) {
+    throw UserError(Cause::bad_input,
+                    path +
+                        ": there is no hole (what is constructed are holes whose diagonals "
+                        "change); name inner panels in \"holes\"");
+  }
+  const auto mobility = solver::measured_mobility(sheet.sheet, sheet.holes, sheet.folding);
+  if (mobility.degrees_of_freedom() == 1) return;
+  throw UserError(
+      Cause::bad_input,
+      fmt::format("{}: its holes leave {} degrees of freedom (the Jacobian has rank {} "
+                  "with {} unknowns); take out fewer panels",
+                  path, mobility.degrees_of_freedom(), mobility.rank, mobility.unknowns));
+}
+
+}  // namespace
+
+UserError study_error(const solver::Obstacle& obstacle, const std::string& sheet,
+                      const std::string& consequence, const std::string& advice) {
+  if (const auto* const fault = std::get_if<solver::OptionFault>(&obstacle)) {
+    return UserError(*fault);
+  }
+  const NoResult reason = std::get<NoResult>(obstacle);
+  if (reason == NoResult::not_in_this_build) {
+    return {Cause::failure, schema::missing_text("SUNDIALS")};
+  }
+  const Reason* const row = std::ranges::find(kReasons, reason, &Reason::reason);
+  assert(row != std::end(kReasons));
+  return {row->cause, fmt::format("{}: {}, so {}; {}", sheet, row->why, consequence,
+                                  advice.empty() ? row->advice : advice)};
+}
+
+solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options) {
+  return value_or_throw(solver::contact(sheet, options), sheet.name(),
+                        "it is not known where panels meet");
+}
+
+solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design) {
+  if (design.from_deg) {
+    if (const auto fault = solver::beyond_d(sheet, *design.from_deg)) throw UserError(*fault);
+  }
+  return solver::actuate(sheet, design.actuators(), design.from_deg);
+}
+
+solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options) {
+  return value_or_throw(solver::deploy(sheet, options), sheet.name(), "it cannot be let go");
+}
+
+std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
+                                        const solver::DeployOptions& deploying,
+                                        const schema::Design& design) {
+  if (!design.pin_friction_mm) return {};
+  return value_or_throw(
+      solver::study_pins(sheet, deploying, *design.pin_friction_mm, bending(design).to_deg),
+      sheet.name(), "its pins cannot be loaded");
+}
+
+schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
+                             const schema::Design& design) {
+  solver::BentPanels panels = value_or_throw(solver::bend_panels(sheet, deploying, bending(design)),
+                                             sheet.name(), "its panels cannot be bent");
+  std::optional<solver::PreloadStudy> preload;
+  if (deploying.sheet.springs.preload.is_any()) {
+    preload = value_or_throw(solver::study_preload(sheet, deploying, panels), sheet.name(),
+                             "its preload cannot be studied");
+  }
+  const double wanted = design.static_margin.value_or(solver::kWantedMargin);
+  const solver::BentAdvice advice = advise(sheet, deploying, panels, wanted);
+  return {design.material.value_or(schema::Material{}), std::move(panels), advice, preload};
+}
+
+ReleasedSheet released_sheet(const solver::Sheet& sheet, const solver::DeployOptions& options,
+                             const schema::Design& design, bool bends) {
+  ReleasedSheet found{deployed(sheet, options), {}, {}};
+  if (bends) found.bent = bent_sheet(sheet, options, design);
+  found.pins = pins_of(sheet, options, design);
+  return found;
+}
+
+solver::ConstructStudy constructed(const schema::Pattern& base, const std::string& path, bool rim,
+                                   const solver::ConstructOptions& options) {
+  check_freedom(base, path);
+  const solver::CreasePattern& sheet = base.base.sheet;
+  auto family = solver::ParallelFamily::of(
+      base.base, rim ? solver::all_vertices(sheet) : solver::interior_vertices(sheet));
+  if (const auto* none = std::get_if<solver::NoParallelFamily>(&family)) {
+    throw UserError(Cause::bad_input, path + ": " + none->why(sheet) +
+                                          ", so sheets of it are not constructed; search for "
+                                          "them: misalign search");
+  }
+  return value_or_throw(
+      solver::construct(base.base, std::get<solver::ParallelFamily>(family), options), path,
+      "it is not constructed");
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,60 @@
+// Studies of a sheet whose value is wanted: where there is none, a UserError says why.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "schema/exchange/bent_panels_json.hpp"
+#include "schema/files/user_error.hpp"
+#include "search/sheets/folding_model.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/motion/pin_friction.hpp"
+#include "solver/optimise/construct.hpp"
+
+namespace misalign::search {
+
+/// A bad request for an option that does not fit. For a reason "`sheet`: why, so `consequence`;
+/// what to do", with the reason's own cause and advice, unless there is other advice.
+schema::UserError study_error(const solver::Obstacle& obstacle, const std::string& sheet,
+                              const std::string& consequence, const std::string& advice = "");
+
+template <typename T>
+T value_or_throw(solver::StudyResult<T> result, const std::string& sheet,
+                 const std::string& consequence) {
+  if (!result) throw study_error(result.obstacle(), sheet, consequence);
+  return *std::move(result);
+}
+
+solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options);
+
+/// Springs of this design on a sheet of its model, which has a station at the angle of use.
+solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design);
+
+/// The sheet let go.
+solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options);
+
+/// What pins it overcomes, with the design's, or nothing where it says none.
+std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
+                                        const solver::DeployOptions& deploying,
+                                        const schema::Design& design);
+
+/// Its panels bent.
+schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
+                             const schema::Design& design);
+
+/// All that `misalign deploy` finds of a sheet.
+struct ReleasedSheet {
+  solver::DeploymentStudy motion;
+  std::optional<schema::BentSheet> bent;  ///< where its panels bend
+  std::optional<solver::PinStudy> pins;
+};
+ReleasedSheet released_sheet(const solver::Sheet& sheet, const solver::DeployOptions& options,
+                             const schema::Design& design, bool bends);
+
+/// The sheet of the parallel family of a base read from `path`, shifting its inner vertices alone
+/// or (`rim`) all. UserError (bad_input) also for a base without the family, or whose holes leave
+/// another number of degrees of freedom than one.
+solver::ConstructStudy constructed(const schema::Pattern& base, const std::string& path, bool rim,
+                                   const solver::ConstructOptions& options);
+
+}  // namespace misalign::search

@@ -1,0 +1,48 @@
+#include "search/sheets/study_json.hpp"
+
+#include "schema/exchange/actuators_json.hpp"
+#include "schema/exchange/contact_json.hpp"
+#include "schema/exchange/deploy_json.hpp"
+
+namespace misalign::search {
+namespace {
+
+// Adds the key of its sheet.
+schema::Json with_key(const Subject& subject, schema::Json json) {
+  json.update(subject.chosen.key().json());
+  return json;
+}
+
+}  // namespace
+
+schema::Json study_json(const Subject& subject, const solver::ContactStudy& study) {
+  return with_key(subject,
+                  schema::contact_study_json(subject.chosen.base, subject.sheet.panels(), study));
+}
+
+schema::Json study_json(const Subject& subject, const solver::Actuation& springs) {
+  const schema::FoldingView view(subject.chosen.base, subject.sheet);
+  schema::Json json = schema::actuation_history_json(view, springs);
+  json["deploys_from_deg"] = view.sheet.sample_deg(view.history.verdict.deploys_from_sample);
+  return with_key(subject, std::move(json));
+}
+
+schema::Json study_json(const Subject& subject, const ReleasedSheet& released) {
+  schema::Json json = schema::deployment_history_json(subject.sheet.mechanism(), released.motion);
+  json["deploys_from_deg"] = subject.sheet.deploys_from_deg();
+  if (released.bent) json["bent"] = schema::bent_panels_json(*released.bent);
+  if (released.pins) json["pins"] = schema::pins_json(*released.pins);
+  return with_key(subject, std::move(json));
+}
+
+schema::Json study_json(const Subject& subject, const schema::Card& card) {
+  return with_key(subject, schema::card_json(card));
+}
+
+schema::Json study_json(Subject& subject, const ProvenBetter& better) {
+  const solver::Sheet sheet = subject.model.sheet(better.found.best().shifts_mm);
+  return schema::optimise_json(sheet, better.found, better.certified_deg,
+                               better_pattern(subject, better));
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,17 @@
+// Studies of one sheet as JSON: what a verb's --json and Python give alike.
+#pragma once
+
+#include "schema/exchange/card_json.hpp"
+#include "search/sheets/better_sheet.hpp"
+#include "search/sheets/studies.hpp"
+
+namespace misalign::search {
+
+/// As `misalign contact`, `actuators`, `deploy`, `card` and `optimise` have it.
+schema::Json study_json(const Subject& subject, const solver::ContactStudy& study);
+schema::Json study_json(const Subject& subject, const solver::Actuation& springs);
+schema::Json study_json(const Subject& subject, const ReleasedSheet& released);
+schema::Json study_json(const Subject& subject, const schema::Card& card);
+schema::Json study_json(Subject& subject, const ProvenBetter& better);
+
+}  // namespace misalign::search
