@@ -7,6 +7,7 @@
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/digest.hpp"
+#include "schema/catalogue/population_rows.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "schema/records/fault_sample.hpp"
 

@@ -11,8 +11,8 @@
 #include "schema/pattern/carried_pattern.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "shifted_pattern.hpp"
+#include "solver/model/panels.hpp"
 #include "solver/pattern/perforation.hpp"
-#include "solver/sheet/panels.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::schema {

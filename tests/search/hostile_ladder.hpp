@@ -7,7 +7,7 @@
 
 #include "../schema/catalogue_fixture.hpp"
 #include "climb_on.hpp"
-#include "schema/exchange/ladder_json.hpp"
+#include "schema/catalogue/ladder_json.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/sheets/campaign_sheet.hpp"
