@@ -10,7 +10,7 @@
 #include "schema/files/base64.hpp"
 #include "schema/files/hash.hpp"
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/contact/panel_pairs.hpp"
+#include "solver/model/panel_pairs.hpp"
 
 namespace misalign::schema {
 namespace {

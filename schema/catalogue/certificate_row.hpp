@@ -10,7 +10,7 @@
 #include "schema/campaign/campaign.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "schema/records/certificate_record.hpp"
-#include "solver/certificate/certificate.hpp"
+#include "solver/records/certificate.hpp"
 
 namespace misalign::schema {
 
@@ -25,12 +25,6 @@ std::string certificate_hash(const Pattern& base, const Eigen::Matrix2Xd& shifts
 CertificateRecord certificate_row(const Pattern& base, const solver::Mechanism& mechanism,
                                   std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
                                   const solver::Certificate& certificate, double seconds);
-inline CertificateRecord certificate_row(const Campaign& campaign,
-                                         const solver::Mechanism& mechanism, std::uint64_t draw,
-                                         const Eigen::Matrix2Xd& shifts_mm,
-                                         const solver::Certificate& certificate, double seconds) {
-  return certificate_row(campaign.pattern, mechanism, draw, shifts_mm, certificate, seconds);
-}
 
 /// None where the row keeps its hash and its proof says what its columns say; otherwise what is
 /// wrong: "its hash is not that of ...". Whether the proof is one, solver::check_certificate says.
@@ -38,12 +32,6 @@ std::optional<std::string> certificate_fault(const Pattern& base,
                                              const solver::Mechanism& mechanism,
                                              const Eigen::Matrix2Xd& shifts_mm,
                                              const CertificateRecord& row);
-inline std::optional<std::string> certificate_fault(const Campaign& campaign,
-                                                    const solver::Mechanism& mechanism,
-                                                    const Eigen::Matrix2Xd& shifts_mm,
-                                                    const CertificateRecord& row) {
-  return certificate_fault(campaign.pattern, mechanism, shifts_mm, row);
-}
 
 /// {"certified_deg", "asked_deg", "end", "where", "contact", "intervals", "seconds", "hash",
 /// "proof"}: the place, null where there is none, and the proof in base64.

@@ -38,10 +38,10 @@ bool take_over(CertificateRecord row, SQLite::Database& into, const Campaign& ca
                const solver::Mechanism& mechanism, std::uint64_t draw) {
   const auto shifts_mm = stored_shifts(into, campaign, draw);
   if (!shifts_mm) return true;
-  if (certificate_fault(campaign, mechanism, *shifts_mm, row)) return false;
+  if (certificate_fault(campaign.pattern, mechanism, *shifts_mm, row)) return false;
   const auto there = read_certificate(into, draw);
   if (there && !goes_farther(row, *there) &&
-      !certificate_fault(campaign, mechanism, *shifts_mm, *there)) {
+      !certificate_fault(campaign.pattern, mechanism, *shifts_mm, *there)) {
     return true;
   }
   if (std::exchange(row.draw, draw) != draw) {
@@ -61,7 +61,7 @@ CheckedCertificates check_certificates(SQLite::Database& database, const Campaig
     ++checked.count;
     const auto shifts_mm = stored_shifts(database, campaign, row.draw);
     const std::optional<std::string> fault =
-        shifts_mm ? certificate_fault(campaign, mechanism, *shifts_mm, row)
+        shifts_mm ? certificate_fault(campaign.pattern, mechanism, *shifts_mm, row)
                   : "it is of no sheet that is a candidate";
     if (!fault) return;
     const std::string where = "draw " + std::to_string(row.draw);

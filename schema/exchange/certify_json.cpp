@@ -2,7 +2,7 @@
 
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/certificate/certificate.hpp"
+#include "solver/records/certificate.hpp"
 
 namespace misalign::schema {
 

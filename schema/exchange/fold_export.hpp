@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
-#include "solver/motion/filler.hpp"
+#include "solver/kinematics/filler.hpp"
 
 namespace misalign::schema {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "schema/pattern/pattern_file.hpp"
+#include "solver/model/panels.hpp"
 #include "solver/motion/plates.hpp"
-#include "solver/sheet/panels.hpp"
 
 namespace misalign::schema {
 

@@ -1,5 +1,5 @@
-// The mesh of a perforated sheet with fillers in its holes (solver/motion/filler.hpp), as FOLD has
-// it.
+// The mesh of a perforated sheet with fillers in its holes (solver/kinematics/filler.hpp), as FOLD
+// has it.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "schema/pattern/pattern_file.hpp"
-#include "solver/motion/filler.hpp"
+#include "solver/kinematics/filler.hpp"
 
 namespace misalign::schema {
 

@@ -11,8 +11,8 @@
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/crossing_check.hpp"
 #include "search/sheets/folding_model.hpp"
+#include "solver/model/panels.hpp"
 #include "solver/records/history.hpp"
-#include "solver/sheet/panels.hpp"
 
 namespace misalign::search {
 

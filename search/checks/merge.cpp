@@ -12,7 +12,8 @@
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/draws_again.hpp"
 #include "search/draws/draw_evaluator.hpp"
-#include "search/sheets/optimised_draw.hpp"
+#include "search/draws/golden_verdicts.hpp"
+#include "search/sheets/whole_program.hpp"
 
 namespace misalign::search {
 namespace {
@@ -81,8 +82,8 @@ class Merge {
     input.units = schema::units_done(*input.database);
     if (!evaluator_) {
       if (campaign.search.splitting) campaign.stop.accepted = least_kept();
-      evaluator_.emplace(std::move(campaign));
-      optimise_if_asked(*evaluator_);
+      evaluator_.emplace(std::move(campaign), solver::available_instruction_sets().back(),
+                         kWithoutProofs);
     } else if (input.state.identity != inputs_.front().state.identity) {
       throw schema::UserError(schema::Cause::foreign,
                               path + ": holds another campaign than " + inputs_.front().path +
@@ -100,7 +101,7 @@ class Merge {
       report_.units += plan_.kept[k].size();
     }
     schema::RunInfo run = options_.run;
-    run.golden_verdicts = fingerprint(evaluator_->campaign(), run.golden_verdicts);
+    run.golden_verdicts = fingerprint(evaluator_->campaign(), run.golden_verdicts, kWithoutProofs);
     catalogue.begin_run(run, goal_of(inputs_), options_.builds);
     for (const DrawRange& range : plan_.recomputed) {
       for (std::uint64_t next = range.lo; next < range.hi;) {

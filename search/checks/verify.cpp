@@ -9,7 +9,7 @@
 #include "schema/catalogue/certificate_table.hpp"
 #include "schema/files/features.hpp"
 #include "search/checks/draws_again.hpp"
-#include "search/sheets/optimised_draw.hpp"
+#include "search/sheets/whole_program.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/long_work.hpp"
 
@@ -88,9 +88,9 @@ class Verifier {
       }
     }
     if (units_.empty()) return;
+    const solver::InstructionSet widest = solver::available_instruction_sets().back();
     if (campaign_.search.splitting) {
-      Climber climber(campaign_, solver::available_instruction_sets().back());
-      optimise_if_asked(climber);
+      Climber climber(campaign_, widest, kWithoutProofs);
       for (const schema::DrawRange& unit : units_) {
         show_work("populations made again", v_.units.checked, units_.size());
         make_population_again(database_, climber, unit.lo, v_.findings);
@@ -99,10 +99,7 @@ class Verifier {
       }
       return;
     }
-    schema::Campaign without_certificates = campaign_;
-    without_certificates.certify = false;
-    DrawEvaluator evaluator(without_certificates);
-    optimise_if_asked(evaluator);
+    DrawEvaluator evaluator(campaign_, widest, kWithoutProofs);
     for (const schema::DrawRange& unit : units_) {
       show_work("units made again", v_.units.checked, units_.size());
       v_.decided_now += make_unit_again(database_, evaluator, unit, v_.findings);

@@ -24,7 +24,7 @@ void Ascents::advance(const std::function<void(schema::Candidate&)>& kept) {
 schema::Candidate* Ascents::look() {
   schema::Candidate& candidate = block_->candidates[next_];
   if (!one_) {
-    one_ = begin_(std::move(candidate));
+    one_ = ascend_(campaign_, model_, std::move(candidate));
   } else if (!one_->finished()) {
     one_->advance();
   }

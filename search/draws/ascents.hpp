@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 
+#include "schema/campaign/campaign.hpp"
 #include "schema/records/unit_record.hpp"
+#include "solver/model/model.hpp"
 
 namespace misalign::search {
 
@@ -21,8 +23,10 @@ class DrawAscent {
   virtual schema::Candidate take() = 0;
 };
 
-/// Begins with an accepted draw, whose metrics are not looked at.
-using BeginAscent = std::function<std::unique_ptr<DrawAscent>(schema::Candidate start)>;
+/// Begins with an accepted draw, whose metrics are not looked at. The model outlives the ascent.
+using BeginAscent = std::unique_ptr<DrawAscent> (*)(const schema::Campaign& campaign,
+                                                    const solver::Model& model,
+                                                    schema::Candidate start);
 
 /// What the record of one takes in a message, as a rule, in bytes.
 inline constexpr std::size_t kUsualAscent_bytes = 4096;
@@ -30,7 +34,9 @@ inline constexpr std::size_t kUsualAscent_bytes = 4096;
 /// Those of a block's draws, or of a piece's sheets, one after the other.
 class Ascents {
  public:
-  explicit Ascents(const BeginAscent& begin) : begin_(begin) {}
+  /// Campaign and model outlive this object.
+  Ascents(BeginAscent ascend, const schema::Campaign& campaign, const solver::Model& model)
+      : ascend_(ascend), campaign_(campaign), model_(model) {}
 
   /// A block whose candidates are draws as they were accepted.
   void begin(schema::UnitRecord block);
@@ -45,7 +51,9 @@ class Ascents {
  private:
   schema::Candidate* look();
 
-  const BeginAscent& begin_;
+  const BeginAscent ascend_;
+  const schema::Campaign& campaign_;
+  const solver::Model& model_;
   std::optional<schema::UnitRecord> block_;
   std::size_t next_ = 0;
   std::unique_ptr<DrawAscent> one_;

@@ -100,20 +100,25 @@ std::span<const double> Draws::shifts_mm(std::size_t k) const {
   return {shifts.of(static_cast<int>(k)), shifts.shifts_mm.size() / size()};
 }
 
-DrawEvaluator::DrawEvaluator(schema::Campaign campaign)
-    : DrawEvaluator(std::move(campaign), solver::available_instruction_sets().back()) {}
-
-DrawEvaluator::DrawEvaluator(schema::Campaign campaign, solver::InstructionSet set)
+DrawEvaluator::DrawEvaluator(schema::Campaign campaign, solver::InstructionSet set,
+                             const Parts& parts)
     : campaign_(std::move(campaign)),
       model_(model_of(campaign_)),
-      batch_(solver::make_batch(set, model_)) {}
+      batch_(solver::make_batch(set, model_)),
+      certify_(campaign_.certify && parts.certifier ? parts.certifier(campaign_, model_) : nullptr),
+      ascend_(campaign_.search.optimisation ? parts.ascend : nullptr) {}
+
+std::optional<Ascents> DrawEvaluator::ascents() const {
+  if (!ascend_) return std::nullopt;
+  return Ascents(ascend_, campaign_, model_);
+}
 
 std::size_t DrawEvaluator::bytes_of_candidate() const {
   const auto shifts = 2 * static_cast<std::size_t>(model_.mechanism().vertices);
   return sizeof(schema::Candidate) + sizeof(schema::DrawVerdict) +
          sizeof(double) * (shifts + model_.mechanism().diagonals.size() + 2) +
          (certify_ ? sizeof(schema::CertificateRecord) + schema::kUsualCertificate_bytes : 0) +
-         (begin_ascent_ ? kUsualAscent_bytes : 0);
+         (ascend_ ? kUsualAscent_bytes : 0);
 }
 
 void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
@@ -183,7 +188,7 @@ void DrawEvaluator::record(schema::UnitRecord& unit) {
     }
     const std::uint64_t draw = open_.numbers[k];
     unit.candidates.push_back(candidate_of(model_, draw, open_.shifts_mm(k).data(), record));
-    if (!begin_ascent_) certify(unit.candidates.back());
+    if (!ascend_) certify(unit.candidates.back());
     ++unit.accepted;
   };
   for_each_record(model_, *batch_, open_.shifts, keep);
@@ -214,10 +219,10 @@ UnitWork::UnitWork(DrawEvaluator& evaluator, const schema::DrawRange& range,
       most_bytes_(most_bytes),
       next_(range.lo),
       block_size_(evaluator.largest_block()),
-      seconds_per_path_(std::numeric_limits<double>::infinity()) {
+      seconds_per_path_(std::numeric_limits<double>::infinity()),
+      ascents_(evaluator.ascents()) {
   record_.range = {range.lo, range.lo};
-  assert(!evaluator.campaign().search.optimisation || evaluator.begin_ascent());
-  if (evaluator.begin_ascent()) ascents_.emplace(evaluator.begin_ascent());
+  assert(ascents_ || !evaluator.campaign().search.optimisation);
 }
 
 bool UnitWork::is_full() const {

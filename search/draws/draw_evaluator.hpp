@@ -2,14 +2,13 @@
 // verdict -> metrics -> unit.
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "schema/campaign/campaign.hpp"
 #include "schema/records/fault_sample.hpp"
 #include "schema/records/unit_record.hpp"
-#include "search/draws/ascents.hpp"
 #include "search/draws/block_size.hpp"
+#include "search/draws/parts.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
@@ -33,25 +32,19 @@ struct Draws {
 std::vector<schema::Candidate> measured(const solver::Model& model, solver::Batch& batch,
                                         const solver::ShiftBlock& shifts);
 
-/// The certificate of an accepted draw with these shifts (one column per vertex), from flat to D.
-using CertifyDraw = std::function<schema::CertificateRecord(
-    std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg)>;
-
 /// One campaign made ready: what all of its draws share, and the workspace of this rank.
 class DrawEvaluator {
  public:
-  /// In the widest registers of this machine, or in those of `set`.
-  explicit DrawEvaluator(schema::Campaign campaign);
-  DrawEvaluator(schema::Campaign campaign, solver::InstructionSet set);
+  /// In the widest registers of this machine, or in those of `set`. Accepted draws are certified,
+  /// and go on to where they end, if the campaign asks for it and the part is given.
+  explicit DrawEvaluator(schema::Campaign campaign,
+                         solver::InstructionSet set = solver::available_instruction_sets().back(),
+                         const Parts& parts = {});
   DrawEvaluator(const DrawEvaluator&) = delete;
   DrawEvaluator& operator=(const DrawEvaluator&) = delete;
 
-  /// From now on accepted draws are certified as well. `certify` outlives this object or is its
-  /// own.
-  void certify_with(CertifyDraw certify) { certify_ = std::move(certify); }
-  /// From now on accepted draws go on to where they end: in every optimising search. As above.
-  void ascend_with(BeginAscent begin) { begin_ascent_ = std::move(begin); }
-  const BeginAscent& begin_ascent() const { return begin_ascent_; }
+  /// Those of its accepted draws to where they end; none where they are kept as they are.
+  std::optional<Ascents> ascents() const;
   /// Adds its certificate, if they are made.
   void certify(schema::Candidate& candidate) const;
 
@@ -87,8 +80,8 @@ class DrawEvaluator {
   const schema::Campaign campaign_;
   const solver::Model model_;
   std::unique_ptr<solver::Batch> batch_;
-  CertifyDraw certify_;       // empty: none are certified
-  BeginAscent begin_ascent_;  // empty: draws are kept as they are
+  const CertifyDraw certify_;  // empty: none are certified
+  const BeginAscent ascend_;   // null: draws are kept as they are
   Draws made_, waiting_, sampled_, open_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/hash.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
@@ -18,6 +19,26 @@ std::string golden_verdicts(solver::InstructionSet set) {
                      solver::fault_name(verdict.first_fault) + std::to_string(verdict.where) + " ";
   }
   return schema::hex(schema::hash_of(whole_numbers));
+}
+
+std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts,
+                        const Parts& parts) {
+  if (!campaign.search.optimisation) return golden_verdicts;
+  std::string ends;  // of the first draws of a small sheet, by each goal
+  for (const schema::GoalName& goal : schema::kGoalNames) {
+    if (!goal.is_same_everywhere) continue;
+    DrawEvaluator evaluator(
+        schema::read_campaign(
+            {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
+             {"accept", {{"deploys_from_deg", 150}}},
+             {"search", {{"method", "optimise"}, {"maximise", goal.name}, {"from_deg", 36}}}},
+            "the golden campaign"),
+        solver::available_instruction_sets().back(), parts);
+    for (const schema::Candidate& end : work_off(evaluator, {0, 4}).candidates) {
+      ends += schema::displacements_json(end.shifts_mm).dump();
+    }
+  }
+  return golden_verdicts + "-" + schema::hex(schema::hash_of(ends));
 }
 
 }  // namespace misalign::search

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "search/draws/parts.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
@@ -10,5 +11,10 @@ namespace misalign::search {
 /// Fingerprint of this build's verdicts on fixed draws of a small sheet, in these registers: whole
 /// numbers, the same for every build whose verdicts can be trusted to agree.
 std::string golden_verdicts(solver::InstructionSet set);
+
+/// By what builds and machines know each other that work on this campaign: their golden_verdicts,
+/// and where it optimises also the sheets at which fixed draws end, to the last bit.
+std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts,
+                        const Parts& parts);
 
 }  // namespace misalign::search

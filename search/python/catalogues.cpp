@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/query_text.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/exchange/tolerance_json.hpp"
 #include "search/python/arrays.hpp"
@@ -18,7 +19,6 @@
 #include "search/python/table_columns.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/choice.hpp"
-#include "search/sheets/query_text.hpp"
 #include "search/sheets/study_functions.hpp"
 #include "search/sheets/study_json.hpp"
 #include "search/sheets/tolerance.hpp"
@@ -82,7 +82,7 @@ class Catalogue {
       return opened;
     });
     return table_of_query(*database,
-                          unlocked([&] { return query_text(*database, name_or_sql).sql; }));
+                          unlocked([&] { return schema::query_text(*database, name_or_sql).sql; }));
   }
 
   py::array_t<double> shifts(const py::object& draws) const {
@@ -129,8 +129,8 @@ class Catalogue {
                         std::int64_t jobs, const std::optional<double>& from_deg) const {
     const std::uint64_t draw = draw_number(number);
     ToleranceOptions options = copies_of(trials, jobs);
-    check_design("amplitude_mm", "miscut_mm", amplitude_mm);
-    if (from_deg) check_design("from_deg", "from_deg", *from_deg);
+    schema::check_design("amplitude_mm", "miscut_mm", amplitude_mm);
+    if (from_deg) schema::check_design("from_deg", "from_deg", *from_deg);
     options.amplitude_mm = amplitude_mm;
     return unlocked([&] {
       const std::vector<Eigen::Matrix2Xd> shifts_mm = shifts_of({draw});

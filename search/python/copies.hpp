@@ -3,16 +3,16 @@
 
 #include <cstdint>
 
+#include "schema/pattern/parameters.hpp"
 #include "search/python/signals.hpp"
-#include "search/sheets/parameters.hpp"
 #include "search/sheets/tolerance.hpp"
 
 namespace misalign::search::python {
 
-/// A number of copies, or of threads, as check_parameter() has it.
+/// A number of copies, or of threads, as schema::check_parameter() has it.
 template <class Count>
 Count checked_count(const char* study, const char* name, std::int64_t count) {
-  check_parameter(study, name, static_cast<double>(count));
+  schema::check_parameter(study, name, static_cast<double>(count));
   return static_cast<Count>(count);
 }
 

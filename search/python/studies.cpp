@@ -33,7 +33,7 @@ schema::Design design_of(const std::string& said) {
 
 std::string contact(const PatternSource& source, const std::string& design,
                     const std::optional<double>& trim_mm) {
-  if (trim_mm) check_parameter("", "trim_mm", *trim_mm);
+  if (trim_mm) schema::check_parameter("", "trim_mm", *trim_mm);
   return unlocked([&] {
     const Subject subject(source.sheet, design_of(design));
     return study_json(subject,
@@ -70,7 +70,7 @@ std::string optimise(const PatternSource& source, const std::string& design,
                      const std::vector<double>& preload_n, std::optional<double> rest_deg,
                      double miscut_mm, std::int64_t trials) {
   const auto check = [](const char* name, const std::optional<double>& value) {
-    if (value) check_parameter("optimise", name, *value);
+    if (value) schema::check_parameter("optimise", name, *value);
   };
   check("amplitude_mm", amplitude_mm);
   check("deploys_from_deg", deploys_from_deg);
@@ -158,7 +158,7 @@ void bind_studies(py::module_& module) {
   module.def("card", made(&card), py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));
   module.def("certify", made(&certify), py::arg("sheet"), py::arg("design"), py::arg("contact"));
-  module.def("check_design", &check_design, py::arg("name"), py::arg("design_key"),
+  module.def("check_design", &schema::check_design, py::arg("name"), py::arg("design_key"),
              py::arg("value"));
   module.def("tolerance", made(&tolerance), py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));

@@ -21,8 +21,6 @@
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
-#include "search/sheets/optimised_draw.hpp"
-#include "search/sheets/row_certifier.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/nothing_found.hpp"
@@ -68,6 +66,8 @@ schema::Campaign resolved_campaign(const SearchOptions& options) {
   if (options.range || options.draws) campaign.stop.draws = options.draws;
   if (options.range || options.populations) campaign.stop.populations = options.populations;
   check_counts(options, campaign);
+  need_part(!campaign.certify || options.parts.certifier, "certifies nothing");
+  need_part(!campaign.search.optimisation || options.parts.ascend, "makes no sheet better");
   return campaign;
 }
 
@@ -116,18 +116,15 @@ std::string place_of(const SearchOptions& options, const schema::Campaign& campa
 struct SearchWorkspace {
   static RankInfo info(const SearchOptions& options, const schema::Campaign& campaign) {
     return {host_name(), message_layout(),
-            fingerprint(campaign, golden_verdicts(options.instruction_set))};
+            fingerprint(campaign, golden_verdicts(options.instruction_set), options.parts)};
   }
 
   SearchWorkspace(schema::Campaign its_campaign, const SearchOptions& options)
       : most_bytes(options.unit_bytes), campaign(std::move(its_campaign)) {
     if (campaign.search.splitting) {
-      climber.emplace(campaign, options.instruction_set);
-      optimise_if_asked(*climber);
+      climber.emplace(campaign, options.instruction_set, options.parts);
     } else {
-      evaluator.emplace(campaign, options.instruction_set);
-      certify_if_asked(*evaluator);
-      optimise_if_asked(*evaluator);
+      evaluator.emplace(campaign, options.instruction_set, options.parts);
     }
   }
 

@@ -12,6 +12,7 @@ namespace misalign::search {
 
 struct SearchOptions {
   Border border;
+  Parts parts;
   std::string campaign_path;
   std::string catalogue_path;  ///< empty: results/NAME-<8 hex digits>.db
   std::optional<std::uint64_t> draws, populations, accepted, seed;

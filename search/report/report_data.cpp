@@ -9,8 +9,8 @@
 #include <filesystem>
 
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/catalogue/status_json.hpp"
 #include "schema/catalogue/study_table.hpp"
-#include "schema/exchange/status_json.hpp"
 #include "schema/files/json_values.hpp"
 #include "schema/files/suggestion.hpp"
 #include "schema/report/report.hpp"

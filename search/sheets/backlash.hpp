@@ -26,9 +26,6 @@ struct BacklashStudyOptions {
   std::function<void(const CopiesDone&)> progress{};  ///< called now and then, by one at a time
 };
 
-/// Trials are kept until all of them are counted: 64 bytes each.
-inline constexpr std::uint64_t kMostBacklashTrials = 1000000;
-
 /// How well that is known: its logarithm is bisected until two radii are within this ratio, of
 /// which one is good and the other not. The share of 1,000 trials is known to 1.4 % only.
 inline constexpr double kRadiusRatio = 1.01;

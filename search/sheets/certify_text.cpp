@@ -10,7 +10,7 @@
 #include "schema/files/text_table.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "search/terminal/count_text.hpp"
-#include "solver/certificate/certificate.hpp"
+#include "solver/records/certificate.hpp"
 
 namespace misalign::search {
 namespace {

@@ -12,7 +12,7 @@
 #include "schema/files/output_file.hpp"
 #include "schema/kit/kit_options.hpp"
 #include "search/sheets/release.hpp"
-#include "solver/motion/filler.hpp"
+#include "solver/kinematics/filler.hpp"
 
 namespace misalign::search {
 

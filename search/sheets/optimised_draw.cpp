@@ -3,10 +3,7 @@
 #include <cassert>
 #include <optional>
 
-#include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/optimise_json.hpp"
-#include "schema/files/hash.hpp"
-#include "schema/pattern/pattern_file.hpp"
 #include "solver/optimise/ascent.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
@@ -15,7 +12,7 @@ namespace {
 
 class OptimisedDraw final : public DrawAscent {
  public:
-  // `asked` and `model` must outlive this object.
+  // `model` must outlive this object.
   OptimisedDraw(const solver::OptimiseOptions& asked, const solver::Model& model,
                 schema::Candidate start);
 
@@ -69,29 +66,7 @@ schema::Candidate OptimisedDraw::take() {
   return std::move(candidate_);
 }
 
-// Of two draws of a small sheet, by either goal.
-std::string golden_ends() {
-  std::string ends;
-  for (const schema::GoalName& goal : schema::kGoalNames) {
-    if (!goal.is_same_everywhere) continue;
-    DrawEvaluator evaluator(schema::read_campaign(
-        {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
-         {"accept", {{"deploys_from_deg", 150}}},
-         {"search", {{"method", "optimise"}, {"maximise", goal.name}, {"from_deg", 36}}}},
-        "the golden campaign"));
-    optimise_if_asked(evaluator);
-    for (const schema::Candidate& end : work_off(evaluator, {0, 4}).candidates) {
-      ends += schema::displacements_json(end.shifts_mm).dump();
-    }
-  }
-  return schema::hex(schema::hash_of(ends));
-}
-
 }  // namespace
-
-std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts) {
-  return campaign.search.optimisation ? golden_verdicts + "-" + golden_ends() : golden_verdicts;
-}
 
 solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign) {
   const schema::Optimisation& search = *campaign.search.optimisation;
@@ -119,20 +94,9 @@ solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign) {
   return asked;
 }
 
-void optimise_if_asked(DrawEvaluator& evaluator) {
-  if (!evaluator.campaign().search.optimisation) return;
-  evaluator.ascend_with([asked = asked_of_ends(evaluator.campaign()),
-                         &model = evaluator.model()](schema::Candidate start) {
-    return std::make_unique<OptimisedDraw>(asked, model, std::move(start));
-  });
-}
-
-void optimise_if_asked(Climber& climber) {
-  if (!climber.campaign().search.optimisation) return;
-  climber.ascend_with([asked = asked_of_ends(climber.campaign()),
-                       &scorers = climber.scorers()](schema::Candidate start) {
-    return std::make_unique<OptimisedDraw>(asked, scorers.model(), std::move(start));
-  });
+std::unique_ptr<DrawAscent> optimised_draw(const schema::Campaign& campaign,
+                                           const solver::Model& model, schema::Candidate start) {
+  return std::make_unique<OptimisedDraw>(asked_of_ends(campaign), model, std::move(start));
 }
 
 }  // namespace misalign::search

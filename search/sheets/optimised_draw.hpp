@@ -1,8 +1,7 @@
 // An accepted draw of an optimising search, or a sheet that a population found, made better.
 #pragma once
 
-#include "search/draws/draw_evaluator.hpp"
-#include "search/splitting/climber.hpp"
+#include "search/draws/ascents.hpp"
 #include "solver/optimise/optimise.hpp"
 
 namespace misalign::search {
@@ -11,12 +10,8 @@ namespace misalign::search {
 /// all in its identity.
 solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign);
 
-/// Accepted draws go to their ends, if the campaign optimises; or sheets that populations find.
-void optimise_if_asked(DrawEvaluator& evaluator);
-void optimise_if_asked(Climber& climber);
-
-/// By what builds and machines know each other that work on this campaign: their golden_verdicts,
-/// and where it optimises also the sheets at which fixed draws end, to the last bit.
-std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts);
+/// An accepted draw, or a sheet that a population found, on its way to its end.
+std::unique_ptr<DrawAscent> optimised_draw(const schema::Campaign& campaign,
+                                           const solver::Model& model, schema::Candidate start);
 
 }  // namespace misalign::search

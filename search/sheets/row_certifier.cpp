@@ -60,14 +60,11 @@ bool answers(const schema::CertificateRecord& row, double asked_deg, bool contac
          (row.contact == contact || (row.contact && !ends_for_contact));
 }
 
-void certify_if_asked(DrawEvaluator& evaluator) {
-  if (!evaluator.campaign().certify) return;
-  const auto certifier =
-      std::make_shared<RowCertifier>(evaluator.campaign().pattern, evaluator.model());
-  evaluator.certify_with(
-      [certifier](std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg) {
-        return certifier->certify(draw, shifts_mm, deploys_from_deg);
-      });
+CertifyDraw draw_certifier(const schema::Campaign& campaign, const solver::Model& model) {
+  return [certifier = std::make_shared<RowCertifier>(campaign.pattern, model)](
+             std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg) {
+    return certifier->certify(draw, shifts_mm, deploys_from_deg);
+  };
 }
 
 }  // namespace misalign::search

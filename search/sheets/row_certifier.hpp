@@ -5,7 +5,7 @@
 #include <string>
 
 #include "schema/catalogue/certificate_row.hpp"
-#include "search/draws/draw_evaluator.hpp"
+#include "search/draws/parts.hpp"
 #include "solver/certificate/certifier.hpp"
 #include "solver/model/model.hpp"
 
@@ -37,7 +37,7 @@ class RowCertifier {
 /// Whether a certificate answers what is asked: no other would say more.
 bool answers(const schema::CertificateRecord& row, double asked_deg, bool contact);
 
-/// Accepted draws of a campaign that says `"certify": true` are certified from now on.
-void certify_if_asked(DrawEvaluator& evaluator);
+/// Certifies accepted draws of a campaign.
+CertifyDraw draw_certifier(const schema::Campaign& campaign, const solver::Model& model);
 
 }  // namespace misalign::search

@@ -22,11 +22,12 @@ void climb_alone(Climb& climb, Climber& climber) {
 
 }  // namespace
 
-Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
+Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set, const Parts& parts)
     : mechanism_(solver::build_mechanism(campaign.pattern.base)),
       moves_(campaign),
       sweeps_(campaign.search.splitting->sweeps),
-      scorers_(campaign, set) {}
+      scorers_(campaign, set),
+      ascend_(parts.ascend) {}
 
 Ladder named_ladder(const schema::Campaign& campaign) {
   const schema::Splitting& splitting = *campaign.search.splitting;

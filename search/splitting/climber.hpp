@@ -3,6 +3,7 @@
 #pragma once
 
 #include "schema/campaign/splitting.hpp"
+#include "search/draws/parts.hpp"
 #include "search/splitting/population.hpp"
 
 namespace misalign::search {
@@ -10,16 +11,14 @@ namespace misalign::search {
 /// One campaign that splits made ready, and the workspace of this rank.
 class Climber {
  public:
-  /// `campaign` must outlive this object.
-  Climber(const schema::Campaign& campaign, solver::InstructionSet set);
+  /// `campaign` must outlive this object. What populations find goes on to its end if the campaign
+  /// optimises, for which the part is needed.
+  Climber(const schema::Campaign& campaign, solver::InstructionSet set, const Parts& parts = {});
   Climber(const Climber&) = delete;
   Climber& operator=(const Climber&) = delete;
 
-  /// What populations find goes on to its end from now on, as of a DrawEvaluator.
-  void ascend_with(BeginAscent begin) { begin_ascent_ = std::move(begin); }
-
   PieceWork start(PieceOrder order) {
-    return {moves_, sweeps_, scorers_, begin_ascent_, std::move(order)};
+    return {moves_, sweeps_, scorers_, ascend_, std::move(order)};
   }
   const schema::Campaign& campaign() const { return scorers_.campaign(); }
   const solver::Mechanism& mechanism() const { return mechanism_; }
@@ -31,7 +30,7 @@ class Climber {
   const Moves moves_;
   const std::uint32_t sweeps_;
   LevelScorers scorers_;
-  BeginAscent begin_ascent_;  // of a campaign that optimises
+  const BeginAscent ascend_;
 };
 
 /// The ladder of a campaign, without levels where it names none.

@@ -37,7 +37,7 @@ bool PieceResult::has_one_each() const {
 }
 
 PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& scorers,
-                     const BeginAscent& begin_ascent, PieceOrder order)
+                     BeginAscent ascend, PieceOrder order)
     : moves_(moves),
       sweeps_(sweeps),
       scorers_(scorers),
@@ -50,10 +50,10 @@ PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& sco
   result_.level = order_.level;
   result_.lo = result_.hi = order_.lo;
   if (order_.starts.empty()) return;
-  assert(begin_ascent);
+  assert(ascend);
   schema::UnitRecord starts;
   starts.candidates = order_.starts;
-  ascents_.emplace(begin_ascent).begin(std::move(starts));
+  ascents_.emplace(ascend, scorers.campaign(), scorers.model()).begin(std::move(starts));
 }
 
 void PieceWork::run_next_block() {

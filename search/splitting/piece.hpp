@@ -58,9 +58,9 @@ struct PieceResult {
 /// Orders being worked off, a block of particles and a step at a time.
 class PieceWork {
  public:
-  /// All must outlive this object. `begin_ascent` is of starts alone.
-  PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& scorers,
-            const BeginAscent& begin_ascent, PieceOrder order);
+  /// All must outlive this object. `ascend` is for starts alone.
+  PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& scorers, BeginAscent ascend,
+            PieceOrder order);
 
   bool finished() const { return next_ == order_.hi; }
   bool is_full() const { return false; }  // orders are small enough

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "schema/exchange/status_json.hpp"
+#include "schema/catalogue/status_json.hpp"
 #include "search/terminal/terminal.hpp"
 
 namespace misalign::search {

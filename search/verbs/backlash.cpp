@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "schema/exchange/backlash_json.hpp"
+#include "schema/pattern/parameters.hpp"
 #include "search/sheets/backlash_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/tolerance_call.hpp"
@@ -41,11 +42,11 @@ void refuse_backlash(const ToleranceCall& call, const ToleranceTargets& sheets,
 }  // namespace
 
 void check_backlash(const ToleranceCall& call) {
-  if (call.study.trials > kMostBacklashTrials) {
+  if (call.study.trials > schema::kMostBacklashTrials) {
     throw UserError(schema::Cause::bad_request,
                     fmt::format("--trials {}: at most {} with --backlash (each is kept until all "
                                 "are counted); 1000 tell the share to 1.4 %",
-                                call.study.trials, kMostBacklashTrials));
+                                call.study.trials, schema::kMostBacklashTrials));
   }
 }
 

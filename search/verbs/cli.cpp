@@ -16,6 +16,8 @@
 #include "schema/files/input.hpp"
 #include "schema/files/kept_inputs.hpp"
 #include "search/ranks/mpi_session.hpp"
+#include "search/ranks/process_start.hpp"
+#include "search/ranks/stop_signal.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
@@ -93,7 +95,10 @@ bool shows_itself(const std::string& verb) {
 
 }  // namespace
 
-int run_command_line(int argc, char** argv, std::vector<Verb> (*verbs)(const Words&)) {
+int run_command_line(int argc, char** argv, const Parts& parts,
+                     std::vector<Verb> (*verbs)(const Words&, const Parts&)) {
+  prepare_process();
+  watch_for_lost_pages();
   CLI::App app("Searches for misaligned origami that simple springs deploy.", "misalign");
   app.set_version_flag("--version", version_text(),
                        "print version, commit, compiler, libraries and end");
@@ -118,7 +123,7 @@ int run_command_line(int argc, char** argv, std::vector<Verb> (*verbs)(const Wor
                                      {"never", ColorMode::never}}));
   const Words typed(argv, argv + argc);
   std::map<const CLI::App*, Action> actions;
-  for (const Verb& each : verbs(typed)) {
+  for (const Verb& each : verbs(typed, parts)) {
     CLI::App* verb = app.add_subcommand(each.name);
     actions[verb] = each.set_up(*verb);
   }

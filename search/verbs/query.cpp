@@ -4,11 +4,9 @@
 #include <unistd.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/query_text.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/study_table.hpp"
-#include "search/sheets/front_query.hpp"
-#include "search/sheets/query_text.hpp"
-#include "search/sheets/study_functions.hpp"
 #include "search/terminal/nothing_found.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"
@@ -75,13 +73,15 @@ std::vector<std::string> listed(const std::string& typed) {
   return words;
 }
 
-void query(const QueryCall& call) {
+void query(const QueryCall& call, const Parts& parts) {
   const auto database = schema::open_for_reading(call.path);
-  add_study_functions(*database, call.path);
-  const QueryText text = !call.front
-                             ? query_text(*database, call.sql)
-                             : QueryText{front_sql(*database, listed(*call.front), call.where), ""};
-  look_ahead(*database, text.sql);
+  need_part(!call.front || parts.front_sql, "finds no front");
+  if (parts.add_study_functions) parts.add_study_functions(*database, call.path);
+  const schema::QueryText text =
+      call.front
+          ? schema::QueryText{parts.front_sql(*database, listed(*call.front), call.where), ""}
+          : schema::query_text(*database, call.sql);
+  if (parts.look_ahead) parts.look_ahead(*database, text.sql);
   if (!call.json && !call.csv) {
     show_rows(*database, text.name, text.sql, !call.unpaged);
     return;
@@ -104,7 +104,7 @@ std::string functions_text() {
 
 }  // namespace
 
-Action query_verb(CLI::App& verb) {
+Action query_verb(CLI::App& verb, const Parts& parts) {
   verb.description("a named query, or any read-only SQL");
   verb.footer(
       "Named queries: " + schema::named_query_list() +
@@ -135,8 +135,8 @@ Action query_verb(CLI::App& verb) {
   verb.add_flag("--csv", call->csv, "as CSV; on a terminal control characters are escaped")
       ->excludes(json_flag);
   verb.add_flag("--no-pager", call->unpaged, "straight to the terminal");
-  return [call] {
-    query(*call);
+  return [call, parts] {
+    query(*call, parts);
     return 0;
   };
 }

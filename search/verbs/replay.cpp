@@ -8,7 +8,7 @@
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/folding_model.hpp"
 #include "search/sheets/folding_text.hpp"
-#include "search/sheets/optimised_draw.hpp"
+#include "search/sheets/whole_program.hpp"
 #include "search/splitting/climber.hpp"
 #include "search/splitting/origin.hpp"
 #include "search/terminal/terminal.hpp"
@@ -26,8 +26,7 @@ struct ReplayCall {
 
 // Of an optimising campaign: from the draw, if it is accepted, to its end.
 Eigen::Matrix2Xd end_of(const schema::Campaign& campaign, std::uint64_t draw) {
-  DrawEvaluator evaluator(campaign);
-  optimise_if_asked(evaluator);
+  DrawEvaluator evaluator(campaign, solver::available_instruction_sets().back(), kWithoutProofs);
   const schema::UnitRecord unit = work_off(evaluator, {draw, draw + 1});
   return unit.candidates.empty() ? shifts_of_draw(campaign, draw) : unit.candidates[0].shifts_mm;
 }
@@ -39,8 +38,7 @@ Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& c
     return shifts_of_number(database, campaign, call.draw);
   }
   if (!campaign.search.splitting) return end_of(campaign, call.draw);
-  Climber climber(campaign, solver::available_instruction_sets().back());
-  optimise_if_asked(climber);
+  Climber climber(campaign, solver::available_instruction_sets().back(), kWithoutProofs);
   const Ladder ladder = stored_ladder(campaign, schema::read_levels(database));
   const Origin origin = origin_of(call.draw, *campaign.search.splitting);
   for (const FoundCandidate& found : climbed(ladder, origin.population, climber).found) {

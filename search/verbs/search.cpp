@@ -112,7 +112,7 @@ int start_search(const SearchCall& call, const Words& typed) {
 
 }  // namespace
 
-Action search_verb(CLI::App& verb, const Words& typed) {
+Action search_verb(CLI::App& verb, const Words& typed, const Parts& parts) {
   verb.description("run or resume a campaign, alone or under mpirun");
   verb.footer(
       "The same command again resumes: --draws and --accepted are totals, not what is to be\n"
@@ -141,6 +141,7 @@ Action search_verb(CLI::App& verb, const Words& typed) {
       "  mpirun -n 8 misalign search search/campaigns/miura-6x6.json --max-time 3600");
   auto call = std::make_shared<SearchCall>();
   SearchOptions& options = call->options;
+  options.parts = parts;
   verb.add_option("CAMPAIGN", options.campaign_path, "campaign file (JSON)")->required();
   verb.add_option("--catalogue", options.catalogue_path,
                   "catalogue file [results/NAME-<8 hex digits>.db]")

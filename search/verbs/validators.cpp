@@ -9,7 +9,7 @@
 #include "schema/files/input.hpp"
 #include "schema/files/suggestion.hpp"
 #include "schema/pattern/design.hpp"
-#include "search/sheets/parameters.hpp"
+#include "schema/pattern/parameters.hpp"
 
 namespace misalign::search {
 namespace {
@@ -49,7 +49,7 @@ CLI::Validator within(std::string_view design_key) {
 }
 
 CLI::Validator within(std::string_view study, std::string_view parameter) {
-  const auto [least, most] = parameter_bounds(study, parameter);
+  const auto [least, most] = schema::parameter_bounds(study, parameter);
   return within(least, most);
 }
 
@@ -79,7 +79,7 @@ CLI::Validator counted(std::uint64_t least, std::uint64_t most) {
 }
 
 CLI::Validator counted(std::string_view study, std::string_view parameter) {
-  const auto [least, most] = parameter_bounds(study, parameter);
+  const auto [least, most] = schema::parameter_bounds(study, parameter);
   return counted(static_cast<std::uint64_t>(least), static_cast<std::uint64_t>(most));
 }
 

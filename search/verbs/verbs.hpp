@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "search/draws/parts.hpp"
+
 namespace misalign::search {
 
 /// What a verb does once its options are read, which it owns: returns the exit code; throws
@@ -32,10 +34,10 @@ Action fold_verb(CLI::App& verb);
 Action help_verb(CLI::App& verb);
 Action merge_verb(CLI::App& verb);
 Action perforations_verb(CLI::App& verb);
-Action query_verb(CLI::App& verb);
+Action query_verb(CLI::App& verb, const Parts& parts);
 Action replay_verb(CLI::App& verb);
 Action report_verb(CLI::App& verb);
-Action search_verb(CLI::App& verb, const Words& typed);
+Action search_verb(CLI::App& verb, const Words& typed, const Parts& parts);
 Action status_verb(CLI::App& verb);
 Action stress_verb(CLI::App& verb);
 Action tolerance_verb(CLI::App& verb);
@@ -47,16 +49,23 @@ struct Verb {
   std::function<Action(CLI::App&)> set_up;
 };
 
+/// Those that need no part.
+inline std::vector<Verb> first_verbs(const Words& typed, const Parts& parts) {
+  return {{"search", [&](CLI::App& verb) { return search_verb(verb, typed, parts); }},
+          {"status", status_verb},
+          {"query", [&](CLI::App& verb) { return query_verb(verb, parts); }}};
+}
+
 /// All of them, in the order of --help; help comes last, since it says what the others are.
-inline std::vector<Verb> all_verbs(const Words& typed) {
-  return {{"search", [&](CLI::App& verb) { return search_verb(verb, typed); }},
+inline std::vector<Verb> all_verbs(const Words& typed, const Parts& parts) {
+  return {{"search", [&](CLI::App& verb) { return search_verb(verb, typed, parts); }},
           {"status", status_verb},
           {"fold", fold_verb},
           {"perforations", perforations_verb},
           {"construct", construct_verb},
           {"optimise", optimise_verb},
           {"replay", replay_verb},
-          {"query", query_verb},
+          {"query", [&](CLI::App& verb) { return query_verb(verb, parts); }},
           {"export", export_verb},
           {"verify", verify_verb},
           {"certify", [&](CLI::App& verb) { return certify_verb(verb, typed); }},

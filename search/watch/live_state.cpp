@@ -2,7 +2,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "schema/exchange/status_json.hpp"
+#include "schema/catalogue/status_json.hpp"
 #include "schema/report/report.hpp"
 
 namespace misalign::search {

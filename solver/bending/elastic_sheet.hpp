@@ -17,7 +17,7 @@
 
 #include "solver/bending/saddle_plate.hpp"
 #include "solver/kinematics/mechanism.hpp"
-#include "solver/sheet/panels.hpp"
+#include "solver/model/panels.hpp"
 
 namespace misalign::solver {
 

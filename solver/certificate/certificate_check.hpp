@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "solver/certificate/certificate.hpp"
 #include "solver/model/model.hpp"
+#include "solver/records/certificate.hpp"
 
 namespace misalign::solver {
 

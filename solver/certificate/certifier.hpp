@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "solver/certificate/certificate.hpp"
 #include "solver/model/model.hpp"
+#include "solver/records/certificate.hpp"
 
 namespace misalign::solver {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "solver/certificate/certificate.hpp"
 #include "solver/certificate/graded_closure.hpp"
+#include "solver/records/certificate.hpp"
 
 namespace misalign::solver {
 

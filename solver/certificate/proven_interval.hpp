@@ -13,9 +13,9 @@
 #include <functional>
 #include <vector>
 
-#include "solver/certificate/certificate.hpp"
 #include "solver/certificate/witness_polynomial.hpp"
-#include "solver/sheet/panels.hpp"
+#include "solver/model/panels.hpp"
+#include "solver/records/certificate.hpp"
 
 namespace misalign::solver {
 

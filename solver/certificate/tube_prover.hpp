@@ -13,7 +13,7 @@
 
 #include "solver/certificate/path_tube.hpp"
 #include "solver/certificate/polynomial.hpp"
-#include "solver/sheet/panels.hpp"
+#include "solver/model/panels.hpp"
 
 namespace misalign::solver {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/contact/gap_walk.hpp"
-#include "solver/contact/panel_pairs.hpp"
+#include "solver/model/panel_pairs.hpp"
 
 namespace misalign::solver {
 

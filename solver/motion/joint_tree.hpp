@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solver/sheet/panels.hpp"
+#include "solver/model/panels.hpp"
 
 namespace misalign::solver {
 

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "solver/model/panels.hpp"
 #include "solver/motion/plates.hpp"
 #include "solver/sheet/folding_way.hpp"
-#include "solver/sheet/panels.hpp"
 
 namespace misalign::solver {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "solver/model/panels.hpp"
 #include "solver/records/metrics.hpp"
 #include "solver/sheet/folding_way.hpp"
-#include "solver/sheet/panels.hpp"
 
 namespace misalign::solver {
 

@@ -34,7 +34,7 @@ Json table1_candidate() {
     const solver::Certificate certificate =
         solver::Certifier(model).certify(sheet.vertices_mm(), 5);
     exported["certificate"] = certificate_json(
-        certificate_row(campaign, sheet.mechanism(), 7, shifts_mm, certificate, 0.03125));
+        certificate_row(campaign.pattern, sheet.mechanism(), 7, shifts_mm, certificate, 0.03125));
     exported.update(
         origin_json(campaign, 7, yields_json({{7, 0.05, 100, 90, 2}, {7, 0.1, 1, 0, 1}})));
     return exported;

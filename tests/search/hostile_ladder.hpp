@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "schema/exchange/ladder_json.hpp"
+#include "schema/catalogue/ladder_json.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/sheets/campaign_sheet.hpp"

@@ -69,7 +69,7 @@ void keep_certificates(Catalogue& catalogue, const DrawEvaluator& evaluator,
     const solver::Certificate made =
         certifier.certify(campaign.pattern.base.sheet.vertices_mm + candidate.shifts_mm,
                           candidate.metrics.deploys_from_deg);
-    rows.push_back(certificate_row(campaign, evaluator.mechanism(), candidate.draw,
+    rows.push_back(certificate_row(campaign.pattern, evaluator.mechanism(), candidate.draw,
                                    candidate.shifts_mm, made, 0.5));
   }
   catalogue.keep(rows);

@@ -18,11 +18,18 @@ for query in best acceptance "SELECT * FROM candidates ORDER BY draw"; do
 done
 
 sed 's/"accept"/"certify": true, "accept"/' "$campaign" > certified.json
-for words in "search certified.json --draws 100 --catalogue none.db" "search certified.json --draws 100 --catalogue none.db --ranks 2"; do
+sed 's/"accept"/"search": {"method": "optimise", "from_deg": 36}, "accept"/' "$campaign" > optimising.json
+search="--draws 100 --catalogue none.db"
+while IFS=: read -r words lack; do
   "$first" $words > out 2> err
-  [ $? = 1 ] && grep -q "certifies nothing; cmake --build --preset release builds the whole one" err || fail "$words: $(cat err)"
-  [ ! -e none.db ] || fail "$words: a catalogue is left"
-done
+  [ $? = 1 ] && grep -q "$lack; cmake --build --preset release builds the whole one" err || fail "$words: $(cat err)"
+  [ ! -e none.db ] && [ ! -s out ] || fail "$words: something is left"
+done << EOF
+search certified.json $search:certifies nothing
+search certified.json $search --ranks 2:certifies nothing
+search optimising.json $search:makes no sheet better
+query whole.db --front D,stroke_max:finds no front
+EOF
 "$first" fold "$source_dir/search/patterns/table1.json" > out 2> err
 [ $? = 2 ] && grep -q "fold is no verb" err || fail "fold: $(cat err)"
 finish

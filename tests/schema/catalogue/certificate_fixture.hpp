@@ -44,11 +44,11 @@ class CertificateTest : public CatalogueTest {
   }
 
   CertificateRecord row(const solver::Certificate& made, std::uint64_t draw = 5) const {
-    return certificate_row(campaign_, mechanism_, draw, shifts_mm(), made, 0.03125);
+    return certificate_row(campaign_.pattern, mechanism_, draw, shifts_mm(), made, 0.03125);
   }
   CertificateRecord row(std::uint64_t draw = 5) const { return row(claims(), draw); }
   std::string fault(const CertificateRecord& row) const {
-    return certificate_fault(campaign_, mechanism_, shifts_mm(), row).value_or("");
+    return certificate_fault(campaign_.pattern, mechanism_, shifts_mm(), row).value_or("");
   }
   CertificateRecord mended(CertificateRecord row) const {
     row.hash = certificate_hash(campaign_.pattern, shifts_mm(), row);

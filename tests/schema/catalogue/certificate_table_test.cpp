@@ -188,7 +188,7 @@ TEST_F(CertificateTest, OlderCataloguesHaveNoneUntilTheyAreBroughtUpToDate) {
     }
     const solver::Certificate nothing{170, CertificateEnd::flat_branch, -1, false, {}, {}};
     const CertificateRecord row = certificate_row(
-        campaign, mechanism, draw,
+        campaign.pattern, mechanism, draw,
         Eigen::Matrix2Xd::Zero(2, campaign.pattern.base.sheet.vertex_count()), nothing, 0.5);
     {
       Catalogue catalogue(old, campaign, mechanism);

@@ -77,7 +77,7 @@ TEST_F(CertificateTest, TheHashHoldsEveryColumn) {
   EXPECT_EQ(fault(slower), "");
   Eigen::Matrix2Xd other_mm = shifts_mm();
   other_mm(1, 10) = 1e-12;
-  EXPECT_TRUE(certificate_fault(campaign_, mechanism_, other_mm, good));
+  EXPECT_TRUE(certificate_fault(campaign_.pattern, mechanism_, other_mm, good));
 }
 
 // Somebody who knows how hashes are made still cannot claim what the proof does not.

@@ -276,7 +276,7 @@ class KnownSheets : public LadderTest {
     solver::Certificate made{certified_deg, solver::CertificateEnd::to_the_end, -1, false, {}, {}};
     made.intervals.push_back(
         {0, certified_deg, true, 0.25, solver::flat_state<double>(mechanism_)});
-    return certificate_row(campaign, mechanism_, of.draw, of.shifts_mm, made, 0.5);
+    return certificate_row(campaign.pattern, mechanism_, of.draw, of.shifts_mm, made, 0.5);
   }
   // Of every candidate that is there, the farther and the more the later its population is.
   void study(const std::vector<Candidate>& candidates, double certified_deg,

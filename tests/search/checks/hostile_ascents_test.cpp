@@ -7,7 +7,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
-#include "search/sheets/optimised_draw.hpp"
+#include "search/sheets/whole_program.hpp"
 #include "tests/folder.hpp"
 #include "tests/schema/catalogue_fixture.hpp"
 
@@ -22,8 +22,7 @@ class HostileAscents : public testing::Test {
           "accept": {"deploys_from_deg": 150},
           "search": {"method": "optimise", "from_deg": 36}})"),
         "test");
-    DrawEvaluator evaluator(campaign);
-    optimise_if_asked(evaluator);
+    DrawEvaluator evaluator(campaign, solver::available_instruction_sets().back(), kWholeProgram);
     schema::Catalogue catalogue(good_, campaign, evaluator.mechanism());
     catalogue.begin_run(schema::kRun, {{0, kDraws}, {}, {}});
     catalogue.commit({work_off(evaluator, {0, kDraws})});

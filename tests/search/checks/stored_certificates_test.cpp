@@ -35,8 +35,9 @@ class StoredCertificates : public testing::Test {
     for (schema::Candidate& candidate : unit.candidates) {
       const auto certificate = certifier.certify(
           campaign.pattern.base.sheet.vertices_mm + candidate.shifts_mm, asked_deg);
-      candidate.certificate = schema::certificate_row(
-          campaign, evaluator_.mechanism(), candidate.draw, candidate.shifts_mm, certificate, 0.25);
+      candidate.certificate =
+          schema::certificate_row(campaign.pattern, evaluator_.mechanism(), candidate.draw,
+                                  candidate.shifts_mm, certificate, 0.25);
     }
     schema::Catalogue catalogue(path(name), campaign, evaluator_.mechanism());
     catalogue.begin_run(run_, {{0, 60}, {}, {}});

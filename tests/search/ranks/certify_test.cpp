@@ -9,6 +9,7 @@
 #include "search/draws/models.hpp"
 #include "search/ranks/certify_task.hpp"
 #include "search/sheets/certify_text.hpp"
+#include "search/sheets/whole_program.hpp"
 #include "solver/certificate/certificate_check.hpp"
 #include "solver/records/path_record.hpp"
 
@@ -291,8 +292,9 @@ TEST(CertifiedDraws, AreTheCandidatesAndAsOtherwise) {
   const schema::Campaign campaign = campaign_to_certify(true);
   const solver::Model model = model_of(campaign);
   RowCertifier certifier(campaign.pattern, model);
-  DrawEvaluator certifying(campaign), plain(campaign_to_certify());
-  for (DrawEvaluator* evaluator : {&certifying, &plain}) certify_if_asked(*evaluator);
+  const solver::InstructionSet widest = solver::available_instruction_sets().back();
+  DrawEvaluator certifying(campaign, widest, kWholeProgram),
+      plain(campaign_to_certify(), widest, kWholeProgram);
   const schema::UnitRecord unit = work_off(certifying, {0, 40}), other = work_off(plain, {0, 40});
   ASSERT_GT(unit.candidates.size(), 2u);
   ASSERT_EQ(unit.candidates.size(), other.candidates.size());

@@ -5,9 +5,12 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
+#include "search/draws/draw_evaluator.hpp"
+#include "search/draws/golden_verdicts.hpp"
 #include "search/draws/models.hpp"
 #include "search/ranks/piece_messages.hpp"
-#include "search/sheets/row_certifier.hpp"
+#include "search/sheets/whole_program.hpp"
+#include "search/splitting/climber.hpp"
 #include "solver/optimise/worth.hpp"
 
 namespace misalign::search {
@@ -29,9 +32,9 @@ class OptimisedDraws : public testing::Test {
     campaign.search = {};
     return campaign;
   }
+  static solver::InstructionSet widest() { return solver::available_instruction_sets().back(); }
   static schema::UnitRecord ends(const schema::Campaign& campaign, const schema::DrawRange& range) {
-    DrawEvaluator evaluator(campaign);
-    optimise_if_asked(evaluator);
+    DrawEvaluator evaluator(campaign, widest(), kWholeProgram);
     return work_off(evaluator, range);
   }
 };
@@ -94,8 +97,7 @@ TEST_F(OptimisedDraws, EndWhereSingleSheetsDo) {
 TEST_F(OptimisedDraws, GoOnWhereTheyWereCut) {
   const schema::Campaign asked = campaign({{"shifts", "ternary"}});
   const schema::UnitRecord whole = ends(asked, {0, 12});
-  DrawEvaluator evaluator(asked);
-  optimise_if_asked(evaluator);
+  DrawEvaluator evaluator(asked, widest(), kWholeProgram);
   std::vector<schema::Candidate> candidates;
   std::uint64_t next = 0, rejected = 0;
   int cut = 0;
@@ -126,9 +128,7 @@ TEST_F(OptimisedDraws, GoOnWhereTheyWereCut) {
 TEST_F(OptimisedDraws, AreCertifiedAtTheirEnds) {
   schema::Campaign asked = campaign(Json::object());
   asked.certify = true;
-  DrawEvaluator evaluator(asked);
-  optimise_if_asked(evaluator);
-  certify_if_asked(evaluator);
+  DrawEvaluator evaluator(asked, widest(), kWholeProgram);
   const schema::UnitRecord unit = work_off(evaluator, {0, 8});
   ASSERT_GT(unit.candidates.size(), 1u);
   RowCertifier certifier(asked.pattern, evaluator.model());
@@ -143,11 +143,12 @@ TEST_F(OptimisedDraws, AreCertifiedAtTheirEnds) {
 // Builds that end elsewhere do not work on one catalogue; of other campaigns verdicts suffice.
 TEST_F(OptimisedDraws, HaveAFingerprintOfTheirOwn) {
   const schema::Campaign asked = campaign(Json::object());
-  const std::string own = fingerprint(asked, "verdicts");
+  const std::string own = fingerprint(asked, "verdicts", kWholeProgram);
   EXPECT_EQ(own.size(), std::string("verdicts-").size() + 32);
   EXPECT_EQ(own.rfind("verdicts-", 0), 0u);
-  EXPECT_EQ(fingerprint(campaign({{"maximise", "miscut_margin_mm"}}), "verdicts"), own);
-  EXPECT_EQ(fingerprint(plain(asked), "verdicts"), "verdicts");
+  EXPECT_EQ(fingerprint(campaign({{"maximise", "miscut_margin_mm"}}), "verdicts", kWholeProgram),
+            own);
+  EXPECT_EQ(fingerprint(plain(asked), "verdicts", kWholeProgram), "verdicts");
 }
 
 // Members of the parallel family stay members.
@@ -185,9 +186,7 @@ class SheetsOfPopulations : public OptimisedDraws {
                                             {"shifts", "ternary"},
                                             {"subject_to", {"stroke_max <= 0.05"}}});
   const Ladder ladder_ = named_ladder(asked_);
-  Climber climber_{asked_, solver::available_instruction_sets().back()};
-
-  SheetsOfPopulations() { optimise_if_asked(climber_); }
+  Climber climber_{asked_, widest(), kWholeProgram};
 
   // In orders of so many particles; the first ascents are cut after so many blocks.
   PopulationRecord in_pieces(std::uint32_t most, int blocks) {
@@ -214,7 +213,7 @@ TEST_F(SheetsOfPopulations, EndWhereSingleSheetsDo) {
   EXPECT_EQ(ladder_.starts, 5u);
   schema::Campaign splitting = asked_;
   splitting.search.optimisation.reset();
-  Climber plain(splitting, solver::available_instruction_sets().back());
+  Climber plain(splitting, widest());
   const PopulationRecord found = climbed(named_ladder(splitting), 3, plain),
                          kept = climbed(ladder_, 3, climber_);
   ASSERT_GT(found.found.size(), 5u);

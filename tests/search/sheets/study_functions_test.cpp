@@ -8,13 +8,13 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/costly_terms.hpp"
+#include "schema/catalogue/query_text.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/report/report.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/choice.hpp"
 #include "search/sheets/deploy_input.hpp"
-#include "search/sheets/query_text.hpp"
 #include "search/sheets/sheet_numbers.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/motion/actuation.hpp"
@@ -141,8 +141,8 @@ TEST_F(FunctionsOfSheets, StandWhereverTheyCan) {
       const auto best = chosen_draws(*database_, by).front();
       EXPECT_EQ(numbers(fmt::format("SELECT {}({})", name, best)).front(), std::ranges::max(plain));
       const std::string query =
-          query_text(*database_, "SELECT " + word + ", D FROM candidates WHERE " + kSome +
-                                     " AND D > 0 ORDER BY draw")
+          schema::query_text(*database_, "SELECT " + word + ", D FROM candidates WHERE " + kSome +
+                                             " AND D > 0 ORDER BY draw")
               .sql;
       look_ahead(*database_, query);
       EXPECT_EQ(numbers(query), plain);

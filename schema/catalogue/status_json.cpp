@@ -1,7 +1,7 @@
-#include "schema/exchange/status_json.hpp"
+#include "schema/catalogue/status_json.hpp"
 
 #include "schema/campaign/share_interval.hpp"
-#include "schema/exchange/ladder_json.hpp"
+#include "schema/catalogue/ladder_json.hpp"
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {

@@ -1,4 +1,4 @@
-#include "search/sheets/query_text.hpp"
+#include "schema/catalogue/query_text.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "schema/catalogue/result_table.hpp"
 #include "schema/files/suggestion.hpp"
 
-namespace misalign::search {
+namespace misalign::schema {
 namespace {
 
 bool is_one_word(const std::string& text) {
@@ -16,24 +16,22 @@ bool is_one_word(const std::string& text) {
   });
 }
 
-schema::UserError no_such_query(const std::string& name) {
+UserError no_such_query(const std::string& name) {
   // It went by the least slope, and foretold less than it said.
   const bool is_former = name == "robust";
-  const std::string meant =
-      is_former ? "tolerant" : schema::nearest_word(name, schema::named_queries());
-  return schema::UserError(schema::Cause::bad_request,
-                           "the query was refused (" + name + " is the name of none" +
-                               (meant.empty() ? "" : "; did you mean " + meant + "?") +
-                               "); it must be one SELECT, or one of the names " +
-                               schema::named_query_list());
+  const std::string meant = is_former ? "tolerant" : nearest_word(name, named_queries());
+  return UserError(Cause::bad_request, "the query was refused (" + name + " is the name of none" +
+                                           (meant.empty() ? "" : "; did you mean " + meant + "?") +
+                                           "); it must be one SELECT, or one of the names " +
+                                           named_query_list());
 }
 
 std::string sql_of_name(SQLite::Database& database, const std::string& name) {
   if (name == "acceptance") {
-    const schema::CatalogueState state = schema::read_state(database);
+    const CatalogueState state = read_state(database);
     if (state.ladder) return ladder_sql(*state.ladder);
   }
-  return schema::named_query(name);
+  return named_query(name);
 }
 
 // Then words that are no columns may be those of people: D, thickness_mm.
@@ -52,9 +50,9 @@ QueryText query_text(SQLite::Database& database, const std::string& name_or_sql)
   const std::string named = sql_of_name(database, name_or_sql);
   if (!named.empty()) return {named, name_or_sql};
   if (is_one_word(name_or_sql)) throw no_such_query(name_or_sql);
-  const std::string sql = schema::costly_in_subqueries(name_or_sql);
+  const std::string sql = costly_in_subqueries(name_or_sql);
   if (!has_unknown_column(database, sql)) return {sql, ""};
-  return {schema::costly_in_subqueries(schema::in_full(name_or_sql)), ""};
+  return {costly_in_subqueries(in_full(name_or_sql)), ""};
 }
 
-}  // namespace misalign::search
+}  // namespace misalign::schema

@@ -1,4 +1,4 @@
-#include "solver/motion/filler.hpp"
+#include "solver/kinematics/filler.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

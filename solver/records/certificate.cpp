@@ -1,4 +1,4 @@
-#include "solver/certificate/certificate.hpp"
+#include "solver/records/certificate.hpp"
 
 #include <array>
 #include <bit>

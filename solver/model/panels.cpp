@@ -1,4 +1,4 @@
-#include "solver/sheet/panels.hpp"
+#include "solver/model/panels.hpp"
 
 #include "solver/linear/newton.hpp"
 #include "solver/pattern/outline.hpp"

@@ -1,18 +1,16 @@
-#include "search/sheets/parameters.hpp"
+#include "schema/pattern/parameters.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
 
-#include "search/sheets/backlash.hpp"
-
-namespace misalign::search {
+namespace misalign::schema {
 namespace {
 
 struct Parameter {
   std::string_view study, name;
-  schema::Bounds bounds;
+  Bounds bounds;
 };
 
 constexpr Parameter kParameters[] = {{"", "jobs", {1, 4096}},
@@ -28,19 +26,18 @@ constexpr Parameter kParameters[] = {{"", "jobs", {1, 4096}},
                                      {"optimise", "trials", {1, 1e6}},
                                      {"tolerance", "trials", {1, 1e8}}};
 
-void check_within(std::string_view name, const schema::Bounds& bounds, double value) {
+void check_within(std::string_view name, const Bounds& bounds, double value) {
   const auto [least, most] = bounds;
   if (value >= least && value <= most) return;  // which NaN is not
-  throw schema::UserError(
-      solver::OptionFault{std::string(name), fmt::format("{:g}", value),
-                          fmt::format("is not a number from {} to {}", schema::shown_number(least),
-                                      schema::shown_number(most)),
-                          "name one that is"});
+  throw UserError(solver::OptionFault{
+      std::string(name), fmt::format("{:g}", value),
+      fmt::format("is not a number from {} to {}", shown_number(least), shown_number(most)),
+      "name one that is"});
 }
 
 }  // namespace
 
-schema::Bounds parameter_bounds(std::string_view study, std::string_view name) {
+Bounds parameter_bounds(std::string_view study, std::string_view name) {
   const auto* const found = std::ranges::find_if(
       kParameters, [&](const Parameter& one) { return one.study == study && one.name == name; });
   assert(found != std::end(kParameters));
@@ -52,7 +49,7 @@ void check_parameter(std::string_view study, std::string_view name, double value
 }
 
 void check_design(std::string_view name, std::string_view design_key, double value) {
-  check_within(name, schema::design_bounds(design_key), value);
+  check_within(name, design_bounds(design_key), value);
 }
 
-}  // namespace misalign::search
+}  // namespace misalign::schema

@@ -1,4 +1,4 @@
-#include "schema/exchange/ladder_json.hpp"
+#include "schema/catalogue/ladder_json.hpp"
 
 #include "schema/files/json_values.hpp"
 

@@ -1,4 +1,4 @@
-#include "solver/contact/panel_pairs.hpp"
+#include "solver/model/panel_pairs.hpp"
 
 #include <algorithm>
 

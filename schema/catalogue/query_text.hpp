@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace misalign::search {
+namespace misalign::schema {
 
 struct QueryText {
   std::string sql;
@@ -16,4 +16,4 @@ struct QueryText {
 /// request) for a word that names no query.
 QueryText query_text(SQLite::Database& database, const std::string& name_or_sql);
 
-}  // namespace misalign::search
+}  // namespace misalign::schema
