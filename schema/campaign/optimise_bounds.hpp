@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "schema/files/input.hpp"
-#include "solver/optimise/optimise_goal.hpp"
+#include "solver/optimise/goal.hpp"
 
 namespace misalign::schema {
 

@@ -12,7 +12,7 @@
 #include "search/sheets/optimised_draw.hpp"
 #include "solver/model/miscut_margin.hpp"
 #include "solver/optimise/ascent.hpp"
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 
 namespace misalign::search {
 using schema::Json;

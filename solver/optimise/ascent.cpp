@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "solver/optimise/local_program.hpp"
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -7,10 +7,10 @@
 #include "solver/bending/preload.hpp"
 #include "solver/bending/rest_stiffness.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/optimise/objective.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
 #include "solver/optimise/spring_changes.hpp"
 #include "solver/optimise/thickness_changes.hpp"
-#include "solver/optimise/worth.hpp"
 
 namespace misalign::solver {
 namespace {

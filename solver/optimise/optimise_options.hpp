@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/bending/bent_panels.hpp"
-#include "solver/optimise/optimise_goal.hpp"
+#include "solver/optimise/goal.hpp"
 
 namespace misalign::solver {
 

@@ -8,7 +8,7 @@
 #include "search/draws/models.hpp"
 #include "search/ranks/piece_messages.hpp"
 #include "search/sheets/row_certifier.hpp"
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 
 namespace misalign::search {
 namespace {

@@ -7,9 +7,9 @@
 #include "solver/contact/contact.hpp"
 #include "solver/motion/actuation.hpp"
 #include "solver/optimise/ascent.hpp"
+#include "solver/optimise/objective.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
 #include "solver/optimise/thickness_changes.hpp"
-#include "solver/optimise/worth.hpp"
 
 namespace misalign::solver {
 namespace {

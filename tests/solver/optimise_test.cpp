@@ -6,7 +6,7 @@
 #include "solver/motion/actuation.hpp"
 #include "solver/motion/equilibria.hpp"
 #include "solver/optimise/local_model.hpp"
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 
 namespace misalign::solver {
 namespace {

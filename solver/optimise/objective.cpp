@@ -1,4 +1,4 @@
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 
 #include <algorithm>
 
