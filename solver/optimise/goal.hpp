@@ -1,40 +1,59 @@
-// What an optimisation makes as large as can be, or keeps from being small.
+// The goals of an optimisation: what it makes as large as can be, or keeps from being small. To add
+// one, see the head of goal_table.cpp.
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace misalign::solver {
 
-enum class OptimiseGoal {
-  critical_friction,       ///< of rigid panels, as `deploy` has it
-  bent_critical_friction,  ///< of panels that bend
-  static_friction,         ///< of panels that bend, moving slowly: at every angle
-  miscut_margin,           ///< of models with a threshold (solver/model/miscut_margin.hpp), mm
-  energy,                  ///< of the springs where it is let go, panels rigid: N mm
-  deploys_from,            ///< up to where diagonals go one way and it goes on folding, deg
-  rest_stiffness,          ///< where its springs rest (rest_stiffness.hpp), N mm per rad
-  thickness,               ///< of plates, from flat to the angle of use, as `contact` has it: mm
-  yield,                   ///< share of miscut copies that deploy, as `tolerance` counts them
-  spare_diagonals          ///< that need no spring, as `actuators` has it (spare_diagonals.hpp)
+class Sheet;
+struct LocalGoal;
+struct OptimiseOptions;
+struct SheetChanges;
+
+/// A row of the one table of goals, which verbs, campaigns, Python and help read.
+struct Goal {
+  std::string_view name;  ///< that of a function (schema/catalogue/study_table) or of a metric
+  const char* words;
+  /// The unit, as keys end and as people say it.
+  const char *unit = "n_mm_per_mm", *unit_words = "N mm per mm";
+  /// The value for a sheet that can be let go; none where its study finds nothing.
+  std::optional<double> (*value)(const Sheet& sheet, const OptimiseOptions& options);
+  /// The pieces next to a sheet, to first order in its shifts and springs.
+  std::vector<LocalGoal> (*linearization)(SheetChanges& changes);
+  /// Whether the least of the pieces is the goal itself; otherwise they only lead to more of it.
+  bool is_exact = true;
+  /// Whether its numbers are written out here, and not a library's, which differ from machine to
+  /// machine: campaigns have these goals alone.
+  bool is_same_everywhere = false;
+  /// Whether it depends on the angle from which the sheet is let go.
+  bool is_of_use = false;
+  /// Whether the sheet's model needs a threshold, and the options miscut copies.
+  bool needs_threshold = false, needs_copies = false;
+  /// Whether it is an angle, up to which the sheet at the end is to be proven.
+  bool is_proven_angle = false;
+  double largest = std::numeric_limits<double>::infinity();
+  /// Why a start has none of it, and what to do.
+  const char* infeasible = "nothing drives the sheet that it starts from to flat";
+  const char* suggestion = "begin with another sheet, or with another goal";
 };
 
-/// Whether what is foreseen next to a sheet is the goal, to first order. Of the others it says only
-/// which way to go.
-constexpr bool is_foreseen(OptimiseGoal goal) {
-  return goal != OptimiseGoal::deploys_from && goal != OptimiseGoal::yield &&
-         goal != OptimiseGoal::spare_diagonals;
-}
-
-/// More of it there cannot be.
-constexpr double most_of(OptimiseGoal goal) {
-  if (goal == OptimiseGoal::deploys_from) return 180;
-  return goal == OptimiseGoal::yield ? 1 : std::numeric_limits<double>::infinity();
-}
+/// In the order in which people are told of them and floors are kept, the usual one first.
+std::span<const Goal> goal_table();
+/// Null where none has this name.
+const Goal* goal_named(std::string_view name);
+/// The names of all goals, or of those that are so: &Goal::is_same_everywhere.
+std::vector<std::string> goal_names(bool Goal::*is_so = nullptr);
 
 /// What another goal is to be at least.
 struct OptimiseFloor {
-  OptimiseGoal of;
-  double least;  ///< as the goal
+  const Goal* goal;
+  double least;  ///< in the goal's unit
 
   bool operator==(const OptimiseFloor&) const = default;
 };
