@@ -12,31 +12,22 @@
 namespace misalign::schema {
 namespace {
 
-// Goals whose ends are the same on every machine.
-std::vector<std::string> usable_goals() {
-  std::vector<std::string> names;
-  for (const GoalName& goal : kGoalNames) {
-    if (goal.is_same_everywhere) names.emplace_back(goal.name);
-  }
-  return names;
-}
-
 constexpr const char* kOfOneSheet =
     "comes from libraries whose last digits differ between machines, so that ends would";
 
-void read_goal(ObjectReader& reader, solver::OptimiseGoal& goal) {
-  std::string name(name_of(goal).name);
-  const std::string named = fmt::format("name one of {}", fmt::join(usable_goals(), ", "));
+void read_goal(ObjectReader& reader, const solver::Goal*& goal) {
+  std::string name(goal->name);
+  const std::vector<std::string> usable = solver::goal_names(&solver::Goal::is_same_everywhere);
+  const std::string named = fmt::format("name one of {}", fmt::join(usable, ", "));
   reader.text("maximise", name, named);
-  const GoalName* const found = goal_named(name);
+  const solver::Goal* const found = solver::goal_named(name);
   if (!found) {
-    reader.faults().add(reader.shown("maximise"), unknown_word(name, "goal", usable_goals()),
-                        named);
+    reader.faults().add(reader.shown("maximise"), unknown_word(name, "goal", usable), named);
   } else if (!found->is_same_everywhere) {
     reader.faults().add(reader.shown("maximise"), kOfOneSheet,
                         named + ", or use `misalign optimise` on single sheets");
   } else {
-    goal = found->goal;
+    goal = found;
   }
 }
 
@@ -58,9 +49,9 @@ void read_limits(ObjectReader& reader, OptimiseBounds& limits) {
       faults.add(reader.name("subject_to") + " has " + shortened(limit.dump(), 80), fault->why,
                  fault->suggestion);
   }
-  for (const auto& [of, least] : limits.floors) {
-    if (name_of(of).is_same_everywhere || faults.count() > before) continue;
-    faults.add(reader.name("subject_to") + " has " + std::string(name_of(of).name), kOfOneSheet,
+  for (const auto& [goal, least] : limits.floors) {
+    if (goal->is_same_everywhere || faults.count() > before) continue;
+    faults.add(reader.name("subject_to") + " has " + std::string(goal->name), kOfOneSheet,
                "take it out, or use `misalign optimise` on single sheets");
   }
 }
@@ -119,10 +110,10 @@ Optimisation read_optimisation(ObjectReader& reader, double threshold_deg) {
 }
 
 void check_optimisation(ObjectReader& reader, const Optimisation& optimisation) {
-  const auto is_of_use = [](solver::OptimiseGoal goal) { return name_of(goal).is_of_use; };
   const OptimiseBounds& limits = optimisation.bounds;
-  const bool lets_go = is_of_use(optimisation.goal) || limits.largest_force_n ||
-                       std::ranges::any_of(limits.floors, is_of_use, &solver::OptimiseFloor::of);
+  const bool lets_go =
+      optimisation.goal->is_of_use || limits.largest_force_n ||
+      std::ranges::any_of(limits.floors, &solver::Goal::is_of_use, &solver::OptimiseFloor::goal);
   if (lets_go && !optimisation.from_deg) {
     reader.faults().add(reader.name("from_deg"), "is not said, from where sheets are let go",
                         "write a pilot angle, such as 36");
@@ -130,15 +121,15 @@ void check_optimisation(ObjectReader& reader, const Optimisation& optimisation) 
   if (optimisation.ternary && optimisation.grid_mm) {
     reader.faults().add(reader.shown("grid_mm"), "is of free shifts", "take it out");
   }
-  for (const auto& [of, least] : limits.floors) {
-    if (of != optimisation.goal) continue;
-    reader.faults().add(reader.name("subject_to"),
-                        std::string(name_of(of).name) + " is the goal already", "take it out");
+  for (const auto& [goal, least] : limits.floors) {
+    if (goal != optimisation.goal) continue;
+    reader.faults().add(reader.name("subject_to"), std::string(goal->name) + " is the goal already",
+                        "take it out");
   }
 }
 
 Json optimisation_json(const Optimisation& optimisation) {
-  return {{"maximise", name_of(optimisation.goal).name},
+  return {{"maximise", optimisation.goal->name},
           {"subject_to", bounds_json(optimisation.bounds)},
           {"from_deg", or_null(optimisation.from_deg)},
           {"stiffness_n_per_mm", optimisation.stiffness_n_per_mm},

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cassert>
 #include <charconv>
 #include <regex>
 
@@ -29,7 +28,7 @@ constexpr double kMostFloor = 1e9;
 
 std::vector<std::string> limited_names() {
   std::vector<std::string> names = {kStroke, kForce};
-  for (const std::string& goal : goal_names()) names.push_back(goal);
+  for (const std::string& goal : solver::goal_names()) names.push_back(goal);
   return names;
 }
 
@@ -40,23 +39,6 @@ BoundFault out_of_bounds(const std::string& name, double least, double most) {
 }
 
 }  // namespace
-
-const GoalName& name_of(solver::OptimiseGoal goal) {
-  const auto* const named = std::ranges::find(kGoalNames, goal, &GoalName::goal);
-  assert(named != std::end(kGoalNames));
-  return *named;
-}
-
-const GoalName* goal_named(std::string_view name) {
-  const auto* const named = std::ranges::find(kGoalNames, name, &GoalName::name);
-  return named == std::end(kGoalNames) ? nullptr : named;
-}
-
-std::vector<std::string> goal_names() {
-  std::vector<std::string> names;
-  for (const GoalName& goal : kGoalNames) names.emplace_back(goal.name);
-  return names;
-}
 
 std::optional<BoundFault> add_bound(const std::string& text, OptimiseBounds& bounds) {
   static const std::regex form(R"(\s*([A-Za-z0-9_]+)\s*(<=|>=)\s*([-+.0-9eE]+)\s*)");
@@ -84,17 +66,28 @@ std::optional<BoundFault> add_bound(const std::string& text, OptimiseBounds& bou
     bounds.*ceiling.bound = bound;
     return {};
   }
-  const GoalName* const goal = goal_named(name);
+  const solver::Goal* const goal = solver::goal_named(name);
   if (!goal) {
     return BoundFault{unknown_word(name, "number that can be limited", limited_names()),
                       fmt::format("name one of {}", fmt::join(limited_names(), ", "))};
   }
   if (is_ceiling) return BoundFault{name + " is to be large", "write " + name + " >= it"};
   if (!(bound >= 0 && bound <= kMostFloor)) return out_of_bounds(name, 0, kMostFloor);
-  if (std::ranges::count(bounds.floors, goal->goal, &solver::OptimiseFloor::of)) return twice();
-  bounds.floors.push_back({goal->goal, bound});
-  std::ranges::sort(bounds.floors, {}, &solver::OptimiseFloor::of);
+  if (std::ranges::count(bounds.floors, goal, &solver::OptimiseFloor::goal)) return twice();
+  bounds.floors.push_back({goal, bound});
+  std::ranges::sort(bounds.floors, {}, &solver::OptimiseFloor::goal);
   return {};
+}
+
+OptimiseBounds bounds_of(const std::vector<std::string>& subject_to) {
+  OptimiseBounds bounds;
+  for (const std::string& text : subject_to) {
+    const auto fault = add_bound(text, bounds);
+    if (!fault) continue;
+    throw UserError(
+        solver::OptionFault{"subject_to", printable(text), fault->why, fault->suggestion});
+  }
+  return bounds;
 }
 
 Json bounds_json(const OptimiseBounds& bounds) {
@@ -104,8 +97,8 @@ Json bounds_json(const OptimiseBounds& bounds) {
       list.push_back(fmt::format("{} <= {}", ceiling.name, *(bounds.*ceiling.bound)));
     }
   }
-  for (const auto& [of, least] : bounds.floors) {
-    list.push_back(fmt::format("{} >= {}", name_of(of).name, least));
+  for (const auto& [goal, least] : bounds.floors) {
+    list.push_back(fmt::format("{} >= {}", goal->name, least));
   }
   return list;
 }

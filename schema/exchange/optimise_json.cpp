@@ -5,8 +5,8 @@
 
 namespace misalign::schema {
 
-const char* name_of(solver::OptimiseEnd end) {
-  return end == solver::OptimiseEnd::most_steps ? "most_steps" : "no_step_is_better";
+const char* name_of(solver::StopReason reason) {
+  return reason == solver::StopReason::most_steps ? "most_steps" : "no_step_is_better";
 }
 
 Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseOptions& options,
@@ -18,7 +18,7 @@ Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseOptio
                        {"per_mm", per_mm}});
   }
   for (std::size_t k = 0; k < options.floors.size(); ++k) {
-    floors[std::string(name_of(options.floors[k].of).name)] = limits.per_floor[k];
+    floors[std::string(options.floors[k].goal->name)] = limits.per_floor[k];
   }
   Json json = {{"per_share_of_stroke", limits.per_share_of_stroke},
                {"per_n_of_force", limits.per_n_of_force},
@@ -45,7 +45,7 @@ Json chosen_json(const std::optional<solver::OptimiseOptions::Range>& range, dou
 Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
                    std::optional<double> certified_deg, const Json& pattern) {
   const solver::OptimiseOptions& options = found.options;
-  const GoalName& goal = name_of(options.goal);
+  const solver::Goal& goal = *options.goal;
   Json json = {
       {"goal", goal.name},
       {"from_deg", found.from_deg},
@@ -62,8 +62,8 @@ Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
       {"preload_n", chosen_json(options.preload_n, found.best().preload_n)},
       {"subject_to", bounds_json({options.stroke_limit, options.largest_force_n, options.floors})},
       {"steps", found.steps()},
-      {"sheets_folded", found.looks},
-      {"end", name_of(found.end)},
+      {"sheets_folded", found.evaluations},
+      {"end", name_of(found.stop_reason)},
       {"asked_deg", sheet.sample_deg(options.deploys_from_sample)},
       {"deploys_from_deg", sheet.deploys_from_deg()},
       {"certified_deg", or_null(certified_deg)},

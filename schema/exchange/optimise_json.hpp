@@ -1,4 +1,4 @@
-// A sheet that was made better, as JSON: its pattern, what it is worth, and what limits it.
+// A sheet that was made better, as JSON: its pattern, the value of its goal, and what limits it.
 #pragma once
 
 #include "schema/campaign/optimise_bounds.hpp"
@@ -8,7 +8,7 @@
 namespace misalign::schema {
 
 /// As keys and columns have it.
-const char* name_of(solver::OptimiseEnd end);
+const char* name_of(solver::StopReason reason);
 
 /// What limits an end: by how much the goal would grow with more room, and diagonals that would
 /// turn back.

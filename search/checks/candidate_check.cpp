@@ -12,7 +12,7 @@
 #include "search/sheets/optimised_draw.hpp"
 #include "solver/model/miscut_margin.hpp"
 #include "solver/optimise/ascent.hpp"
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 
 namespace misalign::search {
 using schema::Json;
@@ -133,7 +133,7 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
   };
   const solver::Sheet end(solver, *shifts_mm);
   const bool is_as_drawn = ascent.value("steps", Json()) == 0;
-  if (!is_as_drawn) compare("end_value", schema::or_null(solver::worth(end, *asked_)));
+  if (!is_as_drawn) compare("end_value", schema::or_null(solver::objective(end, *asked_)));
   if (campaign_.search.splitting) return;  // its start would have to be found again: see --units
   if (!campaign_.accepts(verdict(draw))) differs("verdict of the draw", "accepted", "rejected");
   const solver::Sheet start(solver, shifts_of_draw(campaign_, draw));

@@ -4,6 +4,7 @@
 #include "schema/files/hash.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "solver/studies/goal.hpp"
 
 namespace misalign::search {
 
@@ -25,13 +26,12 @@ std::string fingerprint(const schema::Campaign& campaign, const std::string& gol
                         const Parts& parts) {
   if (!campaign.search.optimisation) return golden_verdicts;
   std::string ends;  // of the first draws of a small sheet, by each goal
-  for (const schema::GoalName& goal : schema::kGoalNames) {
-    if (!goal.is_same_everywhere) continue;
+  for (const std::string& goal : solver::goal_names(&solver::Goal::is_same_everywhere)) {
     DrawEvaluator evaluator(
         schema::read_campaign(
             {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
              {"accept", {{"deploys_from_deg", 150}}},
-             {"search", {{"method", "optimise"}, {"maximise", goal.name}, {"from_deg", 36}}}},
+             {"search", {{"method", "optimise"}, {"maximise", goal}, {"from_deg", 36}}}},
             "the golden campaign"),
         solver::available_instruction_sets().back(), parts);
     for (const schema::Candidate& end : work_off(evaluator, {0, 4}).candidates) {

@@ -1,4 +1,6 @@
 // `_misalign.study`: what a verb says of one sheet, as JSON.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 #include "schema/catalogue/certificate_row.hpp"
@@ -66,8 +68,8 @@ std::string optimise(const PatternSource& source, const std::string& design,
                      std::optional<double> deploys_from_deg, bool ternary,
                      std::optional<double> grid_mm, bool within_family,
                      const std::vector<std::string>& subject_to,
-                     const std::vector<double>& stiffness_n_per_mm,
-                     const std::vector<double>& preload_n, std::optional<double> rest_deg,
+                     const std::vector<double>& stiffness_within,
+                     const std::vector<double>& preload_within, std::optional<double> rest_deg,
                      double miscut_mm, std::int64_t trials) {
   const auto check = [](const char* name, const std::optional<double>& value) {
     if (value) schema::check_parameter("optimise", name, *value);
@@ -79,27 +81,27 @@ std::string optimise(const PatternSource& source, const std::string& design,
   check("miscut_mm", miscut_mm);
   const auto copies = checked_count<std::uint64_t>("optimise", "trials", trials);
   return unlocked([&] {
-    const schema::GoalName* const named = schema::goal_named(goal);
-    if (!named) {
+    OptimiseInput input;
+    input.goal = solver::goal_named(goal);
+    if (!input.goal) {
       throw schema::UserError(solver::OptionFault{
-          "goal", schema::printable(goal), schema::unknown_word(goal, "goal", schema::goal_names()),
-          "name one such as " + schema::goal_names().front()});
+          "goal", schema::printable(goal), schema::unknown_word(goal, "goal", solver::goal_names()),
+          fmt::format("name one of {}", fmt::join(solver::goal_names(), ", "))});
     }
+    input.bounds = schema::bounds_of(subject_to);
+    input.ternary = ternary;
+    input.grid_mm = grid_mm;
+    input.amplitude_mm = amplitude_mm;
+    input.deploys_from_deg = deploys_from_deg;
+    input.within_family = within_family;
+    input.stiffness_n_per_mm = stiffness_within;
+    input.preload_n = preload_within;
+    input.rest_deg = rest_deg;
+    input.miscut_mm = miscut_mm;
+    input.trials = copies;
+    input.watch = watch_signals;
     Subject subject(source.sheet, design_of(design));
-    return study_json(subject, optimised(subject, {.goal = named->goal,
-                                                   .amplitude_mm = amplitude_mm,
-                                                   .deploys_from_deg = deploys_from_deg,
-                                                   .ternary = ternary,
-                                                   .grid_mm = grid_mm,
-                                                   .within_family = within_family,
-                                                   .subject_to = subject_to,
-                                                   .stiffness_n_per_mm = stiffness_n_per_mm,
-                                                   .preload_n = preload_n,
-                                                   .rest_deg = rest_deg,
-                                                   .miscut_mm = miscut_mm,
-                                                   .trials = copies,
-                                                   .watch = watch_signals}))
-        .dump();
+    return study_json(subject, optimised(subject, input)).dump();
   });
 }
 
@@ -150,11 +152,11 @@ void bind_studies(py::module_& module) {
   module.def("contact", made(&contact), py::arg("sheet"), py::arg("design"), py::arg("trim_mm"));
   module.def("actuators", made(&actuators), py::arg("sheet"), py::arg("design"));
   module.def("deploy", made(&deploy), py::arg("sheet"), py::arg("design"), py::arg("bends"));
-  module.def("optimise", made(&optimise), py::arg("sheet"), py::arg("design"), py::arg("goal"),
-             py::arg("amplitude_mm"), py::arg("deploys_from_deg"), py::arg("ternary"),
-             py::arg("grid_mm"), py::arg("within_family"), py::arg("subject_to"),
-             py::arg("stiffness_n_per_mm"), py::arg("preload_n"), py::arg("rest_deg"),
-             py::arg("miscut_mm"), py::arg("trials"));
+  module.def("optimise", made(&optimise), py::arg("sheet"), py::arg("design"), py::kw_only(),
+             py::arg("goal"), py::arg("amplitude_mm"), py::arg("deploys_from_deg"),
+             py::arg("ternary"), py::arg("grid_mm"), py::arg("within_family"),
+             py::arg("subject_to"), py::arg("stiffness_within"), py::arg("preload_within"),
+             py::arg("rest_deg"), py::arg("miscut_mm"), py::arg("trials"));
   module.def("card", made(&card), py::arg("sheet"), py::arg("design"), py::arg("trials"),
              py::arg("jobs"));
   module.def("certify", made(&certify), py::arg("sheet"), py::arg("design"), py::arg("contact"));

@@ -22,7 +22,7 @@ namespace {
 // the goal the last sample before it.
 double asked_deg(const solver::Optimised& found, double sample_deg) {
   const double asked_deg = found.options.deploys_from_sample * sample_deg;
-  if (found.options.goal != solver::OptimiseGoal::deploys_from) return asked_deg;
+  if (!found.options.goal->is_proven_angle) return asked_deg;
   return std::max(asked_deg, std::floor(found.best().value / sample_deg) * sample_deg);
 }
 
@@ -65,17 +65,6 @@ void keep_to_family(const solver::Sheet& sheet, solver::OptimiseOptions& options
   options.moves = family.basis();
 }
 
-schema::OptimiseBounds bounds_of(const std::vector<std::string>& subject_to) {
-  schema::OptimiseBounds bounds;
-  for (const std::string& text : subject_to) {
-    const auto fault = schema::add_bound(text, bounds);
-    if (!fault) continue;
-    throw schema::UserError(
-        solver::OptionFault{"subject_to", schema::printable(text), fault->why, fault->suggestion});
-  }
-  return bounds;
-}
-
 // Of two limits the one that holds.
 std::optional<double> lower(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b ? std::min(*a, *b) : a ? a : b;
@@ -95,15 +84,10 @@ solver::StudyResult<solver::Optimised> called_by(const schema::OptimiseBounds& b
   return fault;
 }
 
-bool asks_for(const solver::OptimiseOptions& options, solver::OptimiseGoal goal) {
-  return options.goal == goal ||
-         std::ranges::count(options.floors, goal, &solver::OptimiseFloor::of);
-}
-
-// Margins, which lead to yields, are up to a threshold, which the model of a single sheet has not.
-bool needs_threshold(const solver::OptimiseOptions& options) {
-  return asks_for(options, solver::OptimiseGoal::miscut_margin) ||
-         asks_for(options, solver::OptimiseGoal::yield);
+// Whether the goal, or that of a floor, has this need.
+bool needs(const solver::OptimiseOptions& options, bool solver::Goal::*need) {
+  return options.goal->*need ||
+         std::ranges::any_of(options.floors, need, &solver::OptimiseFloor::goal);
 }
 
 using Range = solver::OptimiseOptions::Range;
@@ -164,23 +148,30 @@ void choose_springs(const OptimiseInput& input, solver::OptimiseOptions& options
 
 }  // namespace
 
+solver::OptimiseOptions options_of(const schema::OptimiseRequest& request) {
+  solver::OptimiseOptions options;
+  options.goal = request.goal;
+  options.floors = request.bounds.floors;
+  options.stroke_limit = request.bounds.stroke_max;
+  options.largest_force_n = request.bounds.largest_force_n;
+  options.ternary = request.ternary;
+  options.grid_mm = request.grid_mm.value_or(0);
+  options.least_slope_mm_per_deg = request.least_slope_mm_per_deg;
+  options.most_steps = static_cast<int>(request.most_steps);
+  return options;
+}
+
 ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   const auto& [chosen, model, sheet] = subject;
   const schema::Design& design = model.design();
-  solver::OptimiseOptions options;
-  options.goal = input.goal;
+  solver::OptimiseOptions options = options_of(input);
   options.used_from_deg = design.from_deg;
   options.deploying = deploy_options(design, sheet);
   options.bending = bending(design);
-  const schema::OptimiseBounds bounds = bounds_of(input.subject_to);
-  options.stroke_limit = lower(bounds.stroke_max, design.stroke_limit);
-  options.largest_force_n = lower(bounds.largest_force_n, design.largest_force_n);
-  options.floors = bounds.floors;
-  options.ternary = input.ternary;
+  options.stroke_limit = lower(options.stroke_limit, design.stroke_limit);
+  options.largest_force_n = lower(options.largest_force_n, design.largest_force_n);
   options.watch = input.watch;
-  options.least_slope_mm_per_deg = input.least_slope_mm_per_deg;
   options.slope_at_every_angle = true;
-  options.most_steps = input.most_steps;
   options.shifted = solver::interior_vertices(sheet.base().sheet);
   options.amplitude_mm = input.amplitude_mm.value_or(sheet.shifts_mm().cwiseAbs().maxCoeff());
   double deploys_from_deg = input.deploys_from_deg.value_or(sheet.deploys_from_deg());
@@ -194,15 +185,14 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
     if (!chosen.drawn) options.shifted = solver::all_vertices(sheet.base().sheet);
     keep_to_family(sheet, options);
   }
-  options.grid_mm = input.grid_mm.value_or(0);
   const double sample = std::ceil(deploys_from_deg / sheet.model().sample_deg() - 1e-9);
   options.deploys_from_sample = std::max(1, static_cast<int>(sample));
   choose_springs(input, options);
   std::unique_ptr<const solver::Model> up_to_there;
-  if (needs_threshold(options)) {
+  if (needs(options, &solver::Goal::needs_threshold)) {
     schema::Campaign campaign = chosen.drawn ? chosen.drawn->campaign : chosen.as_campaign();
     campaign.threshold_deg = options.deploys_from_sample * campaign.sample_deg;
-    if (asks_for(options, solver::OptimiseGoal::yield)) add_yield(chosen, input, campaign, options);
+    if (needs(options, &solver::Goal::needs_copies)) add_yield(chosen, input, campaign, options);
     campaign.misalignment.vertices = options.shifted;
     up_to_there.reset(new solver::Model(model_of(campaign)));
   }
@@ -211,8 +201,8 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   if (input.grid_mm) shifts_mm = (shifts_mm.array() / *input.grid_mm).round() * *input.grid_mm;
   const solver::Sheet start(solver, shifts_mm, sheet.name());
   return proven(subject,
-                value_or_throw(called_by(bounds, solver::optimise(start, options)), sheet.name(),
-                               "no better sheet is looked for"),
+                value_or_throw(called_by(input.bounds, solver::optimise(start, options)),
+                               sheet.name(), "no better sheet is looked for"),
                 input.watch);
 }
 

@@ -3,20 +3,17 @@
 
 #include <functional>
 
+#include "schema/campaign/optimisation.hpp"
 #include "schema/exchange/optimise_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 
 namespace misalign::search {
 
-/// What is asked of a better sheet, as people type it.
-struct OptimiseInput {
-  solver::OptimiseGoal goal = solver::OptimiseGoal::critical_friction;
+/// What is asked of a better sheet, as people type it: shifts of its start are rounded to a grid.
+struct OptimiseInput : schema::OptimiseRequest {
   std::optional<double> amplitude_mm;      ///< none: the campaign's, or the largest of its shifts
   std::optional<double> deploys_from_deg;  ///< none: the campaign's, or its own D
-  bool ternary = false;
-  std::optional<double> grid_mm = {};  ///< on which shifts lie, those of the start rounded to it
-  bool within_family = false;          ///< only among members of the base's parallel family
-  std::vector<std::string> subject_to = {};  ///< limits (schema/campaign/optimise_bounds.hpp)
+  bool within_family = false;              ///< only among members of the base's parallel family
   /// The least and the most of what springs may have; empty: what the design says.
   std::vector<double> stiffness_n_per_mm = {}, preload_n = {};
   std::optional<double> rest_deg = {};  ///< where the springs are relaxed; none: flat
@@ -24,9 +21,10 @@ struct OptimiseInput {
   std::uint64_t trials = 200;           ///< so many of them
   int jobs = 1;                         ///< threads that judge copies
   std::function<void()> watch = [] {};  ///< called in between; what it throws ends the search
-  double least_slope_mm_per_deg = solver::OptimiseOptions{}.least_slope_mm_per_deg;
-  int most_steps = solver::OptimiseOptions{}.most_steps;
 };
+
+/// The options that say so; what is asked of one sheet, or of draws alone, is added to them.
+solver::OptimiseOptions options_of(const schema::OptimiseRequest& request);
 
 /// What was found, and the angle up to which that sheet is proven; none of springs off the
 /// mid-plane.

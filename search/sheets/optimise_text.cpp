@@ -38,9 +38,9 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
   }
   for (std::size_t k = 0; k < found.options.floors.size(); ++k) {
     if (limits.per_floor[k] == 0) continue;
-    const auto& [of, least] = found.options.floors[k];
-    text += fmt::format("  the {}: 1 % less of it would give {:.3g} more\n",
-                        schema::name_of(of).words, limits.per_floor[k] * least / 100);
+    const auto& [goal, least] = found.options.floors[k];
+    text += fmt::format("  the {}: 1 % less of it would give {:.3g} more\n", goal->words,
+                        limits.per_floor[k] * least / 100);
   }
   for (std::size_t k = 0; k < std::min(kMostNamed, limits.turning.size()); ++k) {
     const auto& [diagonal, pilot_deg, per_mm] = limits.turning[k];
@@ -56,7 +56,7 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
 
 // Some goals are of an angle of use.
 std::string goal_text(const solver::Optimised& found) {
-  const schema::GoalName& goal = schema::name_of(found.options.goal);
+  const solver::Goal& goal = *found.options.goal;
   return goal.is_of_use ? fmt::format("{} from {:g} deg", goal.words, found.from_deg) : goal.words;
 }
 
@@ -87,9 +87,9 @@ std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
   const auto& [found, certified_deg] = better;
   std::string text = fmt::format(
       "{}: {} {:.4g} {}, now {:.4g}: {} steps, {} sheets folded{}\n", subject.sheet.name(),
-      goal_text(found), found.start().value, schema::name_of(found.options.goal).unit_words,
-      found.best().value, found.steps(), found.looks,
-      found.end == solver::OptimiseEnd::most_steps ? ", and it goes on" : "");
+      goal_text(found), found.start().value, found.options.goal->unit_words, found.best().value,
+      found.steps(), found.evaluations,
+      found.stop_reason == solver::StopReason::most_steps ? ", and it goes on" : "");
   text +=
       fmt::format("deploys from {:g} deg{}; largest stroke {:.3g} %, shifts up to {:.4g} mm\n",
                   sheet.deploys_from_deg(),

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "schema/exchange/optimise_json.hpp"
+#include "search/sheets/better_sheet.hpp"
 #include "solver/optimise/ascent.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
@@ -53,8 +54,8 @@ schema::Candidate OptimisedDraw::take() {
     ascent.start_value = found.start().value;
     ascent.end_value = found.best().value;
     ascent.steps = found.steps();
-    ascent.sheets_folded = found.looks;
-    ascent.ended = schema::name_of(found.end);
+    ascent.sheets_folded = found.evaluations;
+    ascent.ended = schema::name_of(found.stop_reason);
     if (found.limits) {
       ascent.limited_by =
           schema::limits_json(start_.mechanism(), found.options, *found.limits).dump();
@@ -71,22 +72,14 @@ schema::Candidate OptimisedDraw::take() {
 solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign) {
   const schema::Optimisation& search = *campaign.search.optimisation;
   const schema::Misalignment& draws = campaign.misalignment;
-  solver::OptimiseOptions asked;
-  asked.goal = search.goal;
-  asked.floors = search.bounds.floors;
-  asked.stroke_limit = search.bounds.stroke_max;
-  asked.largest_force_n = search.bounds.largest_force_n;
+  solver::OptimiseOptions asked = options_of(search);
   // Where nothing is asked of it any angle does at which all of them are on their way.
   asked.deploying.from_deg = search.from_deg.value_or(campaign.threshold_deg / 2);
   asked.deploying.sheet.springs.stiffness_n_per_mm = search.stiffness_n_per_mm;
   asked.deploying.sheet.springs.preload.each_n = search.preload_n;
   asked.shifted = draws.vertices;
   asked.amplitude_mm = draws.amplitude_mm;
-  asked.ternary = search.ternary;
-  asked.grid_mm = search.grid_mm.value_or(0);
   asked.deploys_from_sample = campaign.threshold_sample();
-  asked.least_slope_mm_per_deg = search.least_slope_mm_per_deg;
-  asked.most_steps = static_cast<int>(search.most_steps);
   if (draws.parallel) {
     asked.shifted = draws.parallel->family->vertices();
     asked.moves = draws.parallel->family->basis();

@@ -20,6 +20,7 @@ struct OptimiseCall {
   std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
   schema::Design design;
   std::string material_file, output;
+  std::vector<std::string> subject_to;
   OptimiseInput input;
   bool with_card = false, json = false;
 };
@@ -41,6 +42,7 @@ Cards cards_of(const Subject& subject, const ProvenBetter& better) {
 void show_optimised(OptimiseCall call) {
   read_material(call.material_file, call.design);
   call.input.jobs = usable_threads();
+  call.input.bounds = schema::bounds_of(call.subject_to);
   Subject subject = choose_sheet(call.path, call.draw, call.design);
   const ProvenBetter better = optimised(subject, call.input);
   if (!call.output.empty()) {
@@ -62,14 +64,15 @@ void show_optimised(OptimiseCall call) {
 }
 
 // What is to be as large as can be, and what every step keeps.
-void add_goal_and_limits(CLI::App& verb, OptimiseInput& input) {
-  Names<solver::OptimiseGoal> goals;
-  for (const schema::GoalName& one : schema::kGoalNames)
-    goals.emplace_back(std::string(one.name), one.goal);
-  verb.add_option("--goal", input.goal,
-                  fmt::format("what is to be as large as can be [{}]", schema::kGoalNames[0].name))
-      ->transform(one_of<solver::OptimiseGoal>(goals));
-  verb.add_option("--subject-to", input.subject_to,
+void add_goal_and_limits(CLI::App& verb, OptimiseCall& call) {
+  OptimiseInput& input = call.input;
+  Names<std::string> goals;
+  for (const std::string& goal : solver::goal_names()) goals.emplace_back(goal, goal);
+  verb.add_option_function<std::string>(
+          "--goal", [&input](const std::string& name) { input.goal = solver::goal_named(name); },
+          fmt::format("what is to be as large as can be [{}]", input.goal->name))
+      ->check(one_of_words(goals, ""));
+  verb.add_option("--subject-to", call.subject_to,
                   "what every step keeps, again for each: \"stroke_max <= 0.06\", "
                   "\"largest_force_n <= 20\", or a goal as in \"miscut_margin_mm >= 0.1\"")
       ->type_name("LIMIT");
@@ -159,7 +162,7 @@ Action optimise_verb(CLI::App& verb) {
   schema::Design& design = call->design;
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
-  add_goal_and_limits(verb, call->input);
+  add_goal_and_limits(verb, *call);
   add_shifts(verb, call->input);
   add_springs_and_copies(verb, call->input);
   add_release_from(verb, design.from_deg, 0.01);

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/local_program.hpp"
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -17,8 +18,8 @@ using Eigen::VectorXd;
 
 // The box of a linear program, in amplitudes: at first, and where it is given up.
 constexpr double kFirstBox = 0.25, kLastBox = 1e-3;
-// A step that is worth so little of the goal is none.
-constexpr double kWorth = 1e-4;
+// A step that gains less than this share of the goal is none.
+constexpr double kLeastGain = 1e-4;
 // The box grows where this share of what was foreseen came true.
 constexpr double kForeseen = 0.5;
 // The limits at the end are those of a box of so many amplitudes.
@@ -62,27 +63,6 @@ std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOption
   return {};
 }
 
-// Of a start that is worth nothing by its goal.
-OptionFault worthless(OptimiseGoal goal) {
-  const std::string own = "the sheet that it starts from";
-  const char* const other = "begin with another sheet, or with another goal";
-  switch (goal) {
-    case OptimiseGoal::miscut_margin:
-      return {"goal", {}, "no margin against miscuts is known of " + own, other};
-    case OptimiseGoal::thickness:
-      return {"goal", {}, "panels of " + own + " meet on the way", other};
-    case OptimiseGoal::yield:
-      return {"goal", {}, "no miscut copy of " + own + " deploys from there", other};
-    case OptimiseGoal::rest_stiffness:
-      return {"goal",
-              {},
-              own + " is not stiff where its springs rest, or they rest beyond its end",
-              "name a preload for flat, or an angle at which they rest for a stop"};
-    default:
-      return {"goal", {}, "nothing drives " + own + " to flat", other};
-  }
-}
-
 }  // namespace
 
 StudyResult<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options) {
@@ -105,21 +85,23 @@ StudyResult<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions&
                        "name a larger one, or another sheet"};
   }
   for (const OptimiseFloor& floor : from.floors) {
-    const auto its = value_by(floor.of, start, from);
+    const auto its = value_of(*floor.goal, start, from);
     if (its && *its >= floor.least) continue;
     return OptionFault{"subject_to", shown(">= %g", floor.least),
                        its ? "the sheet that it starts from has " + shown("%.4g", *its)
                            : "of the sheet that it starts from it is not known",
                        "ask for less, or begin with another sheet"};
   }
-  const std::optional<double> value = value_by(from.goal, start, from);
-  if (!value || *value <= 0) return worthless(from.goal);
+  const std::optional<double> value = value_of(*from.goal, start, from);
+  if (!value || *value <= 0) {
+    return OptionFault{"goal", {}, from.goal->infeasible, from.goal->suggestion};
+  }
   return AscentStart{std::move(from), *value};
 }
 
 Ascent::Ascent(const Sheet& start, AscentStart fitted)
     : options_(std::move(fitted.options)),
-      by_(options_),
+      variables_(options_),
       solver_(start.model()),
       box_mm_(kFirstBox * options_.amplitude_mm),
       now_{std::make_unique<const Sheet>(solver_, start.shifts_mm()),
@@ -131,7 +113,7 @@ Ascent::Ascent(const Sheet& start, AscentStart fitted)
 
 void Ascent::advance() {
   options_.watch();
-  if (!around_) {
+  if (!linearization_) {
     begin_step();
   } else if (trying_ == Trying::in_a_box) {
     try_box();
@@ -141,25 +123,25 @@ void Ascent::advance() {
 }
 
 void Ascent::begin_step() {
-  if (found_.steps() >= options_.most_steps) return end(OptimiseEnd::most_steps);
-  if (now_.value >= most_of(options_.goal)) return end(OptimiseEnd::no_step_is_better);
-  around_ = local_model(*now_.sheet, options_);
-  if (!around_) return end(OptimiseEnd::no_step_is_better);
+  if (found_.steps() >= options_.most_steps) return end(StopReason::most_steps);
+  if (now_.value >= options_.goal->largest) return end(StopReason::no_step_is_better);
+  linearization_ = local_model(*now_.sheet, options_);
+  if (!linearization_) return end(StopReason::no_step_is_better);
   trying_ = Trying::in_a_box;
   if (options_.ternary) begin_flips();
 }
 
-void Ascent::end(OptimiseEnd why) {
-  found_.end = why;
+void Ascent::end(StopReason why) {
+  found_.stop_reason = why;
   finished_ = true;
-  if (around_ && !options_.ternary && is_foreseen(options_.goal)) find_limits();
+  if (linearization_ && !options_.ternary && options_.goal->is_exact) find_limits();
 }
 
-void Ascent::take_step(Worthy next) {
+void Ascent::take_step(Feasible next) {
   now_ = std::move(next);
   set_springs(options_, now_.point);
   found_.taken.push_back({now_.point, now_.value});
-  around_.reset();
+  linearization_.reset();
 }
 
 // Of a step of free shifts: the box shrinks until one is right.
@@ -167,23 +149,23 @@ void Ascent::try_box() {
   if (box_mm_ < std::max(kLastBox * options_.amplitude_mm, options_.grid_mm / 2)) {
     return give_up_box();
   }
-  const LocalProgram inside = local_program(*around_, box_mm_);
+  const LocalProgram inside = local_program(*linearization_, box_mm_);
   const LinearOptimum best = maximize(inside.linear);
   const double foreseen = best.value * inside.unit;
   if (best.end != LinearEnd::optimal || foreseen <= least_foreseen()) return give_up_box();
-  auto next = look(inside.change_mm(best));
+  auto next = evaluate(inside.change_mm(best));
   const double gained = next ? next->value - now_.value : 0;
-  if (gained > (is_foreseen(options_.goal) ? kForeseen * foreseen : kWorth * now_.value)) {
+  if (gained > (options_.goal->is_exact ? kForeseen * foreseen : kLeastGain * now_.value)) {
     box_mm_ = std::min(2 * box_mm_, options_.amplitude_mm);
     return take_step(std::move(*next));
   }
   box_mm_ /= 2;
-  if (gained > kWorth * now_.value) take_step(std::move(*next));
+  if (gained > kLeastGain * now_.value) take_step(std::move(*next));
 }
 
 void Ascent::give_up_box() {
   box_mm_ = kFirstBox * options_.amplitude_mm;
-  if (by_.are_free()) return end(OptimiseEnd::no_step_is_better);
+  if (variables_.are_free()) return end(StopReason::no_step_is_better);
   begin_flips();
 }
 
@@ -192,10 +174,10 @@ void Ascent::give_up_box() {
 void Ascent::begin_flips() {
   trying_ = Trying::promising_flips;
   next_flip_ = 0;
-  looks_of_step_ = 0;
+  evaluations_of_step_ = 0;
   singles_ = single_flips();
   promising_.clear();
-  const double own_goal = around_->goal(VectorXd::Zero(around_->coordinates));
+  const double own_goal = linearization_->goal(VectorXd::Zero(linearization_->coordinates));
   const auto consider = [&](Flip flip) {
     flip.foreseen = goal_after(flip) - own_goal;
     if (flip.foreseen > least_foreseen()) promising_.push_back(flip);
@@ -216,46 +198,47 @@ void Ascent::try_flip() {
   const bool by_promise = trying_ == Trying::promising_flips;
   std::vector<Flip>& flips = by_promise ? promising_ : singles_;
   while (by_promise && next_flip_ < flips.size() && !may_fit(flips[next_flip_])) ++next_flip_;
-  if (next_flip_ == flips.size() || (by_promise && looks_of_step_ == options_.most_looks)) {
-    if (!by_promise) return end(OptimiseEnd::no_step_is_better);
+  if (next_flip_ == flips.size() ||
+      (by_promise && evaluations_of_step_ == options_.most_evaluations)) {
+    if (!by_promise) return end(StopReason::no_step_is_better);
     trying_ = Trying::single_flips;
     next_flip_ = 0;
     return;
   }
   const Flip& flip = flips[next_flip_++];
-  ++looks_of_step_;
-  VectorXd change_mm = VectorXd::Zero(around_->coordinates);
+  ++evaluations_of_step_;
+  VectorXd change_mm = VectorXd::Zero(linearization_->coordinates);
   for (const int k : {0, 1}) change_mm(flip.coordinate[k]) += flip.by_mm[k];
-  auto next = look(change_mm);
-  if (next && next->value > now_.value * (1 + kWorth)) take_step(std::move(*next));
+  auto next = evaluate(change_mm);
+  if (next && next->value > now_.value * (1 + kLeastGain)) take_step(std::move(*next));
 }
 
-std::optional<Ascent::Worthy> Ascent::look(const VectorXd& change_mm) {
-  DesignPoint point = by_.after(now_.point, change_mm);
+std::optional<Ascent::Feasible> Ascent::evaluate(const VectorXd& change_mm) {
+  DesignPoint point = variables_.after(now_.point, change_mm);
   auto sheet = std::make_unique<const Sheet>(solver_, point.shifts_mm);
-  ++found_.looks;
+  ++found_.evaluations;
   OptimiseOptions there = options_;
   set_springs(there, point);
-  const std::optional<double> value = worth(*sheet, there);
+  const std::optional<double> value = objective(*sheet, there);
   if (!value || !keeps_slope(*sheet, *now_.sheet, options_)) return {};
-  return Worthy{std::move(sheet), std::move(point), *value};
+  return Feasible{std::move(sheet), std::move(point), *value};
 }
 
 // That is tried: of what only leads to the goal anything.
 double Ascent::least_foreseen() const {
-  return is_foreseen(options_.goal) ? kWorth * now_.value : 0;
+  return options_.goal->is_exact ? kLeastGain * now_.value : 0;
 }
 
 double Ascent::goal_after(const Flip& flip) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const LocalGoal& one : around_->goals) {
+  for (const LocalGoal& one : linearization_->goals) {
     least = std::min(least, (one.amount + flip.along(one.row)) / one.over);
   }
   return least;
 }
 
 bool Ascent::may_fit(const Flip& flip) const {
-  return std::ranges::all_of(around_->rows, [&](const LocalRow& one) {
+  return std::ranges::all_of(linearization_->rows, [&](const LocalRow& one) {
     const double doubt = one.pilot_deg <= kLateFrom_deg ? kEarlyDoubt : kLateDoubt;
     double moved = 0;
     for (const int k : {0, 1}) moved += std::abs(one.row(flip.coordinate[k]) * flip.by_mm[k]);
@@ -266,9 +249,10 @@ bool Ascent::may_fit(const Flip& flip) const {
 // To nothing, to the amplitude, and to what is next on a grid.
 std::vector<Ascent::Flip> Ascent::single_flips() const {
   std::vector<Flip> flips;
-  const VectorXd from_mm = by_.of(now_.point);
+  const VectorXd from_mm = variables_.of(now_.point);
   for (Index k = 0; k < from_mm.size(); ++k) {
-    const double most_mm = by_.largest_mm(k), grid_mm = by_.range(k) ? 0 : options_.grid_mm;
+    const double most_mm = variables_.largest_mm(k),
+                 grid_mm = variables_.range(k) ? 0 : options_.grid_mm;
     std::vector<double> levels_mm = {-most_mm, 0.0, most_mm};
     if (grid_mm > 0) {
       for (const double next_mm : {from_mm(k) - grid_mm, from_mm(k) + grid_mm}) {
@@ -283,7 +267,7 @@ std::vector<Ascent::Flip> Ascent::single_flips() const {
 }
 
 void Ascent::find_limits() {
-  const LocalProgram inside = local_program(*around_, kBoxOfLimits * options_.amplitude_mm);
+  const LocalProgram inside = local_program(*linearization_, kBoxOfLimits * options_.amplitude_mm);
   const LinearOptimum best = maximize(inside.linear);
   if (best.end != LinearEnd::optimal) return;
   OptimiseLimits limits;
@@ -292,42 +276,43 @@ void Ascent::find_limits() {
     const LocalRow& one = *inside.reached[k];
     const double price = inside.price(best, static_cast<Index>(k));
     if (price == 0) continue;
-    switch (one.of) {
-      case LocalRow::Of::stroke:
+    switch (one.kind) {
+      case LocalRow::Kind::stroke:
         limits.per_share_of_stroke += price * now_.sheet->way()->flat_mm()(one.where);
         break;
-      case LocalRow::Of::force:
+      case LocalRow::Kind::force:
         limits.per_n_of_force += price;
         break;
-      case LocalRow::Of::direction:
+      case LocalRow::Kind::direction:
         limits.turning.push_back({one.where, one.pilot_deg, price});
         break;
-      case LocalRow::Of::amplitude:
+      case LocalRow::Kind::amplitude:
         limits.per_mm_of_amplitude += price;
         break;
-      case LocalRow::Of::floor:
+      case LocalRow::Kind::floor:
         limits.per_floor[static_cast<std::size_t>(one.where)] += price;
         break;
-      case LocalRow::Of::fold_limit:
-      case LocalRow::Of::fold_angle:
+      case LocalRow::Kind::fold_limit:
+      case LocalRow::Kind::fold_angle:
         limits.by_fold_limit = true;
         break;
     }
   }
   std::ranges::sort(limits.turning, std::ranges::greater(), &OptimiseLimits::Turning::per_mm);
   // Of the box those sides that are the amplitude's, or the ends of a range.
-  const Index sides = 2 * around_->coordinates, first = best.price.size() - sides;
+  const Index sides = 2 * linearization_->coordinates, first = best.price.size() - sides;
   for (Index side = 0; side < sides; ++side) {
     if (inside.linear.bounds(first + side) >= 1) continue;
     const double price = inside.price(best, first + side);
-    const OptimiseOptions::Range* const range = by_.range(side % around_->coordinates);
+    const OptimiseOptions::Range* const range =
+        variables_.range(side % linearization_->coordinates);
     if (!range) {
       limits.per_mm_of_amplitude += price;
     } else {
       const bool is_stiffness =
           options_.stiffness_n_per_mm && range == &*options_.stiffness_n_per_mm;
       (is_stiffness ? limits.per_n_per_mm_of_stiffness : limits.per_n_of_preload) +=
-          price / by_.per_mm(*range);
+          price / variables_.per_mm(*range);
     }
   }
   found_.limits = limits;

@@ -1,5 +1,5 @@
-// Goes from a sheet to better ones near it, a look at a time: one part of an optimisation
-// (optimise.hpp), for callers that must not wait for its end.
+// The ascent from a sheet to better ones near it, an evaluation at a time: one part of an
+// optimisation (optimise.hpp), for callers that must not wait for its end.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace misalign::solver {
 
-/// What is asked of a sheet, as it fits it, and what it is worth by the goal.
+/// The options, as they fit a sheet, and the value of the goal for it.
 struct AscentStart {
   OptimiseOptions options;
   double value;
@@ -28,20 +28,20 @@ class Ascent {
   Ascent& operator=(const Ascent&) = delete;
 
   bool finished() const { return finished_; }
-  /// Looks at one more sheet, or at how those around the one that was reached differ from it.
+  /// Evaluates one more sheet, or linearises around the one that was reached.
   void advance();
   /// The sheet that was reached, with what was found of it.
   const Sheet& reached() const { return *now_.sheet; }
   Optimised take() { return std::move(found_); }
 
  private:
-  // A sheet that fits, with its springs, and what it is worth.
-  struct Worthy {
+  // A sheet that keeps what is asked, with its springs and the value of the goal.
+  struct Feasible {
     std::unique_ptr<const Sheet> sheet;
     DesignPoint point;
     double value;
   };
-  // A change of one coordinate or two, and what it would be worth.
+  // A change of one variable or two, and what the goal would gain.
   struct Flip {
     std::array<Eigen::Index, 2> coordinate;  // the same twice: of one
     std::array<double, 2> by_mm;
@@ -56,14 +56,14 @@ class Ascent {
   enum class Trying { in_a_box, promising_flips, single_flips };
 
   void begin_step();
-  void end(OptimiseEnd why);
+  void end(StopReason why);
   void try_box();
   void begin_flips();
   void try_flip();
   void give_up_box();
-  void take_step(Worthy next);
+  void take_step(Feasible next);
 
-  std::optional<Worthy> look(const Eigen::VectorXd& change_mm);
+  std::optional<Feasible> evaluate(const Eigen::VectorXd& change_mm);
   double least_foreseen() const;
   double goal_after(const Flip& flip) const;
   bool may_fit(const Flip& flip) const;
@@ -71,16 +71,16 @@ class Ascent {
   void find_limits();
 
   OptimiseOptions options_;  // with the springs of the sheet that was reached
-  const Coordinates by_;
+  const Coordinates variables_;
   SheetSolver solver_;
   double box_mm_;
-  Worthy now_;
+  Feasible now_;
   Optimised found_{};
-  std::optional<LocalModel> around_;  // the sheet that was reached
+  std::optional<LocalModel> linearization_;  // around the sheet that was reached
   Trying trying_ = Trying::in_a_box;
   std::vector<Flip> promising_, singles_;
   std::size_t next_flip_ = 0;
-  int looks_of_step_ = 0;
+  int evaluations_of_step_ = 0;
   bool finished_ = false;
 };
 

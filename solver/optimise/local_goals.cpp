@@ -7,10 +7,10 @@
 #include "solver/bending/preload.hpp"
 #include "solver/bending/rest_stiffness.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/optimise/objective.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
 #include "solver/optimise/spring_changes.hpp"
 #include "solver/optimise/thickness_changes.hpp"
-#include "solver/optimise/worth.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -31,47 +31,47 @@ constexpr double kBeyond_deg = 4, kStep_deg = 1;
 constexpr Index kMomentAngles = 12;
 
 // Energy, what the creases have turned, and how the first changes, at an angle.
-LocalGoal energy_at(const SheetChanges& around, const SpringChanges& springs,
+LocalGoal energy_at(const SheetChanges& changes, const SpringChanges& springs,
                     const AngleGradients& here, double n_mm, const VectorXd& forces_n) {
   VectorXd folds_rad, rates;
-  const FoldingWay& way = *around.sheet.way();
+  const FoldingWay& way = *changes.sheet.way();
   way.find_creases(way.x_of(here.pilot_deg), folds_rad, rates);
   double turned_mm = 0;
   for (Index c = 0; c < folds_rad.size(); ++c) {
-    const Crease& crease = around.sheet.mechanism().creases[static_cast<std::size_t>(c)];
-    turned_mm += (around.sheet.point_mm(crease.b) - around.sheet.point_mm(crease.a)).norm() *
+    const Crease& crease = changes.sheet.mechanism().creases[static_cast<std::size_t>(c)];
+    turned_mm += (changes.sheet.point_mm(crease.b) - changes.sheet.point_mm(crease.a)).norm() *
                  std::abs(folds_rad(c));
   }
   return {n_mm, turned_mm, springs.energy_row(here, forces_n)};
 }
 
 // In ascending angles, flat first.
-std::vector<LocalGoal> rigid_energies(SheetChanges& around) {
-  const SpringChanges springs(around);
+std::vector<LocalGoal> rigid_energies(SheetChanges& changes) {
+  const SpringChanges springs(changes);
   std::vector<LocalGoal> all;
   for (int k = 0; k <= kGoalAngles; ++k) {
-    const double angle_deg = *around.options.deploying.from_deg * k / kGoalAngles;
-    const double x = around.sheet.way()->x_of(angle_deg);
-    all.push_back(energy_at(around, springs, k == 0 ? around.flat : around.at(angle_deg),
+    const double angle_deg = *changes.options.deploying.from_deg * k / kGoalAngles;
+    const double x = changes.sheet.way()->x_of(angle_deg);
+    all.push_back(energy_at(changes, springs, k == 0 ? changes.flat : changes.at(angle_deg),
                             springs.n_per_mm() * springs.rigid().unit_springs(x).energy,
                             springs.rigid().spring_forces_n(x)));
   }
   return all;
 }
 
-std::vector<LocalGoal> bent_energies(SheetChanges& around) {
-  const auto bent = bend_panels(around.sheet, around.options.deploying, around.options.bending);
+std::vector<LocalGoal> bent_energies(SheetChanges& changes) {
+  const auto bent = bend_panels(changes.sheet, changes.options.deploying, changes.options.bending);
   if (!bent) return {};
-  const SpringChanges springs(around);
+  const SpringChanges springs(changes);
   const BentAngle& first = bent->angles.front();
   // What panels next to flat take off the forces they take off flat, too.
-  const AngleGradients next_to_flat = around.at(first.pilot_deg);
+  const AngleGradients next_to_flat = changes.at(first.pilot_deg);
   const VectorXd taken_n = first.bent.forces_n - springs.forces_n(next_to_flat);
   const double flat_n_mm = first.bent.n_mm - bent->curve.at(first.pilot_deg).n_mm;
-  std::vector<LocalGoal> all{
-      energy_at(around, springs, around.flat, flat_n_mm, springs.forces_n(around.flat) + taken_n)};
+  std::vector<LocalGoal> all{energy_at(changes, springs, changes.flat, flat_n_mm,
+                                       springs.forces_n(changes.flat) + taken_n)};
   for (const BentAngle& angle : bent->angles) {
-    all.push_back(energy_at(around, springs, around.at(angle.pilot_deg), angle.bent.n_mm,
+    all.push_back(energy_at(changes, springs, changes.at(angle.pilot_deg), angle.bent.n_mm,
                             angle.bent.forces_n));
   }
   return all;
@@ -108,29 +108,48 @@ struct Section {
 };
 
 // How the norm of a section's row changes, per mm: by the row of a sheet that is shifted along it.
-RowVectorXd norm_by_mm(SheetChanges& around, const Section& section, SheetSolver& solver) {
+RowVectorXd norm_by_mm(SheetChanges& changes, const Section& section, SheetSolver& solver) {
   const RowVectorXd along = section.by_mm.normalized();
   const Matrix2Xd shifts_mm =
-      around.sheet.shifts_mm() +
-      kAlong_mm * Eigen::Map<const Matrix2Xd>(along.data(), 2, around.sheet.shifts_mm().cols());
+      changes.sheet.shifts_mm() +
+      kAlong_mm * Eigen::Map<const Matrix2Xd>(along.data(), 2, changes.sheet.shifts_mm().cols());
   const Sheet other(solver, shifts_mm);
-  around.is_known = around.is_known && other.way();
-  if (!around.is_known) return 0 * along;
+  changes.is_known = changes.is_known && other.way();
+  if (!changes.is_known) return 0 * along;
   PathGradients gradients(other);
   const auto from = gradients.at(section.from_deg, false), to = gradients.at(section.to_deg, false);
-  around.is_known = from && to;
-  if (!around.is_known) return 0 * along;
+  changes.is_known = from && to;
+  if (!changes.is_known) return 0 * along;
   const RowVectorXd by_mm = section.side * (to->length_by_mm.row(section.diagonal) -
                                             from->length_by_mm.row(section.diagonal));
   return (by_mm - section.by_mm) / kAlong_mm;
 }
 
-// As solver/model/miscut_margin.hpp has it: the amounts of all sections.
-std::vector<LocalGoal> margins(SheetChanges& around) {
+}  // namespace
+
+std::vector<LocalGoal> local_critical_friction(SheetChanges& changes) {
+  return critical_frictions(rigid_energies(changes));
+}
+
+std::vector<LocalGoal> local_bent_critical_friction(SheetChanges& changes) {
+  return critical_frictions(bent_energies(changes));
+}
+
+std::vector<LocalGoal> local_static_friction(SheetChanges& changes) {
+  return static_frictions(bent_energies(changes));
+}
+
+std::vector<LocalGoal> local_energy(SheetChanges& changes) {
+  LocalGoal stored = rigid_energies(changes).back();
+  stored.over = 1;
+  return {stored};
+}
+
+std::vector<LocalGoal> local_margin(SheetChanges& changes) {
   std::vector<Section> sections;
-  AngleGradients last = around.flat;
-  for (const int sample : around.sheet.model().margin_samples()) {
-    AngleGradients here = around.at(around.sheet.sample_deg(sample));
+  AngleGradients last = changes.flat;
+  for (const int sample : changes.sheet.model().margin_samples()) {
+    AngleGradients here = changes.at(changes.sheet.sample_deg(sample));
     for (Index d = 0; d < here.length_mm.size(); ++d) {
       const double longer_mm = here.length_mm(d) - last.length_mm(d);
       const double side = longer_mm < 0 ? -1 : 1;
@@ -139,93 +158,90 @@ std::vector<LocalGoal> margins(SheetChanges& around) {
     }
     last = std::move(here);
   }
-  SheetSolver solver(around.sheet.model());
+  SheetSolver solver(changes.sheet.model());
   double least = std::numeric_limits<double>::infinity();
   for (const Section& one : sections) least = std::min(least, one.ratio());
   std::vector<LocalGoal> all;
   for (const Section& one : sections) {
     RowVectorXd row = one.by_mm;
     // What is divided by changes too; of the least ones that is looked at.
-    if (one.ratio() < kNearTheLeast * least) row -= one.ratio() * norm_by_mm(around, one, solver);
-    all.push_back({one.moved_mm, one.by_mm.norm(), around.by.row(row)});
+    if (one.ratio() < kNearTheLeast * least) row -= one.ratio() * norm_by_mm(changes, one, solver);
+    all.push_back({one.moved_mm, one.by_mm.norm(), changes.variables.row(row)});
   }
   return all;
 }
 
-// What every diagonal goes on, for each degree, behind where the first of them turns back, and the
-// room before the fold limit by as much.
-std::vector<LocalGoal> onward(SheetChanges& around) {
-  const Sheet& sheet = around.sheet;
+std::vector<LocalGoal> local_deployed_angle(SheetChanges& changes) {
+  const Sheet& sheet = changes.sheet;
   const double reached_deg = goes_until_deg(sheet), end_deg = sheet.way()->end_deg();
-  const double asked_deg = sheet.sample_deg(around.options.deploys_from_sample);
-  AngleGradients last = around.at(asked_deg);
-  const VectorXd side = (last.length_mm - around.flat.length_mm).cwiseSign();
+  const double asked_deg = sheet.sample_deg(changes.options.deploys_from_sample);
+  AngleGradients last = changes.at(asked_deg);
+  const VectorXd side = (last.length_mm - changes.flat.length_mm).cwiseSign();
   std::vector<LocalGoal> goals;
   double most_mm = 0;
   for (double angle_deg = asked_deg + kStep_deg;
        angle_deg < std::min(reached_deg + kBeyond_deg, end_deg); angle_deg += kStep_deg) {
-    AngleGradients here = around.at(angle_deg);
+    AngleGradients here = changes.at(angle_deg);
     for (Index d = 0; d < side.size(); ++d) {
       goals.push_back(
           {side(d) * (here.length_mm(d) - last.length_mm(d)), 1,
-           around.by.row(side(d) * (here.length_by_mm.row(d) - last.length_by_mm.row(d)))});
+           changes.variables.row(side(d) * (here.length_by_mm.row(d) - last.length_by_mm.row(d)))});
       most_mm = std::max(most_mm, std::abs(goals.back().amount));
     }
     last = std::move(here);
   }
-  if (const auto limit = around.gradients.fold_limit();
+  if (const auto limit = changes.gradients.fold_limit();
       limit && end_deg < reached_deg + kBeyond_deg) {
     const double mm_per_deg = most_mm > 0 ? most_mm : 1;
     goals.push_back({mm_per_deg * (limit->fold_limit_deg - reached_deg), 1,
-                     around.by.row(mm_per_deg * limit->by_mm)});
+                     changes.variables.row(mm_per_deg * limit->by_mm)});
   }
   return goals;
 }
 
-std::vector<LocalGoal> rest_stiffnesses(SheetChanges& around) {
-  const DeployOptions& deploying = around.options.deploying;
-  const auto now = rest_stiffness(around.sheet, deploying, around.options.bending.material);
+std::vector<LocalGoal> local_rest_stiffness(SheetChanges& changes) {
+  const DeployOptions& deploying = changes.options.deploying;
+  const auto now = rest_stiffness(changes.sheet, deploying, changes.options.bending.material);
   if (!now) return {};
   const Springs& springs = deploying.sheet.springs;
   if (springs.rest_deg > 0) {
-    const auto slopes = around.gradients.slopes(springs.rest_deg);
+    const auto slopes = changes.gradients.slopes(springs.rest_deg);
     if (!slopes) return {};
     const double n_per_mm = springs.stiffness_n_per_mm;
     return {{now->n_mm_per_rad, 1,
-             around.by.row(2 * now->forces_n.transpose() * slopes->slope_by_mm,
-                           now->forces_n.squaredNorm() / (n_per_mm * n_per_mm))}};
+             changes.variables.row(2 * now->forces_n.transpose() * slopes->slope_by_mm,
+                                   now->forces_n.squaredNorm() / (n_per_mm * n_per_mm))}};
   }
   // Next to flat lengths go with the square of the angle.
-  const AngleGradients near = around.at(kNearFlat_deg);
-  const VectorXd longer_mm = near.length_mm - around.flat.length_mm,
-                 forces_n = springs.preload.forces_n(around.sheet.mechanism().diagonals)
+  const AngleGradients near = changes.at(kNearFlat_deg);
+  const VectorXd longer_mm = near.length_mm - changes.flat.length_mm,
+                 forces_n = springs.preload.forces_n(changes.sheet.mechanism().diagonals)
                                 .cwiseProduct(longer_mm.cwiseSign());
   const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2),
                preload_n = springs.preload.largest_n();
   return {{now->n_mm_per_rad, 1,
-           around.by.row(
-               2 / square * forces_n.transpose() * (near.length_by_mm - around.flat.length_by_mm),
+           changes.variables.row(
+               2 / square * forces_n.transpose() * (near.length_by_mm - changes.flat.length_by_mm),
                0, 2 / square * longer_mm.cwiseAbs().sum() - 2 * preload_n * now->give_mm_per_n)}};
 }
 
-// The moments of the best set of one spring fewer over the least of all.
-std::vector<LocalGoal> moments_of_fewer(SheetChanges& around) {
-  const SpringChanges springs(around);
+std::vector<LocalGoal> local_spare_diagonals(SheetChanges& changes) {
+  const SpringChanges springs(changes);
   const auto now =
-      spare_diagonals(around.sheet, springs.rigid(), *around.options.deploying.from_deg);
+      spare_diagonals(changes.sheet, springs.rigid(), *changes.options.deploying.from_deg);
   if (!now || now->few.fewer.empty()) return {};
   std::vector<LocalGoal> all, fewer;
   const Index angles = now->pilot_deg.size(), step = std::max<Index>(1, angles / kMomentAngles);
   for (Index k = angles - 1; k >= 0; k -= step) {
-    const AngleGradients here = around.at(now->pilot_deg(k));
-    const auto slopes = around.gradients.slopes(here.pilot_deg);
+    const AngleGradients here = changes.at(now->pilot_deg(k));
+    const auto slopes = changes.gradients.slopes(here.pilot_deg);
     if (!slopes) return {};
     const VectorXd forces_n = springs.forces_n(here);
     const auto of = [&](const VectorXd& chosen) {
-      return LocalGoal{
-          chosen.dot(forces_n.cwiseProduct(slopes->slope_mm_per_rad)), 1,
-          springs.forces_row(here, chosen.cwiseProduct(slopes->slope_mm_per_rad)) +
-              around.by.row(chosen.cwiseProduct(forces_n).transpose() * slopes->slope_by_mm)};
+      return LocalGoal{chosen.dot(forces_n.cwiseProduct(slopes->slope_mm_per_rad)), 1,
+                       springs.forces_row(here, chosen.cwiseProduct(slopes->slope_mm_per_rad)) +
+                           changes.variables.row(chosen.cwiseProduct(forces_n).transpose() *
+                                                 slopes->slope_by_mm)};
     };
     VectorXd chosen = VectorXd::Zero(forces_n.size());
     for (const int diagonal : now->few.fewer) chosen(diagonal) = 1;
@@ -240,47 +256,13 @@ std::vector<LocalGoal> moments_of_fewer(SheetChanges& around) {
   return fewer;
 }
 
-std::vector<LocalGoal> thicknesses(SheetChanges& around) {
-  const auto changes =
-      thickness_changes(around.sheet, around.gradients, around.options.used_from_deg);
+std::vector<LocalGoal> local_thickness(SheetChanges& changes) {
   std::vector<LocalGoal> goals;
-  for (const ThicknessChange& one : changes) {
-    goals.push_back({one.thickness_mm, 1, around.by.row(one.by_mm)});
+  for (const ThicknessChange& one :
+       thickness_changes(changes.sheet, changes.gradients, changes.options.used_from_deg)) {
+    goals.push_back({one.thickness_mm, 1, changes.variables.row(one.by_mm)});
   }
   return goals;
-}
-
-}  // namespace
-
-std::vector<LocalGoal> local_goals(OptimiseGoal goal, SheetChanges& around) {
-  const std::vector<LocalGoal> goals = [&] {
-    switch (goal) {
-      case OptimiseGoal::critical_friction:
-        return critical_frictions(rigid_energies(around));
-      case OptimiseGoal::bent_critical_friction:
-        return critical_frictions(bent_energies(around));
-      case OptimiseGoal::static_friction:
-        return static_frictions(bent_energies(around));
-      case OptimiseGoal::energy: {
-        LocalGoal stored = rigid_energies(around).back();
-        stored.over = 1;
-        return std::vector{stored};
-      }
-      case OptimiseGoal::deploys_from:
-        return onward(around);
-      case OptimiseGoal::rest_stiffness:
-        return rest_stiffnesses(around);
-      case OptimiseGoal::thickness:
-        return thicknesses(around);
-      case OptimiseGoal::spare_diagonals:
-        return moments_of_fewer(around);
-      case OptimiseGoal::miscut_margin:
-      case OptimiseGoal::yield:
-        break;
-    }
-    return margins(around);
-  }();
-  return around.is_known ? goals : std::vector<LocalGoal>();
 }
 
 }  // namespace misalign::solver

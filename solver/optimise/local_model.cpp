@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
 #include "solver/optimise/spring_changes.hpp"
 
@@ -31,28 +32,29 @@ constexpr double kLowSlopes = 10, kAboveLeast = 0.1;
 class Builder {
  public:
   Builder(const Sheet& sheet, const OptimiseOptions& options)
-      : sheet_(sheet), options_(options), around_(sheet, options), flat_(around_.flat) {}
+      : sheet_(sheet), options_(options), changes_(sheet, options), flat_(changes_.flat) {}
 
   std::optional<LocalModel> build() {
     add_room();
     add_directions();
-    model_.goals = local_goals(options_.goal, around_);
+    model_.goals = linearization_of(*options_.goal, changes_);
     add_floors();
-    if (!around_.is_known || model_.goals.empty()) return {};
+    if (!changes_.is_known || model_.goals.empty()) return {};
     return std::move(model_);
   }
 
  private:
   AngleGradients at(double pilot_deg, bool with_folds = false) {
-    return around_.at(pilot_deg, with_folds);
+    return changes_.at(pilot_deg, with_folds);
   }
 
   void add_room() {
-    const Eigen::ArrayXd own_mm = around_.by.of(point_of(sheet_.shifts_mm(), options_)).array();
+    const Eigen::ArrayXd own_mm =
+        changes_.variables.of(point_of(sheet_.shifts_mm(), options_)).array();
     model_.coordinates = own_mm.size();
     model_.rise_mm = options_.amplitude_mm - own_mm;
     model_.fall_mm = options_.amplitude_mm + own_mm;
-    if (!around_.by.are_free()) return;
+    if (!changes_.variables.are_free()) return;
     const Index shifts = options_.moves.cols();
     model_.rise_mm.head(shifts) = model_.fall_mm.head(shifts) =
         std::numeric_limits<double>::infinity();
@@ -62,16 +64,16 @@ class Builder {
       for (const double side : {-1.0, 1.0}) {
         VectorXd row = VectorXd::Zero(model_.coordinates);
         row.head(shifts) = -side * options_.moves.row(k);
-        model_.rows.push_back({LocalRow::Of::amplitude, static_cast<int>(k), 0,
+        model_.rows.push_back({LocalRow::Kind::amplitude, static_cast<int>(k), 0,
                                options_.amplitude_mm - side * shift_mm, row});
       }
     }
   }
 
-  void add(LocalRow::Of of, Index where, double pilot_deg, double slack,
+  void add(LocalRow::Kind kind, Index where, double pilot_deg, double slack,
            const Eigen::RowVectorXd& by_vertices) {
     model_.rows.push_back(
-        {of, static_cast<int>(where), pilot_deg, slack, around_.by.row(by_vertices)});
+        {kind, static_cast<int>(where), pilot_deg, slack, changes_.variables.row(by_vertices)});
   }
 
   static std::vector<double> angles_of_directions(double to_deg) {
@@ -97,7 +99,7 @@ class Builder {
                               (pilot_deg - last.pilot_deg);
       for (Index d = 0; d < here.length_mm.size(); ++d) {
         const double side = longer_mm(d) < 0 ? -1 : 1;
-        add(LocalRow::Of::direction, d, pilot_deg,
+        add(LocalRow::Kind::direction, d, pilot_deg,
             side * (here.length_mm(d) - last.length_mm(d)) - least_mm,
             side * (here.length_by_mm.row(d) - last.length_by_mm.row(d)));
       }
@@ -115,12 +117,12 @@ class Builder {
     for (const LowSlope& low : low_slopes(sheet_, to_deg)) {
       const double least = options_.least_slope_mm_per_deg, a_deg = low.pilot_deg;
       if (low.mm_per_deg >= kLowSlopes * least) continue;
-      if (!at_deg.contains(a_deg)) at_deg[a_deg] = around_.gradients.slopes(a_deg);
+      if (!at_deg.contains(a_deg)) at_deg[a_deg] = changes_.gradients.slopes(a_deg);
       const auto& slopes = at_deg[a_deg];
       if (!slopes) continue;  // it ends there
       const double sine = std::sin(a_deg * kRadPerDeg);
       const double side = slopes->slope_mm_per_rad(low.diagonal) * low.mm_per_deg < 0 ? -1 : 1;
-      add(LocalRow::Of::direction, low.diagonal, a_deg,
+      add(LocalRow::Kind::direction, low.diagonal, a_deg,
           (low.mm_per_deg - (1 + kAboveLeast) * least) * sine,
           side * kRadPerDeg * slopes->slope_by_mm.row(low.diagonal));
     }
@@ -130,11 +132,11 @@ class Builder {
     for (Index c = 0; c < here.fold_deg.size(); ++c) {
       if (static_cast<int>(c) == sheet_.mechanism().pilot) continue;
       const double side = here.fold_deg(c) < 0 ? -1 : 1;
-      add(LocalRow::Of::fold_angle, c, here.pilot_deg,
+      add(LocalRow::Kind::fold_angle, c, here.pilot_deg,
           180 - kBeforeFlat_deg - side * here.fold_deg(c), -side * here.fold_by_mm.row(c));
     }
-    if (const auto limit = around_.gradients.fold_limit()) {
-      add(LocalRow::Of::fold_limit, 0, limit->fold_limit_deg,
+    if (const auto limit = changes_.gradients.fold_limit()) {
+      add(LocalRow::Kind::fold_limit, 0, limit->fold_limit_deg,
           limit->fold_limit_deg - here.pilot_deg - kBeforeLimit_deg, limit->by_mm);
     }
   }
@@ -145,20 +147,20 @@ class Builder {
     for (Index d = 0; d < here.length_mm.size(); ++d) {
       const double longer_mm = here.length_mm(d) - flat_.length_mm(d);
       const double side = longer_mm < 0 ? -1 : 1;
-      add(LocalRow::Of::stroke, d, here.pilot_deg, limit * flat_.length_mm(d) - side * longer_mm,
+      add(LocalRow::Kind::stroke, d, here.pilot_deg, limit * flat_.length_mm(d) - side * longer_mm,
           limit * flat_.length_by_mm.row(d) -
               side * (here.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
     }
   }
 
   void add_forces(double most_n) {
-    const SpringChanges springs(around_);
+    const SpringChanges springs(changes_);
     const AngleGradients here = at(*options_.deploying.from_deg);
     const VectorXd forces_n = springs.forces_n(here);
     for (Index d = 0; d < forces_n.size(); ++d) {
       const double side = forces_n(d) < 0 ? -1 : 1;
       const VectorXd row = springs.forces_row(here, side * VectorXd::Unit(forces_n.size(), d));
-      model_.rows.push_back({LocalRow::Of::force, static_cast<int>(d), here.pilot_deg,
+      model_.rows.push_back({LocalRow::Kind::force, static_cast<int>(d), here.pilot_deg,
                              most_n - side * forces_n(d), -row});
     }
   }
@@ -166,10 +168,10 @@ class Builder {
   // In units of the goal.
   void add_floors() {
     for (std::size_t floor = 0; floor < options_.floors.size(); ++floor) {
-      const auto& [of, least] = options_.floors[floor];
-      if (!is_foreseen(of)) continue;  // whether it is kept is seen of each sheet
-      for (const LocalGoal& one : local_goals(of, around_)) {
-        model_.rows.push_back({LocalRow::Of::floor, static_cast<int>(floor), 0,
+      const auto& [goal, least] = options_.floors[floor];
+      if (!goal->is_exact) continue;  // whether it is kept is seen of each sheet
+      for (const LocalGoal& one : linearization_of(*goal, changes_)) {
+        model_.rows.push_back({LocalRow::Kind::floor, static_cast<int>(floor), 0,
                                one.amount / one.over - least, one.row / one.over});
       }
     }
@@ -177,7 +179,7 @@ class Builder {
 
   const Sheet& sheet_;
   const OptimiseOptions& options_;
-  SheetChanges around_;
+  SheetChanges changes_;
   const AngleGradients& flat_;
   LocalModel model_;
 };

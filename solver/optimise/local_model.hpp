@@ -1,4 +1,4 @@
-// What sheets next to one are like, to first order in how their vertices are shifted.
+// A linear model of the sheets next to one: what every one keeps, and the goal.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace misalign::solver {
 
 /// Of one inequality: slack + row . (change of the coordinates) >= 0.
 struct LocalRow {
-  enum class Of { direction, stroke, force, fold_limit, fold_angle, amplitude, floor } of;
+  enum class Kind { direction, stroke, force, fold_limit, fold_angle, amplitude, floor } kind;
   int where;         ///< diagonal, crease, coordinate of a shift, or floor
   double pilot_deg;  ///< where on the way
   double slack;

@@ -19,8 +19,8 @@ namespace misalign::solver {
 
 /// From `start`. Faults: of the angles as deploy(); amplitude_mm where its own shifts are larger or
 /// not ternary, or there is none; grid_mm where they do not lie on it; deploys_from_deg,
-/// stroke_limit, largest_force_n and floors where it does not keep them; goal where it is worth
-/// nothing. Reasons: overconstrained, path_lost.
+/// stroke_limit, largest_force_n and floors where it does not keep them; goal where it has no
+/// value. Reasons: overconstrained, path_lost.
 StudyResult<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/bending/bent_panels.hpp"
-#include "solver/optimise/optimise_goal.hpp"
+#include "solver/studies/goal.hpp"
 
 namespace misalign::solver {
 
@@ -17,7 +17,7 @@ struct DesignPoint {
 };
 
 struct OptimiseOptions {
-  OptimiseGoal goal = OptimiseGoal::critical_friction;
+  const Goal* goal = &goal_table().front();
   DeployOptions deploying;    ///< springs, hinges, panels, and from where it is let go
   BentPanelsOptions bending;  ///< where the goal is of panels that bend
   std::vector<int> shifted;   ///< the vertices that may be shifted
@@ -48,10 +48,10 @@ struct OptimiseOptions {
   /// Called in between, some times a second: what it throws ends the search.
   std::function<void()> watch = [] {};
   int most_steps = 200;
-  int most_looks = 400;  ///< sheets that are folded for one step of ternary shifts
+  int most_evaluations = 400;  ///< sheets that are folded for one step of ternary shifts
 };
 
-enum class OptimiseEnd { no_step_is_better, most_steps };
+enum class StopReason { no_step_is_better, most_steps };
 
 /// What keeps it from doing better, at the end: by how much the goal would grow with a little more
 /// room (to first order; 0: it does not limit).
@@ -74,13 +74,13 @@ struct OptimiseLimits {
 struct Optimised {
   OptimiseOptions options;
   double from_deg;
-  /// The start, then the sheet after each step; what each is worth, as the goal is.
+  /// The start, then the sheet after each step; the value of the goal for each.
   struct Taken : DesignPoint {
     double value;
   };
   std::vector<Taken> taken;
-  OptimiseEnd end;
-  int looks = 0;                         ///< sheets that were folded
+  StopReason stop_reason;
+  int evaluations = 0;                   ///< sheets that were folded
   std::optional<OptimiseLimits> limits;  ///< of free shifts, at the last sheet, of what is foreseen
 
   const Taken& start() const { return taken.front(); }

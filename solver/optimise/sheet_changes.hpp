@@ -1,4 +1,4 @@
-// How one sheet changes with the coordinates of an optimisation.
+// The changes of one sheet with the variables of an optimisation.
 #pragma once
 
 #include <utility>
@@ -12,7 +12,7 @@ struct SheetChanges {
   /// `of`, which has a way and no spare equations, and `asked`, which says from where it is let go
   /// and has its springs, must outlive this object.
   SheetChanges(const Sheet& of, const OptimiseOptions& asked)
-      : sheet(of), options(asked), by(asked), gradients(of), flat(at(0)) {}
+      : sheet(of), options(asked), variables(asked), gradients(of), flat(at(0)) {}
 
   /// Where they are not found it is not known, and the flat sheet's stand in their place.
   AngleGradients at(double pilot_deg, bool with_folds = false) {
@@ -25,7 +25,7 @@ struct SheetChanges {
 
   const Sheet& sheet;
   const OptimiseOptions& options;
-  const Coordinates by;
+  const Coordinates variables;
   bool is_known = true;
   PathGradients gradients;
   const AngleGradients flat;

@@ -4,25 +4,25 @@ namespace misalign::solver {
 
 using Eigen::VectorXd;
 
-SpringChanges::SpringChanges(SheetChanges& around)
-    : around_(around),
-      rigid_(*around.sheet.way(), around.sheet.model().shape(), around.sheet.base(),
-             around.options.deploying.sheet),
-      side_(sides_of_diagonals(*around.sheet.way())),
+SpringChanges::SpringChanges(SheetChanges& changes)
+    : changes_(changes),
+      rigid_(*changes.sheet.way(), changes.sheet.model().shape(), changes.sheet.base(),
+             changes.options.deploying.sheet),
+      side_(sides_of_diagonals(*changes.sheet.way())),
       preload_n_(
-          side_.cwiseProduct(springs().preload.forces_n(around.sheet.mechanism().diagonals))),
-      rest_mm_(around.flat.length_mm),
-      rest_by_mm_(around.flat.length_by_mm) {
+          side_.cwiseProduct(springs().preload.forces_n(changes.sheet.mechanism().diagonals))),
+      rest_mm_(changes.flat.length_mm),
+      rest_by_mm_(changes.flat.length_by_mm) {
   const auto rests_at = [&](const AngleGradients& there, Eigen::Index d) {
     rest_mm_(d) = there.length_mm(d);
     rest_by_mm_.row(d) = there.length_by_mm.row(d);
   };
   if (springs().rest_deg > 0) {
-    const AngleGradients there = around.at(springs().rest_deg);
+    const AngleGradients there = changes.at(springs().rest_deg);
     for (Eigen::Index d = 0; d < rest_mm_.size(); ++d) rests_at(there, d);
   }
   for (const auto& [diagonal, rest_deg] : springs().other_rests_deg) {
-    rests_at(around.at(rest_deg), diagonal);
+    rests_at(changes.at(rest_deg), diagonal);
   }
 }
 
@@ -31,15 +31,16 @@ VectorXd SpringChanges::forces_n(const AngleGradients& here) const {
 }
 
 VectorXd SpringChanges::forces_row(const AngleGradients& here, const VectorXd& weights) const {
-  return around_.by.row(n_per_mm() * weights.transpose() * (here.length_by_mm - rest_by_mm_),
-                        weights.dot(here.length_mm - rest_mm_), weights.dot(side_));
+  return changes_.variables.row(
+      n_per_mm() * weights.transpose() * (here.length_by_mm - rest_by_mm_),
+      weights.dot(here.length_mm - rest_mm_), weights.dot(side_));
 }
 
 VectorXd SpringChanges::energy_row(const AngleGradients& here, const VectorXd& forces_n) const {
   const VectorXd longer_mm = forces_n / n_per_mm();
-  return around_.by.row(forces_n.transpose() * (here.length_by_mm - rest_by_mm_),
-                        longer_mm.squaredNorm() / 2 - longer_mm.dot(preload_n_) / n_per_mm(),
-                        longer_mm.dot(side_));
+  return changes_.variables.row(
+      forces_n.transpose() * (here.length_by_mm - rest_by_mm_),
+      longer_mm.squaredNorm() / 2 - longer_mm.dot(preload_n_) / n_per_mm(), longer_mm.dot(side_));
 }
 
 }  // namespace misalign::solver

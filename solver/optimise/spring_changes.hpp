@@ -1,4 +1,4 @@
-// How the forces of the springs, and what they store, change with the coordinates of an
+// The changes of the springs' forces, and of what they store, with the variables of an
 // optimisation.
 #pragma once
 
@@ -11,8 +11,8 @@ namespace misalign::solver {
 /// flat and F the preload.
 class SpringChanges {
  public:
-  /// `around` must outlive this object.
-  explicit SpringChanges(SheetChanges& around);
+  /// `changes` must outlive this object.
+  explicit SpringChanges(SheetChanges& changes);
 
   const DeployingSheet& rigid() const { return rigid_; }
   double n_per_mm() const { return springs().stiffness_n_per_mm; }
@@ -25,9 +25,9 @@ class SpringChanges {
   Eigen::VectorXd energy_row(const AngleGradients& here, const Eigen::VectorXd& forces_n) const;
 
  private:
-  const Springs& springs() const { return around_.options.deploying.sheet.springs; }
+  const Springs& springs() const { return changes_.options.deploying.sheet.springs; }
 
-  SheetChanges& around_;
+  SheetChanges& changes_;
   const DeployingSheet rigid_;
   Eigen::VectorXd side_, preload_n_, rest_mm_;  // s, F s, L_rest
   Eigen::MatrixXd rest_by_mm_;

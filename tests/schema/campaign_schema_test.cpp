@@ -344,6 +344,23 @@ constexpr Mutation kAccepted[] = {
              "misalignment": {"amplitude_mm": 1e-9}})"},
 };
 
+// As what is maximised and as a limit: those of campaigns, and no others.
+TEST(CampaignSchema, KnowsTheGoals) {
+  const Json schema = campaign_schema(), good = campaign_json(default_campaign());
+  for (const solver::Goal& goal : solver::goal_table()) {
+    const std::string name(goal.name),
+        other = goal.unit == std::string("mm") ? "energy_n_mm" : "miscut_margin_mm";
+    for (const Json& keys : {Json{{"maximise", name}},
+                             Json{{"maximise", other}, {"subject_to", {name + " >= 0.1"}}}}) {
+      Json search = {{"method", "optimise"}, {"from_deg", 36}};
+      search.update(keys);
+      const Json value = with(good, "/search", search);
+      EXPECT_EQ(complaint(schema, value).empty(), goal.is_same_everywhere) << value["search"];
+      EXPECT_EQ(refusal(value).empty(), goal.is_same_everywhere) << value["search"];
+    }
+  }
+}
+
 TEST(CampaignSchema, AcceptsWhatTheCodeAccepts) {
   const Json schema = campaign_schema(), good = campaign_json(default_campaign());
   for (const Mutation& mutation : kAccepted) {

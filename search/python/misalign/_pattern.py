@@ -222,9 +222,7 @@ class Pattern:
                  ) -> tuple[Pattern, dict[str, Any]]:
         """A better sheet near this one, and what `misalign optimise --json` says of it.
 
-        `goal`              also `bent_critical_friction_n_mm_per_mm`, `static_friction_n_mm_per_mm`, `energy_n_mm`,
-                            `miscut_margin_mm`, `yield`, `deploys_from_deg`, `thickness_mm`,
-                            `rest_stiffness_n_mm_per_rad`, `spare_diagonals`
+        `goal`              any that `misalign optimise --help` lists
         `amplitude_mm`      no vertex farther in x or y; none: the largest of its own shifts
         `deploys_from_deg`  it still deploys from there; none: its own D
         `ternary`           shifts of nothing or the amplitude alone
@@ -241,8 +239,9 @@ class Pattern:
         """
         said: dict[str, Any] = json.loads(_misalign.optimise(
             self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit, None, thickness_mm, preload_n=preload_n),
-            goal, amplitude_mm, deploys_from_deg, ternary, grid_mm, within_family, list(subject_to),
-            list(stiffness_within), list(preload_within), rest_deg, miscut_mm, trials))
+            goal=goal, amplitude_mm=amplitude_mm, deploys_from_deg=deploys_from_deg, ternary=ternary, grid_mm=grid_mm,
+            within_family=within_family, subject_to=list(subject_to), stiffness_within=list(stiffness_within),
+            preload_within=list(preload_within), rest_deg=rest_deg, miscut_mm=miscut_mm, trials=trials))
         return Pattern(_misalign.read_document(text(said["pattern"]), "optimised")), said
 
     def card(self, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:

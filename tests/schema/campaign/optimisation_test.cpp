@@ -30,12 +30,12 @@ TEST(Optimisation, IsReadAndWritten) {
   const Optimisation& search = *campaign.search.optimisation;
   EXPECT_FALSE(campaign.search.splitting);
   EXPECT_TRUE(campaign.search.stores_sheets());
-  EXPECT_EQ(search.goal, solver::OptimiseGoal::critical_friction);
+  EXPECT_EQ(search.goal, solver::goal_named("critical_friction_n_mm_per_mm"));
   EXPECT_EQ(search.bounds.stroke_max, 0.06);
   EXPECT_EQ(search.bounds.largest_force_n, 20);
   ASSERT_EQ(search.bounds.floors.size(), 1u);
   EXPECT_EQ(search.bounds.floors[0],
-            (solver::OptimiseFloor{solver::OptimiseGoal::miscut_margin, 0.05}));
+            (solver::OptimiseFloor{solver::goal_named("miscut_margin_mm"), 0.05}));
   EXPECT_EQ(search.most_steps, 7u);
   const Json json = campaign_json(campaign);
   EXPECT_EQ(json["search"]["subject_to"],

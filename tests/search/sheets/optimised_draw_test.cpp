@@ -9,9 +9,10 @@
 #include "search/draws/golden_verdicts.hpp"
 #include "search/draws/models.hpp"
 #include "search/ranks/piece_messages.hpp"
+#include "search/sheets/row_certifier.hpp"
 #include "search/sheets/whole_program.hpp"
 #include "search/splitting/climber.hpp"
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 
 namespace misalign::search {
 namespace {

@@ -6,9 +6,10 @@
 #include "solver/contact/contact.hpp"
 #include "solver/motion/actuation.hpp"
 #include "solver/optimise/ascent.hpp"
+#include "solver/optimise/goal_functions.hpp"
+#include "solver/optimise/objective.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
 #include "solver/optimise/thickness_changes.hpp"
-#include "solver/optimise/worth.hpp"
 #include "tests/solver/optimise/optimising.hpp"
 
 namespace misalign::solver {
@@ -27,8 +28,7 @@ class Goals : public Optimising {
 };
 
 struct GoalCase {
-  const char* name;
-  OptimiseGoal goal;
+  const char *name, *goal;
   double rest_deg, preload_n;
   bool with_rate;  // whether the springs' rate may be chosen
   /// What is left out, of the change: how panels' give changes with the vertices; which pair of
@@ -42,7 +42,7 @@ class ForeseenGoals : public Goals, public testing::WithParamInterface<GoalCase>
 // Changes of shifts and springs together; what is left goes with their square.
 TEST_P(ForeseenGoals, ChangeAsTheySay) {
   const GoalCase& what = GetParam();
-  options_.goal = what.goal;
+  options_.goal = goal_named(what.goal);
   springs().rest_deg = what.rest_deg;
   springs().preload.each_n = what.preload_n;
   if (what.with_rate) options_.stiffness_n_per_mm = {10, 100};
@@ -52,7 +52,7 @@ TEST_P(ForeseenGoals, ChangeAsTheySay) {
   double worst = 0, worst_springs = 0;
   for (int trial = 0; trial < 6; ++trial) {
     const Sheet own(solver_, next_start());
-    const auto value = value_by(what.goal, own, options_);
+    const auto value = value_of(*options_.goal, own, options_);
     if (!value || *value <= 0) continue;
     const LocalModel local = *local_model(own, options_);
     const VectorXd none = VectorXd::Zero(local.coordinates);
@@ -67,7 +67,7 @@ TEST_P(ForeseenGoals, ChangeAsTheySay) {
       OptimiseOptions options = options_;
       set_springs(options, there);
       const Sheet other(solver_, there.shifts_mm);
-      return *value_by(what.goal, other, options) - *value - (local.goal(change_mm) - goal);
+      return *value_of(*options_.goal, other, options) - *value - (local.goal(change_mm) - goal);
     };
     constexpr double kSize_mm = 2e-4;
     const VectorXd change_mm = none.unaryExpr([&](double) { return kSize_mm * part(random_); });
@@ -96,14 +96,14 @@ TEST_P(ForeseenGoals, ChangeAsTheySay) {
 INSTANTIATE_TEST_SUITE_P(
     Optimised, ForeseenGoals,
     testing::Values(
-        GoalCase{"energy", OptimiseGoal::energy, 0, 0.1, true, 2e-3},
-        GoalCase{"critical", OptimiseGoal::critical_friction, 0, 0.1, true, 2e-3, 2e-3},
-        GoalCase{"relaxed_elsewhere", OptimiseGoal::energy, 20, 0, true, 2e-3},
-        GoalCase{"bent", OptimiseGoal::bent_critical_friction, 0, 0.02, true, 5e-3, 0.02},
-        GoalCase{"slowly", OptimiseGoal::static_friction, 0, 0.02, true, 5e-3, 0.15, 0.15},
-        GoalCase{"deployed", OptimiseGoal::rest_stiffness, 0, 0.02, false, 5e-3},
-        GoalCase{"stop", OptimiseGoal::rest_stiffness, 60, 0, true, 0.03},
-        GoalCase{"thickness", OptimiseGoal::thickness, 0, 0, false, 0.08, 0.02}),
+        GoalCase{"energy", "energy_n_mm", 0, 0.1, true, 2e-3},
+        GoalCase{"critical", "critical_friction_n_mm_per_mm", 0, 0.1, true, 2e-3, 2e-3},
+        GoalCase{"relaxed_elsewhere", "energy_n_mm", 20, 0, true, 2e-3},
+        GoalCase{"bent", "bent_critical_friction_n_mm_per_mm", 0, 0.02, true, 5e-3, 0.02},
+        GoalCase{"slowly", "static_friction_n_mm_per_mm", 0, 0.02, true, 5e-3, 0.15, 0.15},
+        GoalCase{"deployed", "rest_stiffness_n_mm_per_rad", 0, 0.02, false, 5e-3},
+        GoalCase{"stop", "rest_stiffness_n_mm_per_rad", 60, 0, true, 0.03},
+        GoalCase{"thickness", "thickness_mm", 0, 0, false, 0.08, 0.02}),
     [](const auto& one) { return std::string(one.param.name); });
 
 // The least distance of any two panels, by solving the sheet again.
@@ -215,7 +215,7 @@ TEST_F(Goals, SpareDiagonalsAreThoseOfActuators) {
 
 // Farther than any draw: up to where it is proven.
 TEST_F(Goals, SheetsComeToDeployFromFarther) {
-  options_.goal = OptimiseGoal::deploys_from;
+  options_.goal = goal_named("deploys_from_deg");
   options_.most_steps = 60;
   int farther = 0, turning = 0;
   for (int trial = 0; trial < 2; ++trial) {
@@ -284,8 +284,8 @@ TEST_F(Goals, ACreaseIsFoldedFlatWhereTheySay) {
 }
 
 TEST_F(Goals, ThicknessAndYieldGrowAsTheirStudiesSay) {
-  options_.goal = OptimiseGoal::thickness;
-  options_.most_looks = 20;
+  options_.goal = goal_named("thickness_mm");
+  options_.most_evaluations = 20;
   options_.most_steps = 3;
   const Sheet start(solver_, next_start());
   const Optimised found = *optimise(start, options_);
@@ -295,7 +295,7 @@ TEST_F(Goals, ThicknessAndYieldGrowAsTheirStudiesSay) {
 
   const Model judged(base_.base, base_.shifted_vertices, {}, 150);
   SheetSolver solver(judged);
-  options_.goal = OptimiseGoal::yield;
+  options_.goal = goal_named("yield");
   // Of sheets a little off, by their own verdicts.
   options_.yield = [&](const Sheet& sheet) {
     std::mt19937_64 random(7);
@@ -322,7 +322,7 @@ TEST_F(Goals, ThicknessAndYieldGrowAsTheirStudiesSay) {
 TEST_F(Goals, SpringsAreChosen) {
   for (int trial = 0; trial < 2; ++trial) {
     const Sheet start(solver_, next_start());
-    options_.goal = OptimiseGoal::critical_friction;
+    options_.goal = goal_named("critical_friction_n_mm_per_mm");
     options_.stiffness_n_per_mm.reset();
     options_.largest_force_n = 20;
     springs() = {};
@@ -338,13 +338,13 @@ TEST_F(Goals, SpringsAreChosen) {
     const double n_per_mm = chosen.best().stiffness_n_per_mm;
     set_rate(n_per_mm);
     EXPECT_TRUE(is_strong_enough(end, there));
-    EXPECT_EQ(*value_by(options_.goal, end, there), chosen.best().value);
+    EXPECT_EQ(*value_of(*options_.goal, end, there), chosen.best().value);
     // On its own the rate is as large as the springs bear: friction goes with it.
     set_rate(1.03 * n_per_mm);
     EXPECT_FALSE(is_strong_enough(end, there)) << n_per_mm;
 
     // A preload, of which there is a best one: panels give way to more.
-    options_.goal = OptimiseGoal::static_friction;
+    options_.goal = goal_named("static_friction_n_mm_per_mm");
     options_.largest_force_n.reset();
     options_.stiffness_n_per_mm.reset();
     springs().preload.each_n = 0.005;
@@ -355,7 +355,7 @@ TEST_F(Goals, SpringsAreChosen) {
     for (const double share : {0.8, 1.25}) {
       set_springs(there, {pulled.best().shifts_mm, springs().stiffness_n_per_mm,
                           share * pulled.best().preload_n});
-      EXPECT_LT(*value_by(options_.goal, taut, there), pulled.best().value) << share;
+      EXPECT_LT(*value_of(*options_.goal, taut, there), pulled.best().value) << share;
     }
     options_.preload_n.reset();
   }

@@ -4,7 +4,7 @@
 #include "solver/motion/actuation.hpp"
 #include "solver/motion/equilibria.hpp"
 #include "solver/optimise/local_model.hpp"
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 #include "tests/solver/few_holes.hpp"
 #include "tests/solver/optimise/optimising.hpp"
 
@@ -38,7 +38,7 @@ TEST_F(Optimising, TheLocalModelForeseesItsNeighbours) {
       for (std::size_t k = 0; k < model.rows.size(); ++k) {
         const LocalRow& row = model.rows[k];
         // A fold limit's place changes unevenly next to where it is flat folded.
-        if (row.of == LocalRow::Of::fold_limit || row.pilot_deg != there.rows[k].pilot_deg)
+        if (row.kind == LocalRow::Kind::fold_limit || row.pilot_deg != there.rows[k].pilot_deg)
           continue;
         worst = std::max(worst, std::abs(row.slack + row.row.dot(change_mm) - there.rows[k].slack));
       }
@@ -112,21 +112,21 @@ TEST_F(Optimising, FreeShiftsGoOnFromTernaryOnes) {
   const Sheet end(solver_, found.best().shifts_mm);
   EXPECT_LE(end.metrics()->stroke_max, 0.03);
   ASSERT_TRUE(found.limits);
-  if (found.end != OptimiseEnd::no_step_is_better) return;
+  if (found.stop_reason != StopReason::no_step_is_better) return;
   EXPECT_GT(found.limits->per_share_of_stroke + found.limits->per_mm_of_amplitude, 0);
 }
 
 TEST_F(Optimising, BentPanelsHaveTheirOwnGoals) {
   options_.ternary = true;
   options_.deploying.sheet.springs.preload.each_n = 0.02;
-  for (const OptimiseGoal goal :
-       {OptimiseGoal::bent_critical_friction, OptimiseGoal::static_friction}) {
+  for (const Goal* const goal : {goal_named("bent_critical_friction_n_mm_per_mm"),
+                                 goal_named("static_friction_n_mm_per_mm")}) {
     options_.goal = goal;
     const Matrix2Xd start = next_start(true);
     const Optimised found = *optimise(Sheet(solver_, start), options_);
     const Sheet end(solver_, found.best().shifts_mm);
     const BentFriction friction = bend_panels(end, options_.deploying, options_.bending)->friction;
-    EXPECT_EQ(found.best().value, goal == OptimiseGoal::static_friction
+    EXPECT_EQ(found.best().value, goal == goal_named("static_friction_n_mm_per_mm")
                                       ? friction.static_n_mm_per_mm
                                       : *friction.critical_n_mm_per_mm);
     EXPECT_GT(found.best().value, found.start().value);
@@ -259,7 +259,7 @@ TEST_F(Optimising, MovesWithinAFamily) {
 TEST_F(Optimising, MarginsAgainstMiscutsGrow) {
   const Model model(base_.base, base_.shifted_vertices, {}, 150);
   SheetSolver solver(model);
-  options_.goal = OptimiseGoal::miscut_margin;
+  options_.goal = goal_named("miscut_margin_mm");
   for (int trial = 0; trial < 3; ++trial) {
     const Matrix2Xd shifts_mm = next_start(false);
     const Sheet start(solver, shifts_mm);
@@ -281,7 +281,7 @@ TEST_F(Optimising, KeepsFloors) {
   for (int trial = 0; trial < 3; ++trial) {
     const Sheet start(solver, next_start(false));
     const double margin_mm = *start.record().miscut_margin_mm;
-    options_.floors = {{OptimiseGoal::miscut_margin, 0.999 * margin_mm}};
+    options_.floors = {{goal_named("miscut_margin_mm"), 0.999 * margin_mm}};
     const Optimised found = *optimise(start, options_);
     EXPECT_GT(found.best().value, found.start().value);
     for (const Optimised::Taken& step : found.taken) {
@@ -290,12 +290,12 @@ TEST_F(Optimising, KeepsFloors) {
     if (found.limits) priced += found.limits->per_floor.at(0) > 0;
     // The other way round.
     OptimiseOptions other = options_;
-    other.goal = OptimiseGoal::miscut_margin;
-    other.floors = {{OptimiseGoal::critical_friction, found.start().value}};
+    other.goal = goal_named("miscut_margin_mm");
+    other.floors = {{goal_named("critical_friction_n_mm_per_mm"), found.start().value}};
     const Optimised wide = *optimise(start, other);
     EXPECT_GT(wide.best().value, margin_mm);
     EXPECT_GE(friction(wide.best().shifts_mm), found.start().value);
-    options_.floors = {{OptimiseGoal::miscut_margin, 1.001 * margin_mm}};
+    options_.floors = {{goal_named("miscut_margin_mm"), 1.001 * margin_mm}};
     EXPECT_EQ(optimise(start, options_).fault()->name, "subject_to");
   }
   EXPECT_GT(priced, 0) << "a margin that limits has its price";
@@ -350,7 +350,7 @@ TEST_F(Optimising, RefusesWhatDoesNotFit) {
   const Sheet correct(solver_, 0 * start);
   EXPECT_EQ(optimise(correct, options_).fault()->name, "deploys_from_deg");
   EXPECT_EQ(fault_of([](OptimiseOptions& o) {
-              o.goal = OptimiseGoal::static_friction;
+              o.goal = goal_named("static_friction_n_mm_per_mm");
               o.deploying.sheet.springs.preload.each_n = 5;  // panels give way to it
             }),
             "goal");

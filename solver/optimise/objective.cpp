@@ -1,12 +1,10 @@
-#include "solver/optimise/worth.hpp"
+#include "solver/optimise/objective.hpp"
 
 #include <algorithm>
 
-#include "solver/bending/rest_stiffness.hpp"
-#include "solver/contact/contact.hpp"
+#include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
 #include "solver/optimise/path_gradients.hpp"
-#include "solver/optimise/spare_diagonals.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -68,50 +66,9 @@ double goes_until_deg(const Sheet& sheet) {
       {sheet.way()->end_deg(), reverses_deg.value_or(180), folded_flat_deg(sheet).value_or(180)});
 }
 
-std::optional<double> value_by(OptimiseGoal goal, const Sheet& sheet,
-                               const OptimiseOptions& options) {
-  const DeployOptions& deploying = options.deploying;
-  switch (goal) {
-    case OptimiseGoal::miscut_margin:
-      return sheet.record().miscut_margin_mm;
-    case OptimiseGoal::deploys_from:
-      return goes_until_deg(sheet);
-    case OptimiseGoal::yield:
-      return options.yield(sheet);
-    case OptimiseGoal::thickness: {
-      const auto found = contact(sheet, {{}, options.used_from_deg});
-      return found && found->thickness ? std::optional(found->thickness->thickness_mm)
-                                       : std::nullopt;
-    }
-    case OptimiseGoal::rest_stiffness: {
-      const auto found = rest_stiffness(sheet, deploying, options.bending.material);
-      return found ? std::optional(found->n_mm_per_rad) : std::nullopt;
-    }
-    case OptimiseGoal::spare_diagonals: {
-      const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(),
-                                 deploying.sheet);
-      const auto found = spare_diagonals(sheet, rigid, *deploying.from_deg);
-      return found ? std::optional(found->amount) : std::nullopt;
-    }
-    case OptimiseGoal::energy:
-      return springs_n_mm(sheet, deploying);
-    case OptimiseGoal::critical_friction: {
-      const auto rigid = standstill(sheet, deploying);
-      return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
-    }
-    case OptimiseGoal::bent_critical_friction:
-    case OptimiseGoal::static_friction:
-      break;
-  }
-  const auto bent = bend_panels(sheet, deploying, options.bending);
-  if (!bent || bent->unsure() > 0) return {};
-  if (goal == OptimiseGoal::static_friction) return bent->friction.static_n_mm_per_mm;
-  return bent->friction.critical_n_mm_per_mm;
-}
-
 bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
   return std::ranges::all_of(options.floors, [&](const OptimiseFloor& floor) {
-    const auto value = value_by(floor.of, sheet, options);
+    const auto value = value_of(*floor.goal, sheet, options);
     return value && *value >= floor.least;
   });
 }
@@ -133,11 +90,11 @@ bool keeps_slope(const Sheet& sheet, const Sheet& before, const OptimiseOptions&
   return least >= options.least_slope_mm_per_deg || least >= least_slope_mm_per_deg(before, to_deg);
 }
 
-std::optional<double> worth(const Sheet& sheet, const OptimiseOptions& options) {
+std::optional<double> objective(const Sheet& sheet, const OptimiseOptions& options) {
   if (!fits(sheet, options) || !goes_all_the_way(sheet, options) || !keeps_floors(sheet, options)) {
     return {};
   }
-  return value_by(options.goal, sheet, options);
+  return value_of(*options.goal, sheet, options);
 }
 
 }  // namespace misalign::solver

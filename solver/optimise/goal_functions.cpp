@@ -1,0 +1,110 @@
+#include "solver/optimise/goal_functions.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include "solver/bending/preload.hpp"
+#include "solver/bending/rest_stiffness.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/optimise/local_goals.hpp"
+#include "solver/optimise/objective.hpp"
+#include "solver/optimise/spare_diagonals.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Value = std::optional<double>;
+
+// A value of a study, where it found one.
+template <class Study, class Member>
+Value member_of(const std::optional<Study>& study, Member member) {
+  return study ? Value((*study).*member) : std::nullopt;
+}
+
+Value critical_friction(const Sheet& sheet, const OptimiseOptions& options) {
+  const auto rigid = standstill(sheet, options.deploying);
+  return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
+}
+
+// The friction that panels that bend leave; none where some angles are not sure.
+std::optional<BentFriction> bent_friction(const Sheet& sheet, const OptimiseOptions& options) {
+  const auto bent = bend_panels(sheet, options.deploying, options.bending);
+  return bent && bent->unsure() == 0 ? std::optional(bent->friction) : std::nullopt;
+}
+
+Value bent_critical_friction(const Sheet& sheet, const OptimiseOptions& options) {
+  const auto friction = bent_friction(sheet, options);
+  return friction ? friction->critical_n_mm_per_mm : std::nullopt;
+}
+
+Value static_friction(const Sheet& sheet, const OptimiseOptions& options) {
+  return member_of(bent_friction(sheet, options), &BentFriction::static_n_mm_per_mm);
+}
+
+Value miscut_margin(const Sheet& sheet, const OptimiseOptions&) {
+  return sheet.record().miscut_margin_mm;
+}
+
+Value stored_energy(const Sheet& sheet, const OptimiseOptions& options) {
+  return springs_n_mm(sheet, options.deploying);
+}
+
+Value deployed_angle(const Sheet& sheet, const OptimiseOptions&) { return goes_until_deg(sheet); }
+
+Value stiffness_at_rest(const Sheet& sheet, const OptimiseOptions& options) {
+  return member_of(rest_stiffness(sheet, options.deploying, options.bending.material),
+                   &RestStiffness::n_mm_per_rad);
+}
+
+Value plate_thickness(const Sheet& sheet, const OptimiseOptions& options) {
+  const auto found = contact(sheet, {{}, options.used_from_deg});
+  return found && found->thickness ? Value(found->thickness->thickness_mm) : std::nullopt;
+}
+
+Value share_of_copies(const Sheet& sheet, const OptimiseOptions& options) {
+  return options.yield(sheet);
+}
+
+Value springs_spared(const Sheet& sheet, const OptimiseOptions& options) {
+  const DeployOptions& deploying = options.deploying;
+  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
+  return member_of(spare_diagonals(sheet, rigid, *deploying.from_deg), &SpareDiagonals::amount);
+}
+
+struct Functions {
+  std::string_view name;
+  Value (*value)(const Sheet& sheet, const OptimiseOptions& options);
+  std::vector<LocalGoal> (*linearization)(SheetChanges& changes);
+};
+
+constexpr Functions kFunctions[] = {
+    {"critical_friction_n_mm_per_mm", critical_friction, local_critical_friction},
+    {"bent_critical_friction_n_mm_per_mm", bent_critical_friction, local_bent_critical_friction},
+    {"static_friction_n_mm_per_mm", static_friction, local_static_friction},
+    {"miscut_margin_mm", miscut_margin, local_margin},
+    {"energy_n_mm", stored_energy, local_energy},
+    {"deploys_from_deg", deployed_angle, local_deployed_angle},
+    {"rest_stiffness_n_mm_per_rad", stiffness_at_rest, local_rest_stiffness},
+    {"thickness_mm", plate_thickness, local_thickness},
+    {"yield", share_of_copies, local_margin},
+    {"spare_diagonals", springs_spared, local_spare_diagonals},
+};
+
+const Functions& functions_of(const Goal& goal) {
+  const auto* const found = std::ranges::find(kFunctions, goal.name, &Functions::name);
+  assert(found != std::end(kFunctions));
+  return *found;
+}
+
+}  // namespace
+
+Value value_of(const Goal& goal, const Sheet& sheet, const OptimiseOptions& options) {
+  return functions_of(goal).value(sheet, options);
+}
+
+std::vector<LocalGoal> linearization_of(const Goal& goal, SheetChanges& changes) {
+  return functions_of(goal).linearization(changes);
+}
+
+}  // namespace misalign::solver
