@@ -103,7 +103,7 @@ Json ReportDetails::detail(const solver::Sheet& sheet, std::uint64_t draw, bool 
 
 // Its deployment; null where it cannot be released.
 Json ReportDetails::deployment(const solver::Sheet& sheet) const {
-  solver::DeployOptions options = deploy_options(model_.design(), sheet);
+  solver::ReleaseOptions options = deploy_options(model_.design(), sheet);
   options.from_deg = from_of(sheet);
   const auto study = solver::deploy(sheet, options);
   return study ? schema::page_deployment_json(*study) : Json();

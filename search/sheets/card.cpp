@@ -162,8 +162,8 @@ class CardMaker {
 
   // Panels are bent by springs on the vertices alone.
   void rigid() {
-    const solver::Standstill study =
-        value_or_throw(solver::standstill(sheet_, release_), sheet_.name(), "it has no card");
+    const solver::StaticRelease study =
+        value_or_throw(solver::static_release(sheet_, release_), sheet_.name(), "it has no card");
     margin("energy_margin", "energy margin over the hinges' friction, panels rigid",
            design_.energy_margin.value_or(solver::kWantedMargin),
            study.friction.critical_n_mm_per_mm, release_.sheet.joints.friction_n_mm_per_mm);
@@ -302,7 +302,7 @@ class CardMaker {
   const CardOptions& options_;
   double used_deg_ = 0;
   solver::Actuation springs_;
-  solver::DeployOptions release_;
+  solver::ReleaseOptions release_;
   std::vector<CardLine> lines_;
 };
 

@@ -98,8 +98,8 @@ double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sh
   return taken_n_mm / turned_mm.sum();
 }
 
-solver::DeployOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet) {
-  solver::DeployOptions options;
+solver::ReleaseOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet) {
+  solver::ReleaseOptions options;
   options.from_deg = design.from_deg;
   options.sheet.springs.stiffness_n_per_mm = design.actuators().stiffness_n_per_mm;
   options.sheet.springs.preload = design.actuators().preload;
@@ -117,13 +117,13 @@ solver::DeployOptions deploy_options(const schema::Design& design, const solver:
   return options;
 }
 
-solver::DeployOptions DeployInput::of(const solver::Sheet& sheet,
-                                      const schema::Design& of_file) const {
+solver::ReleaseOptions DeployInput::of(const solver::Sheet& sheet,
+                                       const schema::Design& of_file) const {
   schema::Design said = design;
   if (held) said.hold = place_of(*held);
   if (gravity.size() == 3) said.gravity = {gravity[0], gravity[1], gravity[2]};
-  const solver::DeployOptions its = deploy_options(said.instead_of(of_file), sheet);
-  solver::DeployOptions fitted = options;
+  const solver::ReleaseOptions its = deploy_options(said.instead_of(of_file), sheet);
+  solver::ReleaseOptions fitted = options;
   fitted.from_deg = its.from_deg;
   fitted.sheet.springs.stiffness_n_per_mm = its.sheet.springs.stiffness_n_per_mm;
   fitted.sheet.springs.preload = its.sheet.springs.preload;

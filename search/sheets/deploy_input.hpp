@@ -11,15 +11,15 @@
 namespace misalign::search {
 
 struct DeployInput {
-  solver::DeployOptions options;  ///< but for what follows
-  schema::Design design;          ///< what is said goes before the file's
+  solver::ReleaseOptions options;  ///< but for what follows
+  schema::Design design;           ///< what is said goes before the file's
   std::optional<double> density_g_per_cm3;
   std::vector<std::string> other_rests;  ///< "A11-A17=60"
   std::optional<std::string> held;       ///< "0,0": row and column of a panel
   std::vector<double> gravity;           ///< x, y, z in standard gravities, or none
 
   /// With the file's design. UserError (bad_request) where they do not fit its panels or diagonals.
-  solver::DeployOptions of(const solver::Sheet& sheet, const schema::Design& of_file) const;
+  solver::ReleaseOptions of(const solver::Sheet& sheet, const schema::Design& of_file) const;
 };
 
 /// The dry friction of a sheet's creases, as the design says it or as their films lose it from
@@ -28,7 +28,7 @@ double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sh
 
 /// How a sheet of this design is let go. UserError (bad_request) where it has no such panel to
 /// hold.
-solver::DeployOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet);
+solver::ReleaseOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet);
 
 /// How panels of this design bend: of its material, otherwise aluminium.
 solver::BentPanelsOptions bending(const schema::Design& design);

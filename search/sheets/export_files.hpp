@@ -26,7 +26,7 @@ struct ExportOptions {
   bool joined = false;                         ///< with `fold`: with fillers that join all panels
   bool creases = false;                        ///< with `csv`: also the table of fold angles
   double every_deg = 0;                        ///< with `csv`: as in diagonal_rows()
-  ReleaseOptions release;                      ///< of `mjcf` and `inp`; `stl` has its plates
+  SimulationStart release;                     ///< of `mjcf` and `inp`; `stl` has its plates
   std::optional<double> friction_n_mm_per_mm;  ///< of `mjcf`, instead of the design's
   schema::DeckOptions deck;                    ///< of `inp`
   std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern

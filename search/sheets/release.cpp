@@ -14,7 +14,7 @@ namespace {
 using schema::shown_number;
 using schema::UserError;
 
-double start_deg(const solver::Sheet& sheet, const ReleaseOptions& options) {
+double start_deg(const solver::Sheet& sheet, const SimulationStart& options) {
   const double deploys_from_deg = sheet.deploys_from_deg();
   if (!options.from_deg && deploys_from_deg <= 0) {
     throw UserError(schema::Cause::bad_request,
@@ -91,7 +91,7 @@ Eigen::Matrix3Xd flat_shape(const solver::FlatVertices& vertices_mm) {
 }  // namespace
 
 schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& sheet,
-                               const ReleaseOptions& options, const std::string& title) {
+                               const SimulationStart& options, const std::string& title) {
   need_springs_at_vertices(sheet.base().springs, "what other programs simulate");
   if (const solver::Preload& preload = model.actuators().preload; preload.is_any()) {
     throw UserError(solver::OptionFault{

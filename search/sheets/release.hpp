@@ -8,7 +8,7 @@
 
 namespace misalign::search {
 
-struct ReleaseOptions {
+struct SimulationStart {
   /// The angle of release: solver::kDeployFrom_deg, or D if that is less.
   std::optional<double> from_deg;
   /// The pilot angle at which the springs are relaxed.
@@ -19,6 +19,6 @@ struct ReleaseOptions {
 /// `sheet` is of this model; `title` stands in files. UserError: 2 if the sheet has no such folded
 /// states, or no start is named for one that deploys from nothing; 6 as check_shapes.
 schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& sheet,
-                               const ReleaseOptions& options, const std::string& title);
+                               const SimulationStart& options, const std::string& title);
 
 }  // namespace misalign::search

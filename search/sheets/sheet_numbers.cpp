@@ -15,7 +15,7 @@ using Number = std::optional<double>;
 
 // What a sheet's numbers come from; each is found where one of them needs it.
 struct Found {
-  std::optional<solver::Standstill> standstill;
+  std::optional<solver::StaticRelease> standstill;
   Number springs_n_mm;
   std::optional<solver::DeploymentStudy> motion;
   std::optional<solver::ContactStudy> contact;
@@ -85,11 +85,11 @@ static_assert(std::size(kFunctions) == kNumberCount);
 using Needed = std::array<bool, 5>;  // by Needs
 
 Found find(const solver::Sheet& sheet, const schema::Design& design,
-           const solver::DeployOptions& options, std::optional<double> from_deg,
+           const solver::ReleaseOptions& options, std::optional<double> from_deg,
            const Needed& needed) {
   const auto needs = [&](Needs what) { return needed[static_cast<std::size_t>(what)]; };
   Found found;
-  if (needs(Needs::standstill)) found.standstill = solver::standstill(sheet, options).if_any();
+  if (needs(Needs::standstill)) found.standstill = solver::static_release(sheet, options).if_any();
   if (needs(Needs::springs)) found.springs_n_mm = solver::springs_n_mm(sheet, options);
   if (needs(Needs::motion)) found.motion = solver::deploy(sheet, options).if_any();
   if (needs(Needs::contact)) found.contact = solver::contact(sheet, {{}, from_deg}).if_any();
@@ -129,7 +129,7 @@ StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& desi
     used.from_deg = used_deg;
     if (!used_deg && from_d) used.from_deg = sheet.deploys_from_deg();
     if (!used_deg && !from_d && deploys_from_36) used.from_deg = solver::kDeployFrom_deg;
-    const solver::DeployOptions options = deploy_options(used, sheet);
+    const solver::ReleaseOptions options = deploy_options(used, sheet);
     const Found found = find(sheet, design, options, used_deg, needed);
     for (std::size_t k = 0; k < kNumberCount; ++k) {
       if (!wanted[k] || kFunctions[k].from_d != from_d) continue;

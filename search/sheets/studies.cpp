@@ -84,12 +84,13 @@ solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& des
   return solver::actuate(sheet, design.actuators(), design.from_deg);
 }
 
-solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options) {
+solver::DeploymentStudy deployed(const solver::Sheet& sheet,
+                                 const solver::ReleaseOptions& options) {
   return value_or_throw(solver::deploy(sheet, options), sheet.name(), "it cannot be let go");
 }
 
 std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
-                                        const solver::DeployOptions& deploying,
+                                        const solver::ReleaseOptions& deploying,
                                         const schema::Design& design) {
   if (!design.pin_friction_mm) return {};
   return value_or_throw(
@@ -97,7 +98,7 @@ std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
       sheet.name(), "its pins cannot be loaded");
 }
 
-schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
+schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& deploying,
                              const schema::Design& design) {
   solver::BentPanels panels = value_or_throw(solver::bend_panels(sheet, deploying, bending(design)),
                                              sheet.name(), "its panels cannot be bent");
@@ -111,7 +112,7 @@ schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOpt
   return {design.material.value_or(schema::Material{}), std::move(panels), advice, preload};
 }
 
-ReleasedSheet released_sheet(const solver::Sheet& sheet, const solver::DeployOptions& options,
+ReleasedSheet released_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& options,
                              const schema::Design& design, bool bends) {
   ReleasedSheet found{deployed(sheet, options), {}, {}};
   if (bends) found.bent = bent_sheet(sheet, options, design);

@@ -31,15 +31,15 @@ solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::Contac
 solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design);
 
 /// The sheet let go.
-solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options);
+solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::ReleaseOptions& options);
 
 /// What pins it overcomes, with the design's, or nothing where it says none.
 std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
-                                        const solver::DeployOptions& deploying,
+                                        const solver::ReleaseOptions& deploying,
                                         const schema::Design& design);
 
 /// Its panels bent.
-schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
+schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& deploying,
                              const schema::Design& design);
 
 /// All that `misalign deploy` finds of a sheet.
@@ -48,7 +48,7 @@ struct ReleasedSheet {
   std::optional<schema::BentSheet> bent;  ///< where its panels bend
   std::optional<solver::PinStudy> pins;
 };
-ReleasedSheet released_sheet(const solver::Sheet& sheet, const solver::DeployOptions& options,
+ReleasedSheet released_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& options,
                              const schema::Design& design, bool bends);
 
 /// The sheet of the parallel family of a base read from `path`, shifting its inner vertices alone

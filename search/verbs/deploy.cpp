@@ -33,7 +33,7 @@ void show_deployment(DeployCall call) {
   read_material(call.material_file, call.input.design);
   const Subject subject = choose_sheet(call.path, call.draw, call.input.design);
   const auto& [chosen, model, sheet] = subject;
-  solver::DeployOptions options = call.input.of(sheet, chosen.design);
+  solver::ReleaseOptions options = call.input.of(sheet, chosen.design);
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
   const bool bends =
       call.panels ? *call.panels == PanelKind::bend : panels_bend(model.design(), sheet);

@@ -78,8 +78,8 @@ void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm) {
       ->type_name("MM");
 }
 
-ReleaseOptions ReleaseCall::of(const schema::Design& whole) const {
-  ReleaseOptions release{whole.from_deg, rest_deg, whole.plates()};
+SimulationStart ReleaseCall::of(const schema::Design& whole) const {
+  SimulationStart release{whole.from_deg, rest_deg, whole.plates()};
   if (density_g_per_cm3) release.plates.density_g_per_cm3 = *density_g_per_cm3;
   return release;
 }

@@ -37,11 +37,11 @@ inline constexpr double kLeastDensity_g_per_cm3 = 1e-3, kMostDensity_g_per_cm3 =
 /// Those, --rest-deg and --density: of a released sheet.
 struct ReleaseCall {
   schema::Design design;  ///< what was typed
-  double rest_deg = ReleaseOptions{}.rest_deg;
+  double rest_deg = SimulationStart{}.rest_deg;
   std::optional<double> density_g_per_cm3;  ///< the material's otherwise
 
   /// Of a sheet of this design, in which what was typed is already.
-  ReleaseOptions of(const schema::Design& whole) const;
+  SimulationStart of(const schema::Design& whole) const;
 };
 void add_release(CLI::App& verb, ReleaseCall& call);
 

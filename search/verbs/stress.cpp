@@ -114,7 +114,7 @@ class StressProgress {
 // With rigid panels; it is the way that the motion tends to as panels get stiffer.
 std::vector<solver::DeploymentRow> rigid_motion(const solver::Sheet& sheet,
                                                 const schema::SimulatedSheet& released) {
-  solver::DeployOptions options;
+  solver::ReleaseOptions options;
   options.from_deg = released.pilot_deg;
   options.sheet.springs.stiffness_n_per_mm = released.stiffness_n_per_mm;
   options.sheet.springs.rest_deg = released.rest_deg;
@@ -128,7 +128,7 @@ void show_stress(StressCall& call) {
   const schema::DeckOptions deck = call.deck.of(model.design());
   call.options.deck.elements = deck.elements;
   call.options.deck.material = deck.material;
-  const ReleaseOptions how = call.release.of(model.design());
+  const SimulationStart how = call.release.of(model.design());
   const schema::SimulatedSheet released = release(model, sheet, how, "misalign: " + chosen.name());
   warn_beyond_d(sheet, how.from_deg);
   if (released.rest_deg > 0) call.options.flat_deg = 0;

@@ -109,15 +109,15 @@ std::optional<double> useful_stiffness_n_per_mm(const BentWay& way) {
   return least_stiffness(way, BendMethod::newton, kUseful * *far, *stiff, *far);
 }
 
-BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,
+BentAdvice advise(const Sheet& sheet, const ReleaseOptions& deploying, const BentPanels& study,
                   double wanted_margin) {
-  const DeployingOptions& held = deploying.sheet;
+  const EnergyOptions& held = deploying.sheet;
   const BentWay way(sheet, study.options.material, study.thickness_mm, study.options.to_deg,
                     study.from_deg, study.options.angles);
   BentAdvice advice{useful_stiffness_n_per_mm(way), wanted_margin, {}};
   const double friction = held.joints.friction_n_mm_per_mm;
   if (friction <= 0) return advice;
-  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
+  const EnergyModel rigid(sheet, held);
   const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
   advice.least_thickness_mm =
       least_thickness(sheet, study, springs, friction, wanted_margin, other_moments(rigid));

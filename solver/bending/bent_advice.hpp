@@ -22,7 +22,7 @@ struct BentAdvice {
 inline constexpr double kMostThick_mm = 50;
 
 /// `study`: of this sheet and these options.
-BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,
+BentAdvice advise(const Sheet& sheet, const ReleaseOptions& deploying, const BentPanels& study,
                   double wanted_margin = kWantedMargin);
 
 }  // namespace misalign::solver

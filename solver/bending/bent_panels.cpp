@@ -88,12 +88,12 @@ void find_critical(const EnergyCurve& curve, const OtherMomentsAt& others, BentF
 
 }  // namespace
 
-OtherMomentsAt other_moments(const DeployingSheet& sheet) {
+OtherMomentsAt other_moments(const EnergyModel& sheet) {
   const double flat_n_mm = sheet.all_else(0).energy;
   return [&sheet, flat_n_mm](double pilot_deg) {
     const double x = sheet.way().x_of(pilot_deg);
-    const DeployingSheet::Potential rest = sheet.all_else(x);
-    const DeployingSheet::Turning turning = sheet.turning(x);
+    const EnergyModel::Potential rest = sheet.all_else(x);
+    const EnergyModel::Turning turning = sheet.turning(x);
     return OtherMoments{
         rest.energy - flat_n_mm, rest.slope / turning.creases_mm,
         sheet.options().joints.ball_friction_n_mm * turning.balls / turning.creases_mm};
@@ -231,12 +231,12 @@ int BentPanels::unsure() const {
                                         [](const auto& angle) { return !angle.is_sure; }));
 }
 
-StudyResult<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
+StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& deploying,
                                     const BentPanelsOptions& options) {
-  const StudyResult<DeployOptions> fitted = fitted_release(sheet, deploying);
+  const StudyResult<ReleaseOptions> fitted = validated_release(sheet, deploying);
   if (!fitted) return fitted.obstacle();
   const double from_deg = fitted->motion.from_deg;
-  const DeployingOptions& held = deploying.sheet;
+  const EnergyOptions& held = deploying.sheet;
   if (!sheet.base().springs.at_vertices()) {
     return OptionFault{
         "panels", "bend",
@@ -259,7 +259,7 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& dep
   const BentWay way(sheet, options.material, thickness_mm, options.to_deg, from_deg,
                     options.angles);
   if (!way.is_known()) return NoResult::panels_not_stable;
-  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
+  const EnergyModel rigid(sheet, held);
   const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
   const auto [method, newton_over_linear] =
       options.method ? Bending{*options.method, 1} : way.bending(springs);

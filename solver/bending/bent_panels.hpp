@@ -86,7 +86,7 @@ struct OtherMoments {
   double n_mm, moment_n, balls_n;
 };
 using OtherMomentsAt = std::function<OtherMoments(double pilot_deg)>;
-OtherMomentsAt other_moments(const DeployingSheet& sheet);
+OtherMomentsAt other_moments(const EnergyModel& sheet);
 
 /// Of one angle between the start and `to_deg`: N mm of moment for each mm of crease.
 struct StaticMargin {
@@ -126,7 +126,7 @@ struct BentPanels {
 };
 /// Faults: of the angles as `deploy`, springs that only pull, an angle `to_deg` that does not lie
 /// below the start. Reasons: path_lost; panels_not_stable at one of the angles.
-StudyResult<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
+StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& deploying,
                                     const BentPanelsOptions& options = {});
 
 }  // namespace misalign::solver

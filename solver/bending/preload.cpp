@@ -112,13 +112,13 @@ BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
   return best > without ? BestPreload{best_n, best} : BestPreload{0, without};
 }
 
-StudyResult<PreloadStudy> study_preload(const Sheet& sheet, const DeployOptions& deploying,
+StudyResult<PreloadStudy> study_preload(const Sheet& sheet, const ReleaseOptions& deploying,
                                         const BentPanels& bent) {
   const Springs& springs = deploying.sheet.springs;
   const PanelMaterial& material = bent.options.material;
   const BentWay way(sheet, material, bent.thickness_mm, bent.options.to_deg, bent.from_deg,
                     bent.options.angles);
-  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
+  const EnergyModel rigid(sheet, deploying.sheet);
   const double n_per_mm = springs.stiffness_n_per_mm;
   const double preload_n = springs.preload.largest_n();
   const VectorXd shares = springs.preload.forces_n(sheet.mechanism().diagonals) / preload_n;

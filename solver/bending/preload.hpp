@@ -61,7 +61,7 @@ struct PreloadStudy {
 };
 /// Of the springs with which the panels were bent (`bend_panels` of the same sheet and options).
 /// Reasons: panels_not_stable next to flat.
-StudyResult<PreloadStudy> study_preload(const Sheet& sheet, const DeployOptions& deploying,
+StudyResult<PreloadStudy> study_preload(const Sheet& sheet, const ReleaseOptions& deploying,
                                         const BentPanels& bent);
 
 }  // namespace misalign::solver

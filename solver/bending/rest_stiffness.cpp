@@ -6,7 +6,7 @@ namespace misalign::solver {
 
 using Eigen::VectorXd;
 
-std::optional<RestStiffness> rest_stiffness(const Sheet& sheet, const DeployOptions& deploying,
+std::optional<RestStiffness> rest_stiffness(const Sheet& sheet, const ReleaseOptions& deploying,
                                             const PanelMaterial& material) {
   const Springs& springs = deploying.sheet.springs;
   const double thickness_mm = deploying.sheet.plates.thickness_mm;

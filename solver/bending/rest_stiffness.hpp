@@ -19,7 +19,7 @@ struct RestStiffness {
 
 /// None where the path is lost or ends there, where springs rest at several angles, or at a stop
 /// with a preload.
-std::optional<RestStiffness> rest_stiffness(const Sheet& sheet, const DeployOptions& deploying,
+std::optional<RestStiffness> rest_stiffness(const Sheet& sheet, const ReleaseOptions& deploying,
                                             const PanelMaterial& material);
 
 }  // namespace misalign::solver

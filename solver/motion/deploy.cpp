@@ -17,7 +17,7 @@ std::vector<double> wells_of(const std::vector<Equilibrium>& equilibria) {
 }
 
 // Of the angles that must lie on the way: the first that does not.
-std::optional<OptionFault> angle_fault(const Sheet& sheet, const DeployOptions& options) {
+std::optional<OptionFault> angle_fault(const Sheet& sheet, const ReleaseOptions& options) {
   const FoldingWay& way = *sheet.way();
   double end_deg = way.end_deg();
   std::string reason =
@@ -84,9 +84,9 @@ std::optional<double> DeploymentStudy::barrier_n_mm() const {
 }
 
 DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
-                                 const DeployingOptions& sheet, const DeploymentOptions& options,
+                                 const EnergyOptions& sheet, const DeploymentOptions& options,
                                  const std::optional<JointForcesOptions>& forces) {
-  const DeployingSheet deploying(way, model.shape(), model.base(), sheet);
+  const EnergyModel deploying(way, model.shape(), model.base(), sheet);
   DeploymentStudy study{};
   study.sheet = sheet;
   study.options = options;
@@ -107,20 +107,20 @@ DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
 }
 
 std::optional<double> critical_friction_in_motion(const FoldingWay& way, const Model& model,
-                                                  const DeployingOptions& sheet,
+                                                  const EnergyOptions& sheet,
                                                   const DeploymentOptions& options,
                                                   double relative) {
-  DeployingOptions tried = sheet;
+  EnergyOptions tried = sheet;
   const auto arrives = [&](double friction_n_mm_per_mm) {
     tried.joints.friction_n_mm_per_mm = friction_n_mm_per_mm;
-    const DeployingSheet deploying(way, model.shape(), model.base(), tried);
+    const EnergyModel deploying(way, model.shape(), model.base(), tried);
     const Outcome outcome =
         deploy(deploying, wells_of(find_equilibria(deploying)), options).outcome;
     return outcome == Outcome::passed_flat || outcome == Outcome::latched ||
            outcome == Outcome::flat;
   };
   tried.joints.friction_n_mm_per_mm = 0;
-  const DeployingSheet without(way, model.shape(), model.base(), tried);
+  const EnergyModel without(way, model.shape(), model.base(), tried);
   const auto bound = find_friction_limits(without, options.from_deg).critical_n_mm_per_mm;
   if (!bound || !arrives(0)) return {};
   double arriving = 0, held = *bound * (1 + relative);  // no damping lets it bear more
@@ -154,9 +154,9 @@ std::optional<LeastDamping> least_damping(const std::function<Deployment(double)
   return LeastDamping{resting, run.last().time_s};
 }
 
-StudyResult<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options) {
+StudyResult<ReleaseOptions> validated_release(const Sheet& sheet, const ReleaseOptions& options) {
   if (!sheet.way()) return NoResult::path_lost;
-  DeployOptions from = options;
+  ReleaseOptions from = options;
   from.motion.from_deg = options.from_deg.value_or(kDeployFrom_deg);
   if (!options.from_deg && sheet.deploys_from_deg() > 0) {
     from.motion.from_deg = std::min(from.motion.from_deg, sheet.deploys_from_deg());
@@ -166,24 +166,24 @@ StudyResult<DeployOptions> fitted_release(const Sheet& sheet, const DeployOption
   return from;
 }
 
-StudyResult<Standstill> standstill(const Sheet& sheet, const DeployOptions& options) {
-  const StudyResult<DeployOptions> fitted = fitted_release(sheet, options);
+StudyResult<StaticRelease> static_release(const Sheet& sheet, const ReleaseOptions& options) {
+  const StudyResult<ReleaseOptions> fitted = validated_release(sheet, options);
   if (!fitted) return fitted.obstacle();
   const FoldingWay& way = *sheet.way();
   const double from_deg = fitted->motion.from_deg;
-  const DeployingSheet deploying(way, sheet.model().shape(), sheet.model().base(), options.sheet);
-  return Standstill{from_deg, deploying.at(way.x_of(from_deg)).springs_n_mm,
-                    find_friction_limits(deploying, from_deg)};
+  const EnergyModel deploying(sheet, options.sheet);
+  return StaticRelease{from_deg, deploying.at(way.x_of(from_deg)).springs_n_mm,
+                       find_friction_limits(deploying, from_deg)};
 }
 
-std::optional<double> springs_n_mm(const Sheet& sheet, const DeployOptions& options) {
-  if (const auto study = standstill(sheet, options)) return study->springs_n_mm;
+std::optional<double> springs_n_mm(const Sheet& sheet, const ReleaseOptions& options) {
+  if (const auto study = static_release(sheet, options)) return study->springs_n_mm;
   // By the state that was solved there: next to where it is folded flat ways are off.
   if (!sheet.way() || options.from_deg != sheet.deploys_from_deg() ||
       preload_fault(options.sheet.springs)) {
     return {};
   }
-  const DeployingSheet deploying(*sheet.way(), sheet.model().shape(), sheet.base(), options.sheet);
+  const EnergyModel deploying(sheet, options.sheet);
   const Springs& springs = options.sheet.springs;
   Eigen::VectorXd longer_mm =
       sheet.history().length_mm.row(sheet.rows_up_to_d() - 1).transpose() - deploying.relaxed_mm();
@@ -191,9 +191,9 @@ std::optional<double> springs_n_mm(const Sheet& sheet, const DeployOptions& opti
   return springs.stiffness_n_per_mm * longer_mm.squaredNorm() / 2;
 }
 
-StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options) {
+StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const ReleaseOptions& options) {
   if constexpr (!has("SUNDIALS")) return NoResult::not_in_this_build;
-  const StudyResult<DeployOptions> fitted = fitted_release(sheet, options);
+  const StudyResult<ReleaseOptions> fitted = validated_release(sheet, options);
   if (!fitted) return fitted.obstacle();
   const FoldingWay* const way = sheet.way();
   const DeploymentOptions& motion = fitted->motion;
@@ -210,9 +210,9 @@ StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& opt
     bare.restitution = {};
     bare.swings = 0;
     study.least_damping = least_damping([&](double damping) {
-      DeployingOptions tried = options.sheet;
+      EnergyOptions tried = options.sheet;
       tried.joints.damping_n_mm_s_per_mm = damping;
-      const DeployingSheet deploying(*way, sheet.model().shape(), sheet.base(), tried);
+      const EnergyModel deploying(sheet, tried);
       return deploy(deploying, wells_of(find_equilibria(deploying)), bare);
     });
   }

@@ -13,9 +13,9 @@
 
 namespace misalign::solver {
 
-struct DeployOptions {
+struct ReleaseOptions {
   std::optional<double> from_deg;  ///< none: kDeployFrom_deg, or D where that is less
-  DeployingOptions sheet;
+  EnergyOptions sheet;
   DeploymentOptions motion;                  ///< but for its start
   std::optional<JointForcesOptions> forces;  ///< none: they are not found
   bool seeks_damping = false;                ///< the least with which it does not pass flat
@@ -29,7 +29,7 @@ struct LeastDamping {
 };
 
 struct DeploymentStudy {
-  DeployingOptions sheet;
+  EnergyOptions sheet;
   DeploymentOptions options;
   double mass_t;
   std::vector<Equilibrium> equilibria;
@@ -51,7 +51,7 @@ struct DeploymentStudy {
 };
 
 /// What holds at its start, and no motion is needed for.
-struct Standstill {
+struct StaticRelease {
   double from_deg, springs_n_mm;  ///< where it is let go, and the energy of the springs there
   FrictionLimits friction;
 };
@@ -63,30 +63,30 @@ std::optional<LeastDamping> least_damping(const std::function<Deployment(double)
 /// `options.from_deg` and the angles at which springs and creases are relaxed must lie on the way.
 /// With the forces in the joints if `forces` says how.
 DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
-                                 const DeployingOptions& sheet, const DeploymentOptions& options,
+                                 const EnergyOptions& sheet, const DeploymentOptions& options,
                                  const std::optional<JointForcesOptions>& forces = {});
 
 /// The largest crease friction with which it gets to flat, damping and all, by letting it go again
 /// and again: to `relative` of itself. None if it does not get there without friction.
 std::optional<double> critical_friction_in_motion(const FoldingWay& way, const Model& model,
-                                                  const DeployingOptions& sheet,
+                                                  const EnergyOptions& sheet,
                                                   const DeploymentOptions& options,
                                                   double relative = 1e-4);
 
 /// The same with the start that is meant (in `motion`), where it lies on the sheet's way as all
 /// other angles do, and springs can have their preload: what studies of a release begin with.
 /// Reasons: path_lost.
-StudyResult<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options);
+StudyResult<ReleaseOptions> validated_release(const Sheet& sheet, const ReleaseOptions& options);
 /// The same without the motion, and so at a tenth of the cost. Faults as those of deploy().
 /// Reasons: path_lost.
-StudyResult<Standstill> standstill(const Sheet& sheet, const DeployOptions& options = {});
+StudyResult<StaticRelease> static_release(const Sheet& sheet, const ReleaseOptions& options = {});
 /// The energy of the springs where it would be let go, at a D of 180 degrees too, where it is
 /// folded flat and nothing moves it. None where the angle does not lie on its way.
-std::optional<double> springs_n_mm(const Sheet& sheet, const DeployOptions& options);
+std::optional<double> springs_n_mm(const Sheet& sheet, const ReleaseOptions& options);
 
 /// Lets a sheet go. Faults: the start, or an angle at which springs or creases are relaxed, does
 /// not lie on its way. With damping the critical friction is the one in motion. Reasons:
 /// path_lost; not_in_this_build, where it is without SUNDIALS.
-StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options = {});
+StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const ReleaseOptions& options = {});
 
 }  // namespace misalign::solver

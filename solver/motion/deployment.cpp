@@ -15,7 +15,7 @@ namespace {
 constexpr double kRelaxed_mm = 1e-8;
 
 // Time is counted in units of the sheet's own, in which the way takes about 1.
-double time_unit_s(const DeployingSheet& sheet, double from_x, const std::vector<double>& wells_x) {
+double time_unit_s(const EnergyModel& sheet, double from_x, const std::vector<double>& wells_x) {
   const EnergyAt start = sheet.at(from_x);
   double released = std::abs(start.potential - sheet.at(0).potential);
   for (const double x : wells_x) {
@@ -30,7 +30,7 @@ constexpr double kCreep_deg = 1e-5;
 
 class Run {
  public:
-  Run(const DeployingSheet& sheet, const std::vector<double>& wells_x,
+  Run(const EnergyModel& sheet, const std::vector<double>& wells_x,
       const DeploymentOptions& options)
       : sheet_(sheet),
         way_(sheet.way()),
@@ -233,7 +233,7 @@ class Run {
     return std::move(run_);
   }
 
-  const DeployingSheet& sheet_;
+  const EnergyModel& sheet_;
   const FoldingWay& way_;
   const DeploymentOptions& options_;
   const double from_x_, unit_s_;
@@ -269,7 +269,7 @@ const char* name_of(Outcome outcome) {
   return "failed";
 }
 
-Deployment deploy(const DeployingSheet& sheet, const std::vector<double>& wells_x,
+Deployment deploy(const EnergyModel& sheet, const std::vector<double>& wells_x,
                   const DeploymentOptions& options) {
   if constexpr (has("SUNDIALS")) return Run(sheet, wells_x, options).run();
   throw std::logic_error("built without SUNDIALS, nothing deploys");

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "solver/motion/deploying_sheet.hpp"
+#include "solver/motion/energy_model.hpp"
 
 namespace misalign::solver {
 
@@ -58,7 +58,7 @@ struct Deployment {
 
 /// `sheet`'s way must reach beyond from_deg. `wells_x`: where its potential has minima
 /// (find_wells). Only where this build has SUNDIALS.
-Deployment deploy(const DeployingSheet& sheet, const std::vector<double>& wells_x,
+Deployment deploy(const EnergyModel& sheet, const std::vector<double>& wells_x,
                   const DeploymentOptions& options);
 
 }  // namespace misalign::solver

@@ -17,13 +17,13 @@ constexpr double kFlat = 1e-6;
 constexpr double kStill_mm = 1e-8;
 
 // As much as the energy of such springs changes on the way.
-double still_n_mm(const DeployingSheet& sheet) {
+double still_n_mm(const EnergyModel& sheet) {
   const Springs& springs = sheet.options().springs;
   return kStill_mm * static_cast<double>(sheet.relaxed_mm().size()) *
          (springs.stiffness_n_per_mm * kStill_mm + springs.preload.largest_n());
 }
 
-double root_of_slope(const DeployingSheet& sheet, double low, double high) {
+double root_of_slope(const EnergyModel& sheet, double low, double high) {
   const bool rises = sheet.at(high).slope > 0;
   for (int k = 0; k < 60; ++k) {
     const double middle = (low + high) / 2;
@@ -32,7 +32,7 @@ double root_of_slope(const DeployingSheet& sheet, double low, double high) {
   return (low + high) / 2;
 }
 
-Equilibrium equilibrium_at(const DeployingSheet& sheet, double x, bool is_well) {
+Equilibrium equilibrium_at(const EnergyModel& sheet, double x, bool is_well) {
   constexpr double kStep = 1e-4;
   const double rate = sheet.way().pilot_rate(x);
   const double bend = (sheet.at(x + kStep).slope - sheet.at(x - kStep).slope) / (2 * kStep);
@@ -43,12 +43,12 @@ Equilibrium equilibrium_at(const DeployingSheet& sheet, double x, bool is_well) 
 struct Descent {
   double x;
   double springs, else_n_mm;  // fall of the unit springs' energy, and of all else
-  double creases_mm, balls;   // integrals of DeployingSheet::Turning
+  double creases_mm, balls;   // integrals of EnergyModel::Turning
 };
 
 class DescentToFlat {
  public:
-  DescentToFlat(const DeployingSheet& sheet, double from_x)
+  DescentToFlat(const EnergyModel& sheet, double from_x)
       : sheet_(sheet),
         springs_(sheet.unit_springs(from_x).energy),
         else_(sheet.all_else(from_x).energy) {
@@ -73,13 +73,13 @@ class DescentToFlat {
   /// What all of these are at the start per unit of x, downwards.
   Descent at_start() const {
     const double x = path_.front().x;
-    const DeployingSheet::Turning turning = sheet_.turning(x);
+    const EnergyModel::Turning turning = sheet_.turning(x);
     return {x, sheet_.unit_springs(x).slope, sheet_.all_else(x).slope, turning.creases_mm,
             turning.balls};
   }
 
  private:
-  const DeployingSheet& sheet_;
+  const EnergyModel& sheet_;
   const double springs_, else_;
   std::vector<Descent> path_;
 };
@@ -121,7 +121,7 @@ Least least_over(const DescentToFlat& descent, const Quotient& quotient) {
   return least;
 }
 
-double stall_of(const DeployingSheet& sheet, const std::vector<Descent>& path) {
+double stall_of(const EnergyModel& sheet, const std::vector<Descent>& path) {
   const auto is_held = [&](double x) {
     const EnergyAt here = sheet.at(x);
     return here.slope <= here.friction;
@@ -145,7 +145,7 @@ double stall_of(const DeployingSheet& sheet, const std::vector<Descent>& path) {
 
 }  // namespace
 
-std::vector<Equilibrium> find_equilibria(const DeployingSheet& sheet) {
+std::vector<Equilibrium> find_equilibria(const EnergyModel& sheet) {
   const FoldingWay& way = sheet.way();
   const int half = kPerStation * static_cast<int>(way.stations().size());
   std::vector<Equilibrium> found;
@@ -168,7 +168,7 @@ std::vector<Equilibrium> find_equilibria(const DeployingSheet& sheet) {
   return found;
 }
 
-FrictionLimits find_friction_limits(const DeployingSheet& sheet, double from_deg) {
+FrictionLimits find_friction_limits(const EnergyModel& sheet, double from_deg) {
   const double from_x = sheet.way().x_of(from_deg);
   const DescentToFlat descent(sheet, from_x);
   const double stiffness = sheet.options().springs.stiffness_n_per_mm;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "solver/motion/deploying_sheet.hpp"
+#include "solver/motion/energy_model.hpp"
 
 namespace misalign::solver {
 
@@ -21,7 +21,7 @@ struct Equilibrium {
 
 /// All from -end to end of the way, ascending; flat, where the way has its symmetry, exactly. None
 /// where nothing changes its energy, such as springs of a sheet without shifts.
-std::vector<Equilibrium> find_equilibria(const DeployingSheet& sheet);
+std::vector<Equilibrium> find_equilibria(const EnergyModel& sheet);
 
 /// Limits of dry friction for a sheet released at rest at a pilot angle, to deploy.
 struct FrictionLimits {
@@ -39,6 +39,6 @@ struct FrictionLimits {
   std::optional<double> stiffness_needed_n_per_mm;
 };
 
-FrictionLimits find_friction_limits(const DeployingSheet& sheet, double from_deg);
+FrictionLimits find_friction_limits(const EnergyModel& sheet, double from_deg);
 
 }  // namespace misalign::solver

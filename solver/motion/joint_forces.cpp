@@ -20,7 +20,7 @@ constexpr int kOfCrease = 5, kOfBall = 3;
 
 class Reactions {
  public:
-  Reactions(const DeployingSheet& sheet, const FoldedShape& shape, const PerforatedSheet& base,
+  Reactions(const EnergyModel& sheet, const FoldedShape& shape, const PerforatedSheet& base,
             const JointForcesOptions& options)
       : mechanism_(sheet.way().mechanism()), loads_(sheet, shape, base, options.in_motion) {}
 
@@ -166,7 +166,7 @@ void Reactions::find(const DeploymentRow& at, Index row, JointForces& forces) {
 
 }  // namespace
 
-JointForces find_joint_forces(const DeployingSheet& sheet, const FoldedShape& shape,
+JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape,
                               const PerforatedSheet& base, const Deployment& deployment,
                               const JointForcesOptions& options) {
   const Mechanism& mechanism = sheet.way().mechanism();

@@ -35,7 +35,7 @@ struct JointForces {
 };
 
 /// At the rows of a deployment that are that far from flat; `options` are the sheet's.
-JointForces find_joint_forces(const DeployingSheet& sheet, const FoldedShape& shape,
+JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape,
                               const PerforatedSheet& base, const Deployment& deployment,
                               const JointForcesOptions& options = {});
 

@@ -40,7 +40,7 @@ SmoothTable momenta_on_the_way(const FoldingWay& way, SheetMover& mover) {
 
 }  // namespace
 
-PanelLoads::PanelLoads(const DeployingSheet& sheet, const FoldedShape& shape,
+PanelLoads::PanelLoads(const EnergyModel& sheet, const FoldedShape& shape,
                        const PerforatedSheet& base, bool in_motion)
     : sheet_(sheet),
       way_(sheet.way()),

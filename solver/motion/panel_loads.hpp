@@ -19,7 +19,7 @@ class PanelLoads {
   static constexpr int kOfPanel = 6;
 
   /// `in_motion`: with inertia, and joints that resist motion. All must outlive this object.
-  PanelLoads(const DeployingSheet& sheet, const FoldedShape& shape, const PerforatedSheet& base,
+  PanelLoads(const EnergyModel& sheet, const FoldedShape& shape, const PerforatedSheet& base,
              bool in_motion);
 
   /// Places the panels as they are there.
@@ -27,7 +27,7 @@ class PanelLoads {
   /// Of the sheet as it was posed: six a panel, N and N mm.
   Eigen::VectorXd find();
 
-  const DeployingSheet& sheet() const { return sheet_; }
+  const EnergyModel& sheet() const { return sheet_; }
   const FoldingWay& way() const { return way_; }
   const Mechanism& mechanism() const { return way_.mechanism(); }
   Eigen::Index panels() const { return static_cast<Eigen::Index>(panels_.facets.size()); }
@@ -49,7 +49,7 @@ class PanelLoads {
   void add_joints(Eigen::VectorXd& loads) const;
   void add_weight(Eigen::VectorXd& loads) const;
 
-  const DeployingSheet& sheet_;
+  const EnergyModel& sheet_;
   const FoldingWay& way_;
   const bool in_motion_;
   const Panels panels_;

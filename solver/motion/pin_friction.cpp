@@ -27,7 +27,7 @@ Load load_of_hinge(const Vector3d& force_n, const Vector3d& moment_n_mm, const V
 }
 
 // At these angles, in a sheet that is held.
-PinStudy loads_at(const DeployingSheet& sheet, const Model& model,
+PinStudy loads_at(const EnergyModel& sheet, const Model& model,
                   const std::vector<double>& pilot_deg) {
   const FoldingWay& way = sheet.way();
   const Mechanism& mechanism = model.mechanism();
@@ -80,7 +80,7 @@ double integral(double a_deg, double a, double b_deg, double b) {
 }
 
 // Energy that has become free since the start, over what 1 mm of mu r has taken: the least.
-void find_critical(const DeployingSheet& sheet, PinFriction& friction) {
+void find_critical(const EnergyModel& sheet, PinFriction& friction) {
   const FoldingWay& way = sheet.way();
   const std::vector<PinRow>& rows = friction.rows;
   const double start_n_mm = sheet.at(way.x_of(rows.front().pilot_deg)).potential;
@@ -118,9 +118,9 @@ std::optional<double> PinFriction::stall_deg(double mu_r_mm) const {
   return {};
 }
 
-StudyResult<PinStudy> study_pins(const Sheet& sheet, const DeployOptions& deploying, double own_mm,
+StudyResult<PinStudy> study_pins(const Sheet& sheet, const ReleaseOptions& deploying, double own_mm,
                                  double to_deg) {
-  const StudyResult<DeployOptions> fitted = fitted_release(sheet, deploying);
+  const StudyResult<ReleaseOptions> fitted = validated_release(sheet, deploying);
   if (!fitted) return fitted.obstacle();
   const double from_deg = fitted->motion.from_deg;
   if (to_deg >= from_deg) {
@@ -133,7 +133,7 @@ StudyResult<PinStudy> study_pins(const Sheet& sheet, const DeployOptions& deploy
   for (int k = 0; k <= kPinRows; ++k) {
     pilot_deg.push_back(from_deg * std::pow(to_deg / from_deg, static_cast<double>(k) / kPinRows));
   }
-  const DeployingSheet moved(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
+  const EnergyModel moved(sheet, deploying.sheet);
   PinStudy study = loads_at(moved, sheet.model(), pilot_deg);
   study.own_mm = own_mm;
   for (PinFriction* pins : {&study.in_middle, &study.at_ends}) find_critical(moved, *pins);

@@ -42,7 +42,7 @@ struct PinStudy {
 
 /// From the start down to `to_deg`; closer to flat the joints' forces are singular. Faults: of the
 /// angles as `deploy`. Reasons: path_lost.
-StudyResult<PinStudy> study_pins(const Sheet& sheet, const DeployOptions& deploying, double own_mm,
+StudyResult<PinStudy> study_pins(const Sheet& sheet, const ReleaseOptions& deploying, double own_mm,
                                  double to_deg = kMarginTo_deg);
 
 }  // namespace misalign::solver

@@ -69,7 +69,7 @@ StudyResult<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions&
   assert(!options.shifted.empty() && options.deploys_from_sample > 0);
   assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
   if (start.model().has_spare_equations()) return NoResult::overconstrained;
-  const StudyResult<DeployOptions> fitted = fitted_release(start, options.deploying);
+  const StudyResult<ReleaseOptions> fitted = validated_release(start, options.deploying);
   if (!fitted) return fitted.obstacle();
   if (auto fault = shifts_fault(start, options)) return *fault;
   OptimiseOptions from = options;

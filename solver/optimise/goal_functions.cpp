@@ -23,7 +23,7 @@ Value member_of(const std::optional<Study>& study, Member member) {
 }
 
 Value critical_friction(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto rigid = standstill(sheet, options.deploying);
+  const auto rigid = static_release(sheet, options.deploying);
   return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
 }
 
@@ -67,8 +67,8 @@ Value share_of_copies(const Sheet& sheet, const OptimiseOptions& options) {
 }
 
 Value springs_spared(const Sheet& sheet, const OptimiseOptions& options) {
-  const DeployOptions& deploying = options.deploying;
-  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
+  const ReleaseOptions& deploying = options.deploying;
+  const EnergyModel rigid(sheet, deploying.sheet);
   return member_of(spare_diagonals(sheet, rigid, *deploying.from_deg), &SpareDiagonals::amount);
 }
 

@@ -200,7 +200,7 @@ std::vector<LocalGoal> local_deployed_angle(SheetChanges& changes) {
 }
 
 std::vector<LocalGoal> local_rest_stiffness(SheetChanges& changes) {
-  const DeployOptions& deploying = changes.options.deploying;
+  const ReleaseOptions& deploying = changes.options.deploying;
   const auto now = rest_stiffness(changes.sheet, deploying, changes.options.bending.material);
   if (!now) return {};
   const Springs& springs = deploying.sheet.springs;

@@ -21,8 +21,8 @@ double stroke(const Sheet& sheet) {
       .stroke_max;
 }
 
-double force_n(const Sheet& sheet, const DeployOptions& deploying) {
-  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
+double force_n(const Sheet& sheet, const ReleaseOptions& deploying) {
+  const EnergyModel rigid(sheet, deploying.sheet);
   return rigid.spring_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
 }
 

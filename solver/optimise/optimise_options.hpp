@@ -18,7 +18,7 @@ struct DesignPoint {
 
 struct OptimiseOptions {
   const Goal* goal = &goal_table().front();
-  DeployOptions deploying;    ///< springs, hinges, panels, and from where it is let go
+  ReleaseOptions deploying;   ///< springs, hinges, panels, and from where it is let go
   BentPanelsOptions bending;  ///< where the goal is of panels that bend
   std::vector<int> shifted;   ///< the vertices that may be shifted
   /// In columns, what moves together: x and y of each of these in turn. Empty: each by itself.

@@ -10,7 +10,7 @@ namespace misalign::solver {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const DeployingSheet& rigid,
+std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const EnergyModel& rigid,
                                               double from_deg) {
   const FoldingWay& way = *sheet.way();
   const double sample_deg = sheet.model().sample_deg();

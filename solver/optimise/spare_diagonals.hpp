@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "solver/motion/deploying_sheet.hpp"
+#include "solver/motion/energy_model.hpp"
 #include "solver/motion/few_diagonals.hpp"
 #include "solver/sheet/sheet.hpp"
 
@@ -20,7 +20,7 @@ struct SpareDiagonals {
 };
 
 /// None where its springs do not drive it to flat all the way.
-std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const DeployingSheet& rigid,
+std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const EnergyModel& rigid,
                                               double from_deg);
 
 }  // namespace misalign::solver

@@ -2,7 +2,7 @@
 // optimisation.
 #pragma once
 
-#include "solver/motion/deploying_sheet.hpp"
+#include "solver/motion/energy_model.hpp"
 #include "solver/optimise/sheet_changes.hpp"
 
 namespace misalign::solver {
@@ -14,7 +14,7 @@ class SpringChanges {
   /// `changes` must outlive this object.
   explicit SpringChanges(SheetChanges& changes);
 
-  const DeployingSheet& rigid() const { return rigid_; }
+  const EnergyModel& rigid() const { return rigid_; }
   double n_per_mm() const { return springs().stiffness_n_per_mm; }
   /// Forces with panels rigid, N.
   Eigen::VectorXd forces_n(const AngleGradients& here) const;
@@ -28,7 +28,7 @@ class SpringChanges {
   const Springs& springs() const { return changes_.options.deploying.sheet.springs; }
 
   SheetChanges& changes_;
-  const DeployingSheet rigid_;
+  const EnergyModel rigid_;
   Eigen::VectorXd side_, preload_n_, rest_mm_;  // s, F s, L_rest
   Eigen::MatrixXd rest_by_mm_;
 };

@@ -41,10 +41,10 @@ double critical_in_mujoco(const schema::SimulatedSheet& sheet, double expected, 
 
 bool agree(const Subject& subject, bool is_short) {
   const auto& [sheet, model, folded] = subject;
-  ReleaseOptions options;
+  SimulationStart options;
   options.from_deg = kFrom_deg;
   const schema::SimulatedSheet released = release(model, folded, options, sheet.name());
-  solver::DeployOptions deploy;
+  solver::ReleaseOptions deploy;
   deploy.from_deg = kFrom_deg;
   deploy.sheet.springs.stiffness_n_per_mm = sheet.design.actuators().stiffness_n_per_mm;
   const solver::DeploymentStudy study = deployed(folded, deploy);

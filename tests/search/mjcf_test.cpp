@@ -29,7 +29,7 @@ class Table1 {
         model_(sheet_.base, sheet_.sampling, sheet_.design),
         folded_(model_.sheet(sheet_.shifts_mm, "table1")),
         actuation_(solver::actuate(folded_, model_.actuators())) {}
-  SimulatedSheet released(const ReleaseOptions& options = {}) const {
+  SimulatedSheet released(const SimulationStart& options = {}) const {
     return release(model_, folded_, options, "Table 1 -- <as printed>");
   }
   const solver::Actuation& actuation() const { return actuation_; }
@@ -151,7 +151,7 @@ TEST(Mujoco, MovesSheetsOfAnySizeAlike) {
 // Twice the thickness weighs twice; friction holds hinges of the tree.
 TEST(Mujoco, HasThicknessAndFriction) {
   const Table1 table1;
-  ReleaseOptions options;
+  SimulationStart options;
   options.plates.thickness_mm = 2;
   options.from_deg = 60.5;
   const SimulatedSheet sheet = table1.released(options);
@@ -166,7 +166,7 @@ TEST(Mujoco, HasThicknessAndFriction) {
 // Springs that are relaxed where it is let go hold it there; nothing else moves it.
 TEST(Mujoco, StaysWhereSpringsAreRelaxed) {
   const Table1 table1;
-  ReleaseOptions options;
+  SimulationStart options;
   options.from_deg = options.rest_deg = 30;
   MujocoRun still = run_of(table1.released(options));
   EXPECT_LT(still.spring_energy_n_mm(), 1e-12);
@@ -187,7 +187,7 @@ TEST(Mujoco, DeploysAsDeployDoes) {
   FoldingModel model(campaign);
   const solver::Sheet folded = model.sheet(shifts_of_draw(campaign, 1112));
   const SimulatedSheet sheet = release(model, folded, {}, "a sheet");
-  solver::DeployOptions springs;
+  solver::ReleaseOptions springs;
   springs.sheet.springs.stiffness_n_per_mm = campaign.design.actuators().stiffness_n_per_mm;
   const solver::Deployment rigid = deployed(folded, springs).run;
   ASSERT_EQ(rigid.outcome, solver::Outcome::passed_flat);

@@ -42,7 +42,7 @@ class Studies {
     const FoldingWay* const way = sheet_.way();
     EXPECT_TRUE(way);
     if (!way) return;
-    DeployingOptions free = sheet_options();
+    EnergyOptions free = sheet_options();
     look_at_deployment("free", *way, free);
     free.held = HeldPanel{held_panel(), seen(Eigen::Vector3d(1500, -4000, -9000))};
     free.joints = {1e-3, 1e-2 * unit_, 1e-5, 1e-3, 10};
@@ -72,8 +72,8 @@ class Studies {
         panels_.corners, [&](const auto& corners) { return sorted(corners) == held_corners_; });
     return static_cast<int>(at - panels_.corners.begin());
   }
-  DeployingOptions sheet_options() const {
-    DeployingOptions options;
+  EnergyOptions sheet_options() const {
+    EnergyOptions options;
     options.springs.stiffness_n_per_mm /= unit_;
     options.plates = {unit_, 2.7 / std::pow(unit_, 4)};
     return options;
@@ -155,7 +155,7 @@ class Studies {
   }
 
   void look_at_deployment(const std::string& name, const FoldingWay& way,
-                          const DeployingOptions& options) {
+                          const EnergyOptions& options) {
     DeploymentOptions run;
     run.from_deg = std::min(36.0, deploys_from_deg_);
     const DeploymentStudy study = study_deployment(way, model_, options, run, JointForcesOptions{});
@@ -164,7 +164,7 @@ class Studies {
     put(name + " time", study.deploy_time_s().value_or(-1));
     put(name + " friction", study.friction.critical_n_mm_per_mm.value_or(-1));
     put(name + " holds from", study.friction.static_stall_deg);
-    const DeployingSheet sheet(way, model_.shape(), base_, options);
+    const EnergyModel sheet(way, model_.shape(), base_, options);
     for (const double share : {0.1, 0.5, 1.0}) {
       const EnergyAt here = sheet.at(way.x_of(share * run.from_deg)), flat = sheet.at(0);
       const std::string at = name + " at " + std::to_string(share);

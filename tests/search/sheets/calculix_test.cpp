@@ -148,7 +148,7 @@ TEST_F(Calculix, SpringsPullFromTheStart) {
 
 // With relaxed lengths of a folded state: by coordinates of both decks.
 TEST_F(Calculix, SpringsAreRelaxedWhereTheyAreToBe) {
-  ReleaseOptions stop, there;
+  SimulationStart stop, there;
   stop.from_deg = 15;
   stop.rest_deg = 30;
   there.from_deg = 30;
@@ -165,7 +165,7 @@ TEST_F(Calculix, SpringsAreRelaxedWhereTheyAreToBe) {
     EXPECT_NEAR(now_n, 50 * (length_mm(deck, spring) - length_mm(at30, spring)), 1e-8);
     energy_n_mm += now_n * now_n / 100;
   }
-  solver::DeployOptions options;
+  solver::ReleaseOptions options;
   options.from_deg = 15;
   options.sheet.springs.stiffness_n_per_mm = model_.actuators().stiffness_n_per_mm;
   options.sheet.springs.rest_deg = 30;
@@ -202,7 +202,7 @@ std::string increment(const SimulatedSheet& start, const SimulatedSheet& now,
 
 // Corners as rigid panels have them at 30 degrees, in ccx's digits and in two pieces.
 TEST_F(Calculix, MotionIsReadAsItGrows) {
-  ReleaseOptions later;
+  SimulationStart later;
   later.from_deg = 30;
   const SimulatedSheet at30 = release(model_, folded_, later, "");
   const std::string text = increment(sheet_, at30, "0.2000000E-01", "        2.210653E+00");

@@ -66,7 +66,7 @@ TEST(Studies, SayThatPanelsAreTooThin) {
                   {"columns", 4},
                   {"displacements_mm", {{"A7", {0.4, 0.4}}, {"A13", {0.4, -0.4}}}}},
                  design);
-  const solver::DeployOptions options = deploy_options(design, thin.sheet);
+  const solver::ReleaseOptions options = deploy_options(design, thin.sheet);
   expect_refused([&] { bent_sheet(thin.sheet, options, design); }, Cause::failure,
                  "it: the stiffness of its panels is not positive");
 }

@@ -94,7 +94,7 @@ TEST_F(FunctionsOfSheets, SayWhatTheStudiesSay) {
       const solver::Sheet studied = sheet(static_cast<std::uint64_t>(draw));
       ASSERT_GE(studied.deploys_from_deg(), 30);
       if (studied.deploys_from_deg() < from_deg) continue;
-      solver::DeployOptions options;
+      solver::ReleaseOptions options;
       options.from_deg = from_deg;
       options.sheet.springs.stiffness_n_per_mm = 2;
       options.sheet.joints.friction_n_mm_per_mm = 1e-4;

@@ -194,7 +194,7 @@ struct Bent : testing::Test {
     way.find_state(way.x_of(pilot_deg), state);
     return own.model.shape().vertices_mm(geometry, state);
   }
-  BentPanels bent(const DeployOptions& deploying, const BentPanelsOptions& options = {}) const {
+  BentPanels bent(const ReleaseOptions& deploying, const BentPanelsOptions& options = {}) const {
     return *bend_panels(own.sheet, deploying, options);
   }
   const OwnSheet own;
@@ -289,12 +289,12 @@ TEST_F(Bent, NewtonAndLinear) {
 // As stiff as rock it is the rigid sheet; soft, what is left goes with the thickness's cube, but
 // for edges (1.5 % a mm) and what panels give in their planes.
 TEST_F(Bent, FromRigidToSoft) {
-  DeployOptions deploying;
+  ReleaseOptions deploying;
   BentPanelsOptions rock;
   rock.material.e_gpa = 1e11;
   rock.method = BendMethod::linear;
   const BentPanels rigid = bent(deploying, rock);
-  const DeployingSheet as_rigid(*own.sheet.way(), own.model.shape(), own.model.base(), {});
+  const EnergyModel as_rigid(*own.sheet.way(), own.model.shape(), own.model.base(), {});
   EXPECT_NEAR(*rigid.friction.critical_n_mm_per_mm /
                   *find_friction_limits(as_rigid, 36).critical_n_mm_per_mm,
               1, 1e-4);
@@ -369,7 +369,7 @@ TEST_F(Bent, PreloadOfTable1) {
 
 // The rigid sheet's moment grows with the angle under preload, and the bent one's too.
 TEST_F(Bent, PreloadMovesItOnNearFlat) {
-  DeployOptions deploying;
+  ReleaseOptions deploying;
   deploying.sheet.plates.thickness_mm = 4;
   const double without = bent(deploying).friction.static_n_mm_per_mm;
   deploying.sheet.springs.preload.each_n = 3;
@@ -392,7 +392,7 @@ TEST_F(Bent, PreloadSwingsItAboutFlat) {
   };
   for (const Preload& preload :
        {Preload{30, {}}, Preload{20, {own_n(0, 0), own_n(5, 60), own_n(10, 3)}}}) {
-    DeployOptions deploying;
+    ReleaseOptions deploying;
     deploying.from_deg = 1.5;
     deploying.sheet.springs.preload = preload;
     BentPanelsOptions rock;
@@ -417,7 +417,7 @@ TEST(BentPanels, FollowsItsEquilibrium) {
       "A12": [4, -4], "A13": [4, -4], "A14": [0, 4], "A17": [4, 4], "A18": [-4, 4],
       "A19": [4, -4]})");
   const OwnSheet own(base.base, base.shifted(shifts_mm) - base.base.sheet.vertices_mm);
-  DeployOptions deploying;
+  ReleaseOptions deploying;
   deploying.from_deg = 60;
   deploying.sheet.plates.thickness_mm = 0.2;
   const BentPanels bent = *bend_panels(own.sheet, deploying);
@@ -440,7 +440,7 @@ TEST(BentPanels, UsefulSprings) {
   const BentWay way(own.sheet, {}, 0.5, 1, 90, 16);
   const double useful = useful_stiffness_n_per_mm(way).value();
   const auto critical = [&](double n_per_mm) {
-    DeployOptions deploying;
+    ReleaseOptions deploying;
     deploying.from_deg = 90;
     deploying.sheet.plates.thickness_mm = 0.5;
     deploying.sheet.springs.stiffness_n_per_mm = n_per_mm;

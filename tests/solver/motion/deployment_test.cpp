@@ -38,8 +38,8 @@ struct TwoPanels {
     way.emplace(mechanism, sheet.vertices_mm, WayCoordinate{0}, step, end, std::move(stations));
     shape.emplace(sheet, std::vector<int>{}, mechanism);
   }
-  DeployingSheet sheet(const DeployingOptions& options) const {
-    return DeployingSheet(*way, *shape, base, options);
+  EnergyModel sheet(const EnergyOptions& options) const {
+    return EnergyModel(*way, *shape, base, options);
   }
 
   PerforatedSheet base;
@@ -61,7 +61,7 @@ struct Oscillator : TwoPanels, testing::Test {
   }
   Deployment released() const { return deploy(sheet(options), {0.0}, run); }
 
-  DeployingOptions options;
+  EnergyOptions options;
   DeploymentOptions run;
   double mass, inertia, stiffness, frequency;
 };
@@ -136,7 +136,7 @@ TEST_F(Oscillator, RestsOnAStopUnderItsWeight) {
   int pressed = 0;
   for (const double g : {-9806.65, 9806.65}) {
     options.held = HeldPanel{0, {0, 0, g}};
-    const DeployingSheet weighed = sheet(options);
+    const EnergyModel weighed = sheet(options);
     std::vector<double> wells_x;
     for (const Equilibrium& at : find_equilibria(weighed)) {
       if (at.is_well) wells_x.push_back(at.x);
@@ -252,7 +252,7 @@ TEST_F(Oscillator, WeightAndHeldHinge) {
   }
   // Upwards: what it takes to be lifted by half a panel.
   options.held->gravity_mm_per_s2 = {0, 0, -kGravity};
-  const DeployingSheet lifted = sheet(options);
+  const EnergyModel lifted = sheet(options);
   const double x = kPi / 2;
   EXPECT_NEAR(lifted.all_else(x).energy - lifted.all_else(0).energy,
               stiffness * x * x / 2 + mass * kGravity * kPanel_mm / 2, 1e-9);
@@ -269,12 +269,12 @@ struct FreePanels : TwoPanels, testing::Test {
   double generalised(double x) const {
     return mass * kPanel_mm * kPanel_mm * (std::pow(std::sin(x / 2), 2) / 8 + 1.0 / 24);
   }
-  DeployingOptions options;
+  EnergyOptions options;
   double mass;
 };
 
 TEST_F(FreePanels, MassAndItsSlope) {
-  const DeployingSheet free = sheet(options);
+  const EnergyModel free = sheet(options);
   for (const double x : {-2.0, -0.3, 0.0, 1e-3, 0.5, 1.0, 2.0, 2.9}) {
     const EnergyAt here = free.at(x);
     EXPECT_NEAR(here.mass / generalised(x), 1, 1e-10) << x;
@@ -285,7 +285,7 @@ TEST_F(FreePanels, MassAndItsSlope) {
 
 // On either panel: its mass times how its centre is accelerated towards the other one's.
 TEST_F(FreePanels, ForceInTheHingeWhileItMoves) {
-  const DeployingSheet free = sheet(options);
+  const EnergyModel free = sheet(options);
   const Deployment deployment = deploy(free, {0.0}, {.from_deg = 150, .swings = 1});
   const JointForces forces = find_joint_forces(free, *shape, base, deployment);
   const double stiffness = options.joints.stiffness_n_mm_per_mm * kAlong_mm;
@@ -345,7 +345,7 @@ TEST(SingleVertex, MassIsThatOfItsCoordinates) {
   const Model model(vertex.base);
   const auto way = way_of(model, vertex.base.sheet.vertices_mm);
   ASSERT_TRUE(way);
-  const DeployingSheet sheet(*way, model.shape(), vertex.base, {});
+  const EnergyModel sheet(*way, model.shape(), vertex.base, {});
   for (const double pilot_deg : {5.0, 40.0, 90.0, 130.0, 170.0}) {
     const double x = way->x_of(pilot_deg), h = 1e-4;
     const auto folded = [&](double at) {

@@ -39,7 +39,7 @@ struct PinnedSheet : testing::Test {
     return turned.angle() / (2 * kRadPerDeg);
   }
   PinStudy study(double stiffness_n_per_mm = 50, double own_mm = 0) const {
-    DeployOptions options;
+    ReleaseOptions options;
     options.sheet.springs.stiffness_n_per_mm = stiffness_n_per_mm;
     return *study_pins(own.sheet, options, own_mm);
   }
@@ -51,7 +51,7 @@ struct PinnedSheet : testing::Test {
 
 TEST_F(PinnedSheet, LosesWhatItsForcesAndTurnsAre) {
   const FoldingWay& way = *own.sheet.way();
-  const DeployingSheet deploying(way, own.model.shape(), test.base, {});
+  const EnergyModel deploying(way, own.model.shape(), test.base, {});
   Matrix3Xd flat_mm = Matrix3Xd::Zero(3, vertices_mm.cols());
   flat_mm.topRows<2>() = vertices_mm;
   const PinStudy pins = study();

@@ -193,8 +193,7 @@ TEST_F(Goals, SpareDiagonalsAreThoseOfActuators) {
   int fewer = 0;
   for (int trial = 0; trial < 6; ++trial) {
     const Sheet sheet(solver_, next_start());
-    const DeployingSheet rigid(*sheet.way(), model_.shape(), sheet.base(),
-                               options_.deploying.sheet);
+    const EnergyModel rigid(*sheet.way(), model_.shape(), sheet.base(), options_.deploying.sheet);
     const auto found = spare_diagonals(sheet, rigid, 36);
     const Actuation springs = actuate(sheet, {}, 36);
     ASSERT_EQ(found.has_value(), springs.few.has_value()) << "trial " << trial;

@@ -184,9 +184,9 @@ TEST_F(Optimising, KeepsTheLeastSlope) {
 // Springs of a sheet without shifts do not change: what is left of their energy is rounding.
 TEST_F(Optimising, StillSpringsRestNowhere) {
   const Sheet own(solver_, next_start(false)), still(solver_, 0 * own.shifts_mm());
-  DeployingOptions options;
+  EnergyOptions options;
   const auto equilibria = [&](const Sheet& sheet) {
-    return find_equilibria(DeployingSheet(*sheet.way(), model_.shape(), base_.base, options));
+    return find_equilibria(EnergyModel(*sheet.way(), model_.shape(), base_.base, options));
   };
   EXPECT_EQ(equilibria(still).size(), 0u);
   EXPECT_GT(equilibria(own).size(), 0u);
@@ -205,7 +205,7 @@ TEST_F(Optimising, SpringsHoldEnergyAtFlatFoldedEnds) {
   for (unsigned seed = 1; seed <= 60 && flat_folded == 0; ++seed) {
     const Sheet sheet(solver, member_of(large.base, 1, true, seed));
     if (sheet.deploys_from_deg() < 180) continue;
-    DeployOptions deploying;
+    ReleaseOptions deploying;
     deploying.from_deg = 180;
     double n_mm = 0;
     for (const Diagonal& diagonal : sheet.mechanism().diagonals) {

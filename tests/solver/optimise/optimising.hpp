@@ -28,14 +28,14 @@ class Optimising : public testing::Test {
         }
       }
       const Sheet sheet(solver_, shifts_mm);
-      DeployOptions flat = options_.deploying;
+      ReleaseOptions flat = options_.deploying;
       flat.sheet.springs = {};
       if (sheet.deploys_from_deg() >= 150 && friction(sheet, flat) > 0) return shifts_mm;
     }
   }
 
-  static double friction(const Sheet& sheet, const DeployOptions& deploying) {
-    return standstill(sheet, deploying)->friction.critical_n_mm_per_mm.value_or(0);
+  static double friction(const Sheet& sheet, const ReleaseOptions& deploying) {
+    return static_release(sheet, deploying)->friction.critical_n_mm_per_mm.value_or(0);
   }
   double friction(const Eigen::Matrix2Xd& shifts_mm) {
     return friction(Sheet(solver_, shifts_mm), options_.deploying);

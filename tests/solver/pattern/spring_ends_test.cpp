@@ -192,7 +192,7 @@ TEST(SpringEnds, JointForcesHoldWhatTheyPull) {
     const WithSprings sheets(springs);
     const Model model(sheets.base);
     const FoldingWay way = way_of(model, sheets.vertices(sheets.draws(1, kSeed), 0)).value();
-    const DeployingSheet deploying(way, model.shape(), sheets.base, {});
+    const EnergyModel deploying(way, model.shape(), sheets.base, {});
     Deployment run = deploy(deploying, {0.0}, {});
     for (std::size_t k = 0; k < 5; ++k) run.rows[k] = run.rows[1 + 11 * k];
     run.rows.resize(5);

@@ -58,8 +58,8 @@ struct Table1Way : testing::Test {
     way.find_state(x, state);
     return model.shape().vertices_mm(way.geometry(), state);
   }
-  DeployingSheet released(const DeployingOptions& options = {}) const {
-    return DeployingSheet(way, model.shape(), sheet.base, options);
+  EnergyModel released(const EnergyOptions& options = {}) const {
+    return EnergyModel(way, model.shape(), sheet.base, options);
   }
 
   const TestSheet sheet;
@@ -102,7 +102,7 @@ TEST_F(Table1Way, StatesAndLengthsAreThoseOfVertexCoordinates) {
 
 // Differences of coordinates with the best rigid motion taken off; h^2 of a third derivative.
 TEST_F(Table1Way, MassIsThatOfVertexCoordinates) {
-  const DeployingSheet deploying = released();
+  const EnergyModel deploying = released();
   VertexCoordinates other(sheet.base, vertices_mm, shape_mm(way.x_of(5)), 5);
   const double h_deg = 0.01;
   for (const double pilot_deg : {10.0, 36.0, 90.0, 140.0}) {
@@ -118,7 +118,7 @@ TEST_F(Table1Way, MassIsThatOfVertexCoordinates) {
 
 // The numbers of programs that share no code with this one, to the digits they gave.
 TEST_F(Table1Way, ReleasedAt36Degrees) {
-  const DeployingSheet deploying = released();
+  const EnergyModel deploying = released();
   const Deployment run = deploy(deploying, {0.0}, {});
   EXPECT_EQ(run.outcome, Outcome::passed_flat);
   EXPECT_NEAR(run.rows.front().springs_n_mm, 5.538, 5e-4);
@@ -157,7 +157,7 @@ TEST_F(Table1Way, CriticalFrictionIsWhereTheMotionJustArrives) {
     const auto limit = find_friction_limits(released(), from_deg).critical_n_mm_per_mm;
     ASSERT_TRUE(limit);
     for (const double density : {2.7, 0.5}) {
-      DeployingOptions options;
+      EnergyOptions options;
       options.plates.density_g_per_cm3 = density;
       for (const double share : {0.999, 1.001}) {
         options.joints.friction_n_mm_per_mm = share * *limit;
@@ -176,9 +176,9 @@ TEST_F(Table1Way, CriticalFrictionIsWhereTheMotionJustArrives) {
 TEST_F(Table1Way, RestsWhereSpringsAreRelaxed) {
   const FoldingHistory history = sheet.history(vertices_mm);
   for (const int rest_deg : {30, 60, 90, 120}) {
-    DeployingOptions options;
+    EnergyOptions options;
     options.springs.rest_deg = rest_deg;
-    const DeployingSheet deploying = released(options);
+    const EnergyModel deploying = released(options);
     const std::vector<Equilibrium> found = find_equilibria(deploying);
     ASSERT_EQ(found.size(), 3u) << rest_deg;
     EXPECT_EQ(found[1].x, 0);
@@ -193,7 +193,7 @@ TEST_F(Table1Way, RestsWhereSpringsAreRelaxed) {
 }
 
 TEST_F(Table1Way, ComesToRestThere) {
-  DeployingOptions options;
+  EnergyOptions options;
   options.springs.rest_deg = 60;
   options.joints.damping_n_mm_s_per_mm = 0.01;
   const double well_x = way.x_of(60);
@@ -207,7 +207,7 @@ TEST_F(Table1Way, ComesToRestThere) {
 // Balanced with inertia, nothing holds the sheet; without, the springs' own moment does. Of the
 // reactions as many are known as the panels' freedoms leave: 28 * 6 - 6 - 1.
 TEST_F(Table1Way, ForcesBalanceEveryPanel) {
-  const DeployingSheet deploying = released();
+  const EnergyModel deploying = released();
   Deployment run = deploy(deploying, {0.0}, {});
   for (std::size_t k = 0; k < 6; ++k) run.rows[k] = run.rows[1 + 11 * k];
   run.rows.resize(6);

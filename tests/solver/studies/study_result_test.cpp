@@ -37,7 +37,7 @@ TEST(StudyResult, IsNoneWhereThePathIsLost) {
   const OwnSheet lost(sheet.base, shifts_mm);
   ASSERT_EQ(lost.sheet.way(), nullptr);
   expect_reason(contact(lost.sheet, {0, {}}), NoResult::path_lost);
-  expect_reason(standstill(lost.sheet), NoResult::path_lost);
+  expect_reason(static_release(lost.sheet), NoResult::path_lost);
   expect_reason(deploy(lost.sheet), NoResult::path_lost);
   expect_reason(study_pins(lost.sheet, {}, 0), NoResult::path_lost);
   expect_reason(bend_panels(lost.sheet, {}), NoResult::path_lost);
@@ -50,7 +50,7 @@ TEST(StudyResult, IsNoneWhereThePathIsLost) {
 TEST(StudyResult, IsNoneWherePanelsAreTooThin) {
   const TestSheet sheet(4, 4);
   const OwnSheet own(sheet.base, member_of(sheet.base, 4, true, 1));
-  DeployOptions deploying;
+  ReleaseOptions deploying;
   deploying.sheet.springs.preload.each_n = 1e-6;
   BentPanelsOptions options;
   options.method = BendMethod::linear;

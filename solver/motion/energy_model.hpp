@@ -9,7 +9,7 @@
 
 #include "solver/motion/actuators.hpp"
 #include "solver/motion/plates.hpp"
-#include "solver/sheet/folding_way.hpp"
+#include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
 
@@ -42,7 +42,7 @@ struct HeldPanel {
   Eigen::Vector3d gravity_mm_per_s2 = Eigen::Vector3d::Zero();  ///< in its flat frame, z up
 };
 
-struct DeployingOptions {
+struct EnergyOptions {
   Springs springs;
   JointResistance joints;
   Plates plates;
@@ -64,14 +64,17 @@ Eigen::VectorXd crease_lengths_mm(const FoldingWay& way);
 /// Which way each diagonal goes next to flat, and on the way to D: 1 longer, -1 shorter.
 Eigen::VectorXd sides_of_diagonals(const FoldingWay& way);
 
-class DeployingSheet {
+class EnergyModel {
  public:
+  /// The sheet's way must be there, and outlive this object. Rest angles must lie on it.
+  EnergyModel(const Sheet& sheet, const EnergyOptions& options)
+      : EnergyModel(*sheet.way(), sheet.model().shape(), sheet.base(), options) {}
   /// `way` and `shape` must outlive this object. Rest angles must lie on the way.
-  DeployingSheet(const FoldingWay& way, const FoldedShape& shape, const PerforatedSheet& base,
-                 const DeployingOptions& options);
+  EnergyModel(const FoldingWay& way, const FoldedShape& shape, const PerforatedSheet& base,
+              const EnergyOptions& options);
 
   const FoldingWay& way() const { return way_; }
-  const DeployingOptions& options() const { return options_; }
+  const EnergyOptions& options() const { return options_; }
   double mass_t() const { return mass_t_; }
   /// How long each spring is without force.
   const Eigen::VectorXd& relaxed_mm() const { return rest_mm_; }
@@ -100,7 +103,7 @@ class DeployingSheet {
   void find_lengths(double x) const;
 
   const FoldingWay& way_;
-  const DeployingOptions options_;
+  const EnergyOptions options_;
   double mass_t_;
   Eigen::VectorXd crease_mm_, rest_mm_, rest_rad_;
   SmoothTable masses_;  // generalised mass; centre of mass x, y, z

@@ -1,4 +1,4 @@
-#include "solver/motion/deploying_sheet.hpp"
+#include "solver/motion/energy_model.hpp"
 
 #include <cmath>
 
@@ -34,7 +34,7 @@ VectorXd relaxed_angles(const FoldingWay& way, double rest_deg) {
 // Rows: the generalised mass, and where the centre of mass is; on the other side of flat it is
 // below where it was above.
 SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
-                              const PerforatedSheet& base, const DeployingOptions& options) {
+                              const PerforatedSheet& base, const EnergyOptions& options) {
   const Panels panels = panels_of(base, way.mechanism());
   const std::optional<int> held = options.held ? std::optional(options.held->panel) : std::nullopt;
   SheetMover mover(shape, way, panels, options.plates, held);
@@ -78,8 +78,8 @@ VectorXd sides_of_diagonals(const FoldingWay& way) {
   return (lengths_mm - way.flat_mm()).cwiseSign();
 }
 
-DeployingSheet::DeployingSheet(const FoldingWay& way, const FoldedShape& shape,
-                               const PerforatedSheet& base, const DeployingOptions& options)
+EnergyModel::EnergyModel(const FoldingWay& way, const FoldedShape& shape,
+                         const PerforatedSheet& base, const EnergyOptions& options)
     : way_(way),
       options_(options),
       mass_t_(mass_of_all(way, base, options.plates)),
@@ -88,18 +88,18 @@ DeployingSheet::DeployingSheet(const FoldingWay& way, const FoldedShape& shape,
       rest_rad_(relaxed_angles(way, options.joints.rest_deg)),
       masses_(masses_on_the_way(way, shape, base, options)) {}
 
-void DeployingSheet::find_lengths(double x) const {
+void EnergyModel::find_lengths(double x) const {
   way_.find_lengths(x, lengths_, length_rates_);
   lengths_ -= rest_mm_;
   if (options_.springs.pull_only) lengths_ = lengths_.cwiseMax(0.0);
 }
 
-DeployingSheet::Potential DeployingSheet::unit_springs(double x) const {
+EnergyModel::Potential EnergyModel::unit_springs(double x) const {
   find_lengths(x);
   return {lengths_.squaredNorm() / 2, lengths_.dot(length_rates_)};
 }
 
-DeployingSheet::Potential DeployingSheet::all_else(double x) const {
+EnergyModel::Potential EnergyModel::all_else(double x) const {
   Potential sum{0, 0};
   const JointResistance& joints = options_.joints;
   if (joints.stiffness_n_mm_per_mm > 0) {
@@ -117,12 +117,12 @@ DeployingSheet::Potential DeployingSheet::all_else(double x) const {
   return sum;
 }
 
-VectorXd DeployingSheet::spring_forces_n(double x) const {
+VectorXd EnergyModel::spring_forces_n(double x) const {
   find_lengths(x);
   return options_.springs.stiffness_n_per_mm * lengths_;
 }
 
-VectorXd DeployingSheet::crease_moments_n_mm(double x, double x_rate) const {
+VectorXd EnergyModel::crease_moments_n_mm(double x, double x_rate) const {
   way_.find_creases(x, angles_, angle_rates_);
   const JointResistance& joints = options_.joints;
   const Eigen::ArrayXd rates = x_rate * angle_rates_.array();
@@ -131,13 +131,13 @@ VectorXd DeployingSheet::crease_moments_n_mm(double x, double x_rate) const {
           joints.stiffness_n_mm_per_mm * (angles_ - rest_rad_).array());
 }
 
-DeployingSheet::Turning DeployingSheet::turning(double x) const {
+EnergyModel::Turning EnergyModel::turning(double x) const {
   way_.find_creases(x, angles_, angle_rates_);
   way_.find_balls(x, speeds_);
   return {crease_mm_.dot(angle_rates_.cwiseAbs()), speeds_.sum()};
 }
 
-EnergyAt DeployingSheet::at(double x) const {
+EnergyAt EnergyModel::at(double x) const {
   EnergyAt here{};
   masses_.find(x, 0, 1, mass_, mass_rate_);
   here.mass = mass_(0);
