@@ -14,7 +14,7 @@
 namespace misalign::schema {
 namespace {
 
-using Row = std::map<std::string, std::string>;
+using NamedRow = std::map<std::string, std::string>;
 
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> cells;
@@ -25,16 +25,16 @@ std::vector<std::string> cells(const std::string& line) {
   return cells;
 }
 
-std::vector<Row> rows_of(const std::string& csv) {
+std::vector<NamedRow> rows_of(const std::string& csv) {
   std::istringstream lines(csv);
   std::string line;
   std::getline(lines, line);
   const auto names = cells(line);
-  std::vector<Row> rows;
+  std::vector<NamedRow> rows;
   while (std::getline(lines, line)) {
     const auto values = cells(line);
     EXPECT_EQ(values.size(), names.size()) << line;
-    Row row;
+    NamedRow row;
     for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k) {
       row[names[k]] = values[k];
     }
@@ -59,7 +59,7 @@ TEST_F(HistoryTable, HasARowForEachStopAndDiagonal) {
   const std::size_t diagonals = folding["diagonals"].size();
   ASSERT_EQ(rows.size(), 41 * diagonals);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Row& row = rows[k];
+    const NamedRow& row = rows[k];
     const std::size_t stop = k / diagonals, d = k % diagonals;
     const Json& diagonal = folding["diagonals"][d];
     EXPECT_EQ(row.at("draw"), "7");
@@ -107,9 +107,9 @@ TEST_F(HistoryTable, HasARowForEachStopAndCrease) {
 
 // Fewer angles: of the rows of all angles those at multiples, the flat ones and those at D.
 TEST_F(HistoryTable, IsThinnedToMultiplesAndD) {
-  const auto angles_of = [](const std::vector<Row>& rows) {
+  const auto angles_of = [](const std::vector<NamedRow>& rows) {
     std::vector<double> angles_deg;
-    for (const Row& row : rows) {
+    for (const NamedRow& row : rows) {
       const double angle_deg = std::stod(row.at("pilot_deg"));
       if (angles_deg.empty() || angles_deg.back() != angle_deg) angles_deg.push_back(angle_deg);
     }
@@ -125,7 +125,7 @@ TEST_F(HistoryTable, IsThinnedToMultiplesAndD) {
     const auto rows =
         rows_of(diagonal_columns(key_) + diagonal_rows(key_, view, actuation_, every_deg));
     EXPECT_EQ(angles_of(rows), angles_deg) << every_deg;
-    for (const Row& row : rows) EXPECT_NE(std::find(all.begin(), all.end(), row), all.end());
+    for (const NamedRow& row : rows) EXPECT_NE(std::find(all.begin(), all.end(), row), all.end());
     EXPECT_EQ(angles_of(rows_of(crease_columns(key_) + crease_rows(key_, view, every_deg))),
               angles_deg);
   }
