@@ -7,6 +7,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/sheets/whole_program.hpp"
 #include "tests/folder.hpp"
 #include "tests/schema/catalogue_fixture.hpp"
