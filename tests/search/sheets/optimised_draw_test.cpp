@@ -79,7 +79,7 @@ TEST_F(OptimisedDraws, EndWhereSingleSheetsDo) {
       EXPECT_EQ(end.ascent->end_value, found->best().value);
       EXPECT_EQ(end.ascent->start_value, found->start().value);
       EXPECT_EQ(end.ascent->steps, found->steps());
-      EXPECT_EQ(end.ascent->sheets_folded, found->looks);
+      EXPECT_EQ(end.ascent->sheets_folded, found->evaluations);
       EXPECT_EQ(end.ascent->limited_by.has_value(), found->limits.has_value());
       better += end.ascent->steps > 0;
       if (end.ascent->steps == 0) continue;
