@@ -233,7 +233,7 @@ CREATE TABLE certificate (
   seconds REAL NOT NULL CHECK (seconds >= 0),          -- that making it took
   -- XXH3-128 of the draw, the sheet and all columns but seconds (schema/catalogue/certificate_row.hpp).
   hash TEXT NOT NULL CHECK (length(hash) = 32),
-  proof BLOB NOT NULL  -- solver/certificate/certificate.hpp says how
+  proof BLOB NOT NULL  -- solver/records/certificate.hpp says how
 ) STRICT;
 
 -- For people.

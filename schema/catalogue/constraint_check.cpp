@@ -34,7 +34,7 @@ std::vector<Finding> check_constraints(SQLite::Database& database) {
   while (table.executeStep()) {
     const std::string name = text_of(table.getColumn(0));
     const auto conditions = conditions_of(text_of(table.getColumn(1)));
-    if (conditions.empty() || name.find('"') != std::string::npos) continue;
+    if (conditions.empty() || name == "piece" || name.find('"') != std::string::npos) continue;
     std::string broken;  // a condition that is null holds
     for (const std::string& condition : conditions) {
       broken += (broken.empty() ? "" : ", ") + ("total(NOT " + condition + ")");

@@ -10,7 +10,8 @@
 
 namespace misalign::schema {
 
-/// A finding for each CHECK that rows break. SQLite::Exception if they cannot be read.
+/// A finding for each CHECK that rows break, but of pieces: one that is no use is made again.
+/// SQLite::Exception if they cannot be read.
 std::vector<Finding> check_constraints(SQLite::Database& database);
 
 }  // namespace misalign::schema

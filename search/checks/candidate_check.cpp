@@ -50,9 +50,9 @@ void compare_ascents(
     const std::function<void(const std::string&, const Json&, const Json&)>& differ) {
   static const Json kColumns = ascent_row({});
   for (const auto& [column, nothing] : kColumns.items()) {
-    const auto cell = [&](const Json& row) {
-      const Json value = row.is_object() ? row.value(column, Json()) : Json();
-      return column == "limited_by" && value.is_string() ? schema::json_of(value) : value;
+    const auto cell = [&name = column](const Json& row) {
+      const Json value = row.is_object() ? row.value(name, Json()) : Json();
+      return name == "limited_by" && value.is_string() ? schema::json_of(value) : value;
     };
     if (!agrees(cell(stored), cell(other))) {
       differ("ascent." + column, cell(stored), cell(other));
