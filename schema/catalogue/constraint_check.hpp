@@ -1,5 +1,5 @@
 // Counts the rows that break a CHECK of their table. SQLite leaves CHECKs out of a file that is
-// opened only to be read, and its integrity_check then passes over them.
+// opened only to be read, and its integrity_check passes over them. Pieces that are no use are made again.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -10,8 +10,7 @@
 
 namespace misalign::schema {
 
-/// A finding for each CHECK that rows break, but of pieces: one that is no use is made again.
-/// SQLite::Exception if they cannot be read.
+/// A finding for each CHECK that rows break, but of `piece`. SQLite::Exception: unreadable rows.
 std::vector<Finding> check_constraints(SQLite::Database& database);
 
 }  // namespace misalign::schema
