@@ -1,5 +1,5 @@
-// Counts the rows that break a CHECK of their table. SQLite leaves CHECKs out of a file that is
-// opened only to be read, and its integrity_check passes over them. Pieces that are no use are made again.
+// Counts rows that break a CHECK of their table: SQLite leaves CHECKs out of a file that is only
+// read, and its integrity_check passes over them. Pieces that are no use are only made again.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
