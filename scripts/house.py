@@ -26,8 +26,8 @@ SCHEMA_VERSIONS = r"\bk\w+Since\b|\bkSchemaVersion\b|\bkLaterColumns\b"
 TYPE = r"(?:class|struct|union|enum(?: class| struct)?) (?:\w+ )*?(\w+)(?: final)?(?: ?:[^;{}()]*)? ?\{"
 PUBLIC_TYPE = re.compile(rf"^{TYPE}", re.M)
 ANY_TYPE = re.compile(rf"^ *{TYPE}", re.M)
-# From the line that names it to its closing brace, which is as far from the margin: functions of a namespace or a class,
-# and what JavaScript calls function.
+# Functions of a namespace or a class, and those that JavaScript calls function: the line that names one to its closing
+# brace, which is as far from the margin.
 CPP_FUNCTION = re.compile(r"^(|  )(?!namespace|class|struct|union|enum|if|for|while|switch|else|do\b|try)"
                           r"[^\s{};:/][^{};\n]*\([^{};]*\{\n(.*?)^\1\}", re.M | re.S)
 JS_FUNCTION = re.compile(r"^( *)(?:export )?(?:default )?(?:async )?function\b[^;]*?\{\n(.*?)^\1\}", re.M | re.S)

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "schema/campaign/draw_range.hpp"
 #include "schema/campaign/misalignment.hpp"

@@ -9,7 +9,7 @@
 
 namespace misalign::schema {
 
-/// What a campaign's starts and single sheets are asked alike. The member initializers are the
+/// The request that a campaign's starts and single sheets have alike. Its initial values are the
 /// released defaults of campaigns: they never change.
 struct OptimiseRequest {
   const solver::Goal* goal = solver::goal_named("critical_friction_n_mm_per_mm");

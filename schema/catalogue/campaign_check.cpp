@@ -38,7 +38,7 @@ void check_diagonals(SQLite::Database& database, const Campaign& campaign,
   findings.push_back(differs("campaign", "diagonals", text, recomputed.dump()));
 }
 
-// What was screened of draws: every rejected one once, by runs of this schema version and later.
+// The schema version from which on runs have screened every rejected draw once.
 constexpr int kScreenedOnceSince = 3;
 
 bool is_sample(double deg, const Campaign& campaign) {

@@ -58,7 +58,7 @@ std::string first_layout(MadeIn made_in) {
   return sql.insert(sql.find(column) + column.size(), " DEFAULT 1");
 }
 
-// Of a catalogue that was made in that version; made once.
+// The layout of a catalogue that was made in that version, computed once.
 const Layout& layout_of(MadeIn made_in, int version) {
   static std::map<std::pair<MadeIn, int>, Layout> layouts;
   static std::mutex mutex;

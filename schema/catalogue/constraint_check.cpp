@@ -8,7 +8,7 @@
 namespace misalign::schema {
 namespace {
 
-// What a table's CHECKs ask, each within its brackets.
+// The conditions of a table's CHECKs, each within its brackets.
 std::vector<std::string> conditions_of(const std::string& table_sql) {
   const SqlTokens sql = sql_tokens(table_sql);
   std::vector<std::string> conditions;

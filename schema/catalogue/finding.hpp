@@ -1,4 +1,4 @@
-// What a check of a catalogue finds.
+// The findings of a check of a catalogue.
 #pragma once
 
 #include <string>

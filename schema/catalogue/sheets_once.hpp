@@ -8,8 +8,8 @@
 
 namespace misalign::schema {
 
-/// Of candidates that are the same sheet only the one with the least number stays, to which what is
-/// known of the others goes (certificates, yields), and of all no more than stop.accepted, those
+/// Candidates that are the same sheet become the one with the least number, which gets the others'
+/// certificates and yields; no more than stop.accepted candidates of the catalogue stay, those
 /// with the least numbers. Looks at sheets of which one lies in `added`. Their units' counts and
 /// digests follow. Of an optimising search every start keeps its end. Within a transaction; throws
 /// SQLite::Exception.

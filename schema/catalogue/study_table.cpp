@@ -1,4 +1,4 @@
-// To add a study: its four files, solver/ROOM/X, schema/exchange/X_json, search/sheets/X_text and
+// A new study X needs four files, solver/ROOM/X, schema/exchange/X_json, search/sheets/X_text and
 // search/verbs/X, and its line here. Help, the options of `report`, the page's columns and what SQL
 // may call follow from the table.
 #include "schema/catalogue/study_table.hpp"

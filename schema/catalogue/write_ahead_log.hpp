@@ -3,7 +3,6 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include <cstdint>
 #include <string>
 
 #include "schema/files/storage.hpp"
@@ -33,7 +32,7 @@ class WriteAheadLog {
 /// The size of a journal or a log; 0 where there is none.
 std::uintmax_t journal_bytes(const std::string& path);
 
-/// Whether the file's log is missing: it says that it has one, and nobody writes it. A copy that
+/// True where a file says that it has a log, nobody writes it, and the log is missing. A copy that
 /// was made while a search was writing is such a file; so is one whose log another program folded
 /// in. Not while this process reads the file: see is_being_written.
 bool lacks_log(const std::string& path);

@@ -38,8 +38,8 @@ std::vector<std::uint64_t> write_yields(SQLite::Database& database,
                                         const std::vector<Yield>& yields,
                                         const std::string& commit);
 
-/// Of one candidate, by amplitude and angle. UserError (bad_input) if one of them does not add up:
-/// SQLite looks at no CHECK while it reads.
+/// The yields of one candidate, by amplitude and angle. UserError (bad_input) if one of them does
+/// not add up: SQLite looks at no CHECK while it reads.
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw);
 
 /// Takes over those of another catalogue whose candidates are in this one, of a splitting search

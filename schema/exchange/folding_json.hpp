@@ -1,9 +1,6 @@
 // A folding path as JSON: what `fold`, `replay` and `export` write.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "schema/catalogue/candidate_row.hpp"
 #include "solver/sheet/sheet.hpp"
 

@@ -2,7 +2,6 @@
 // springs.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "schema/exchange/folding_json.hpp"

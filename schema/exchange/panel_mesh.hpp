@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 namespace misalign::schema {
 

@@ -1,8 +1,6 @@
 // An item of a kit's layout, moved as one: a part, or a block of notes, on the kit's layers.
 #pragma once
 
-#include <string>
-
 #include "schema/exchange/line_drawing.hpp"
 
 namespace misalign::schema {

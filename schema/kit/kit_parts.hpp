@@ -1,7 +1,6 @@
 // The parts of a kit: panels that creases hold together.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "schema/kit/kit_options.hpp"

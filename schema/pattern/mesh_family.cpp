@@ -1,7 +1,6 @@
 #include "schema/pattern/mesh_family.hpp"
 
 #include <algorithm>
-#include <functional>
 
 #include "schema/pattern/fold_format.hpp"
 #include "schema/pattern/pattern_document.hpp"

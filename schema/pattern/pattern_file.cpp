@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "schema/pattern/carried_pattern.hpp"
 #include "schema/pattern/fold_format.hpp"

@@ -35,7 +35,7 @@ std::vector<schema::Candidate> measured(const solver::Model& model, solver::Batc
 /// One campaign made ready: what all of its draws share, and the workspace of this rank.
 class DrawEvaluator {
  public:
-  /// In the widest registers of this machine, or in those of `set`. Accepted draws are certified,
+  /// Uses the widest registers of this machine, or those of `set`. Accepted draws are certified,
   /// and go on to where they end, if the campaign asks for it and the part is given.
   explicit DrawEvaluator(schema::Campaign campaign,
                          solver::InstructionSet set = solver::available_instruction_sets().back(),

@@ -12,8 +12,8 @@ namespace misalign::search {
 /// numbers, the same for every build whose verdicts can be trusted to agree.
 std::string golden_verdicts(solver::InstructionSet set);
 
-/// By what builds and machines know each other that work on this campaign: their golden_verdicts,
-/// and where it optimises also the sheets at which fixed draws end, to the last bit.
+/// The mark by which builds and machines that work on this campaign know each other: their
+/// verdicts, and where it optimises also the sheets at which fixed draws end, to the last bit.
 std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts,
                         const Parts& parts);
 

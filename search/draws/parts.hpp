@@ -28,8 +28,8 @@ struct Parts {
                            const std::string& where) = nullptr;
 };
 
-/// UserError (failure) unless what is asked for needs no part, or one that is there; `lack` is what
-/// is so without it: "certifies nothing".
+/// UserError (failure) where a part that is needed is not there; `lack` says what this program does
+/// without it: "certifies nothing".
 void need_part(bool is_there, const std::string& lack);
 
 }  // namespace misalign::search

@@ -1,6 +1,7 @@
 // Translates this program's exceptions into Python's `misalign.Error`: the same exit codes and
 // sentences, in which parameters have their Python names.
 #include <exception>
+#include <utility>
 
 #include "search/python/bindings.hpp"
 #include "search/verbs/border.hpp"
@@ -18,10 +19,9 @@ void bind_errors(py::module_& module) {
         const bool is_first = error_type == nullptr;
         error_type = type.release().ptr();  // for as long as the process lives
         if (!is_first) return;
-        // NOLINTNEXTLINE: as pybind11 wants it
         py::register_exception_translator([](std::exception_ptr thrown) {
           try {
-            std::rethrow_exception(thrown);
+            std::rethrow_exception(std::move(thrown));
           } catch (const py::builtin_exception&) {
             throw;  // pybind's own: TypeError and the like
           } catch (const py::error_already_set&) {

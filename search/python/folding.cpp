@@ -1,7 +1,6 @@
 #include "search/python/folding.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "search/draws/decision_stream.hpp"
 #include "search/python/arrays.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <string>
 #include <thread>
 
 #include "search/ranks/mpi_session.hpp"

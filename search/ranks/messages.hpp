@@ -3,7 +3,6 @@
 
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "schema/records/unit_record.hpp"
 #include "search/ranks/wire.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "schema/catalogue/certificate_row.hpp"
 #include "search/draws/parts.hpp"

@@ -18,7 +18,7 @@ using schema::Cause;
 using schema::UserError;
 using solver::NoResult;
 
-// What a sheet has in the way of a study.
+// A reason in the words of a sentence.
 struct Reason {
   NoResult reason;
   Cause cause;

@@ -30,15 +30,15 @@ solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::Contac
 /// Springs of this design on a sheet of its model, which has a station at the angle of use.
 solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design);
 
-/// The sheet let go.
+/// The motion of the sheet after its release.
 solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::ReleaseOptions& options);
 
-/// What pins it overcomes, with the design's, or nothing where it says none.
+/// The friction of pins that it overcomes; none where the design names no pins.
 std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
                                         const solver::ReleaseOptions& deploying,
                                         const schema::Design& design);
 
-/// Its panels bent.
+/// The study of its bent panels, with advice.
 schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& deploying,
                              const schema::Design& design);
 

@@ -117,7 +117,6 @@ bool BentFollower::correct(const Load& load, double moved_mm, FarBentState& stat
     const MatrixXd bend = energy.bend(free_, free_);
     const VectorXd turned_slope = sheet_.turned_slope(state.at_mm)(free_);
     HeldStiffness held(bend, turned_slope);
-    ++corrections_;
     const VectorXd push = -energy.slope(free_);
     const double short_mm = load.turned_mm - sheet_.turned_mm(state.at_mm);
     // Off its equilibrium a thin panel is compressed in its plane, and need not be stable.

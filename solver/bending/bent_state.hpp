@@ -96,7 +96,6 @@ class BentFollower {
   /// the equilibrium ends or loses its stability on the way: it then is lost.
   bool follow(double turned_mm, const Eigen::VectorXd& relaxed_mm);
   const FarBentState& state() const { return state_; }
-  int corrections() const { return corrections_; }
 
  private:
   struct Load {
@@ -113,7 +112,6 @@ class BentFollower {
   Load load_;
   FarBentState state_;
   std::optional<HeldStiffness> held_;  // of the last correction
-  int corrections_ = 0;
 };
 
 /// From the rigid sheet, its springs stretched little by little to what they are.

@@ -24,7 +24,7 @@ SaddlePlate bend_into_saddle(const std::array<Eigen::Vector2d, 4>& corners_mm,
                              const std::array<bool, 4>& is_straight, double poisson);
 
 /// From 5 to 7 the stiffness of panels like the paper's falls by less than 2 %, most where two
-/// edges are free (tests/solver/bending/bent_panels_test.cpp).
+/// edges are free (tests/solver/bending/saddle_plate_test.cpp).
 inline constexpr int kRitzDegree = 5;
 SaddlePlate bend_into_saddle(const std::array<Eigen::Vector2d, 4>& corners_mm,
                              const std::array<bool, 4>& is_straight, double poisson, int degree);
@@ -37,7 +37,7 @@ double saddle_stress(const std::array<Eigen::Vector2d, 4>& corners_mm,
                      const std::array<bool, 4>& is_straight, double poisson, int degree);
 inline constexpr double kCornerWidths = 0.1;
 /// From 7 to 11 that stress of panels like the paper's changes by 8 % at most, downwards
-/// (tests/solver/bending/bent_panels_test.cpp).
+/// (tests/solver/bending/saddle_plate_test.cpp).
 inline constexpr int kStressDegree = 7;
 
 /// The volume (mm^6) under a clamped plate of this shape, load over rigidity 1/mm^4, by (1 - u^2)^2

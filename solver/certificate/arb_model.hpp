@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <utility>
 
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>

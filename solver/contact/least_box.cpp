@@ -4,7 +4,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <functional>
-#include <limits>
 
 #include "solver/pattern/half_angle.hpp"
 

@@ -44,9 +44,6 @@ class PanelMotion {
   double crease_rad(double x, int crease) const;
   /// Poses of all panels in a state.
   void place(const FoldState<double>& state, std::vector<PanelPose>& poses) const;
-  /// As far as the polynomials are good: their eighth differences stay below kSmooth_mm.
-  double smooth_until() const { return smooth_until_; }
-
   /// As far as rates at the stations tell those between: no corner's second difference is more than
   /// kResolved of the rates there. Else the path turns too sharply for so many stations.
   double resolved_until() const { return resolved_until_; }

@@ -14,7 +14,6 @@
 // is sufficient. Those that are tapered where they are closest may be thicker.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "solver/contact/contact_finder.hpp"

@@ -2,7 +2,6 @@
 // samples is asked of the path as a function through them.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "solver/judging/extreme_finder.hpp"

@@ -2,7 +2,6 @@
 // turn most of them away, and the full path of the others.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 

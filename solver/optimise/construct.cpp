@@ -1,7 +1,6 @@
 #include "solver/optimise/construct.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <map>
 

@@ -7,8 +7,8 @@
 #include "solver/bending/preload.hpp"
 #include "solver/bending/rest_stiffness.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/optimise/deployed_angle.hpp"
 #include "solver/optimise/local_goals.hpp"
-#include "solver/optimise/objective.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
 
 namespace misalign::solver {

@@ -7,7 +7,7 @@
 #include "solver/bending/preload.hpp"
 #include "solver/bending/rest_stiffness.hpp"
 #include "solver/contact/contact.hpp"
-#include "solver/optimise/objective.hpp"
+#include "solver/optimise/deployed_angle.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
 #include "solver/optimise/spring_changes.hpp"
 #include "solver/optimise/thickness_changes.hpp"

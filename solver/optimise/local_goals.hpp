@@ -1,4 +1,4 @@
-// What the goals of an optimisation become next to one sheet, to first order.
+// The goals of an optimisation next to one sheet, to first order.
 #pragma once
 
 #include <vector>
@@ -16,8 +16,8 @@ struct LocalGoal {
   Eigen::VectorXd row;  ///< of the amount, per mm of the variables
 };
 
-// The pieces of each, by the sheet's springs, as the options have them; to no avail where the
-// changes are then not known, and empty where there are none.
+// Each gives its pieces by the sheet's springs, as the options have them: none where the changes
+// are not known.
 
 std::vector<LocalGoal> local_critical_friction(SheetChanges& changes);
 std::vector<LocalGoal> local_bent_critical_friction(SheetChanges& changes);

@@ -1,4 +1,4 @@
-// What an optimisation may do, and what it ends with.
+// The options and the result of an optimisation.
 #pragma once
 
 #include <functional>

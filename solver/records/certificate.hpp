@@ -2,7 +2,6 @@
 // holes only grows or only shrinks. What it proves, how, and what it does not: README.md here.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

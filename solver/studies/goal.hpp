@@ -33,14 +33,15 @@ struct Goal {
   const char* suggestion = "begin with another sheet, or with another goal";
 };
 
-/// In the order in which people are told of them and floors are kept, the usual one first.
+/// The rows, in the order in which people are told of them and floors are kept: the usual one
+/// first.
 std::span<const Goal> goal_table();
 /// Null where none has this name.
 const Goal* goal_named(std::string_view name);
 /// The names of all goals, or of those that are so: &Goal::is_same_everywhere.
 std::vector<std::string> goal_names(bool Goal::*is_so = nullptr);
 
-/// What another goal is to be at least.
+/// The least value of another goal.
 struct OptimiseFloor {
   const Goal* goal;
   double least;  ///< in the goal's unit

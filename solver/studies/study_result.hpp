@@ -23,7 +23,7 @@ template <typename T>
 class StudyResult {
  public:
   StudyResult(T value) : outcome_(std::move(value)) {}
-  /// That of another study, too, on which this one is built.
+  /// The obstacle may be that of another study, on which this one is built.
   StudyResult(Obstacle obstacle) : outcome_(std::move(obstacle)) {}
   StudyResult(OptionFault fault) : outcome_(Obstacle(std::move(fault))) {}
   StudyResult(NoResult reason) : outcome_(Obstacle(reason)) {}

@@ -6,10 +6,8 @@
 #include <random>
 
 #include "solver/bending/bent_advice.hpp"
-#include "solver/bending/preload.hpp"
+#include "tests/solver/bending/bent.hpp"
 #include "tests/solver/families.hpp"
-#include "tests/solver/own_sheet.hpp"
-#include "tests/solver/sheets.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -17,79 +15,11 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
-using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-constexpr double kNu = 0.33;
-
-std::array<Vector2d, 4> rectangle(double a, double b) {
-  return {Vector2d(0, 0), Vector2d(a, 0), Vector2d(a, b), Vector2d(0, b)};
-}
-
-// w = q x y / (a b): no moment, no shear force at any edge, so that nothing relaxes it.
-TEST(SaddlePlate, RectanglesTwist) {
-  for (const bool straight : {true, false}) {
-    const SaddlePlate saddle =
-        bend_into_saddle(rectangle(60, 90), {straight, straight, straight, straight}, kNu);
-    EXPECT_NEAR(saddle.stiffness, 2 * (1 - kNu) / 5400, 1e-12);
-    EXPECT_NEAR(saddle_stress(rectangle(60, 90), {straight, straight, straight, straight}, kNu,
-                              kStressDegree),
-                std::sqrt(3.0) * (1 - kNu) / 5400, 1e-12);
-    EXPECT_NEAR(saddle.area_mm2, 5400, 1e-9);
-    EXPECT_NEAR(saddle.perimeter_mm, 300, 1e-9);
-  }
-}
-
-// The same place and size whichever corner is first, and seen from any side.
-TEST(SaddlePlate, KnowsNoDirections) {
-  std::array<Vector2d, 4> corners{Vector2d(0, 0), Vector2d(80, 3), Vector2d(121, 84),
-                                  Vector2d(38, 79)};
-  std::array<bool, 4> straight{true, true, false, true};
-  const double one = bend_into_saddle(corners, straight, kNu).stiffness;
-  std::rotate(corners.begin(), corners.begin() + 1, corners.end());
-  std::rotate(straight.begin(), straight.begin() + 1, straight.end());
-  for (Vector2d& corner : corners) corner = Eigen::Rotation2Dd(0.7) * corner + Vector2d(5, -8);
-  EXPECT_NEAR(bend_into_saddle(corners, straight, kNu).stiffness / one, 1, 1e-9);
-}
-
-// A softer plate has more freedom; and few polynomials are enough.
-TEST(SaddlePlate, FewPolynomialsAreEnough) {
-  double worst = 0;
-  for (const double lean : {20.0, 40.0}) {
-    const std::array<Vector2d, 4> corners{Vector2d(0, 0), Vector2d(80, 0), Vector2d(80 + lean, 80),
-                                          Vector2d(lean, 80)};
-    double last = 1e300;
-    for (const int free : {0, 1, 2}) {
-      const std::array<bool, 4> straight{free < 1, free < 2, true, true};
-      const double few = bend_into_saddle(corners, straight, kNu).stiffness,
-                   many = bend_into_saddle(corners, straight, kNu, 7).stiffness;
-      EXPECT_LE(many, few * (1 + 1e-12));
-      worst = std::max(worst, few / many - 1);
-      EXPECT_LT(few, last);
-      last = few;
-    }
-  }
-  RecordProperty("worst", scientific(worst));
-  EXPECT_LT(worst, 0.02);  // energies may be off by 3 %
-}
-
-// Next to the corners of 117 degrees stress grows with the degree; what counts does not.
-TEST(SaddlePlate, StressConverges) {
-  const std::array<Vector2d, 4> corners{Vector2d(0, 0), Vector2d(80, 0), Vector2d(120, 80),
-                                        Vector2d(40, 80)};
-  for (const int free : {0, 1, 2}) {
-    const std::array<bool, 4> straight{free < 1, free < 2, true, true};
-    const double few = saddle_stress(corners, straight, kNu, kStressDegree),
-                 more = saddle_stress(corners, straight, kNu, 9),
-                 many = saddle_stress(corners, straight, kNu, 11);
-    EXPECT_NEAR(few / many, 1, 0.08);
-    EXPECT_NEAR(more / many, 1, 0.02);
-  }
-}
 
 // Two rectangles on one crease, folded by phi, and a spring across from corner to corner.
 struct TwoBentPanels {
-  static constexpr double kA = 60, kB = 90;
+  static constexpr double kA = 60, kB = 90, kNu = 0.33;
   TwoBentPanels() {
     flat_mm.resize(2, 6);
     flat_mm << 0, kA, 2 * kA, 0, kA, 2 * kA, 0, 0, 0, kB, kB, kB;
@@ -144,7 +74,7 @@ TEST(ElasticSheet, SquareStretchesInALargeSaddle) {
   panels.facets = {0};
   panels.corners = {{0, 1, 2, 3}};
   const double q = 3, e = 70e3, t = 0.5;
-  const ElasticSheet sheet(flat_mm, panels, {}, {70, kNu}, t);
+  const ElasticSheet sheet(flat_mm, panels, {}, {70, TwoBentPanels::kNu}, t);
   Matrix3Xd at_mm = sheet.flat_shape_mm();
   at_mm.row(2) << q / 4, -q / 4, q / 4, -q / 4;  // each side rises by q / 2
   at_mm.topRows<2>() *= std::sqrt(1 - std::pow(q / 2 / 80, 2));
@@ -163,42 +93,13 @@ TEST(ElasticSheet, KnowsNoDirections) {
     Panels panels;
     panels.facets = {0};
     panels.corners = {{first, first + 1, first + 2, (first + 3) % 4}};
-    const ElasticSheet sheet(flat_mm, panels, {}, {70, kNu}, 0.2);
+    const ElasticSheet sheet(flat_mm, panels, {}, {70, TwoBentPanels::kNu}, 0.2);
     Matrix3Xd at_mm = sheet.flat_shape_mm();
     at_mm.row(2) << 0.8, -0.7, 0.8, -0.9;
     energies_n_mm[static_cast<std::size_t>(first)] = sheet.panels_energy(at_mm).n_mm;
   }
   EXPECT_NEAR(energies_n_mm[1] / energies_n_mm[0], 1, 1e-9);
 }
-
-struct Bent : testing::Test {
-  Bent() : own(TestSheet(6, 6).base, shifts()) {}
-  static Eigen::Matrix2Xd shifts() {
-    const TestSheet sheet(6, 6);
-    return sheet.shifted(golden("table1_odd.json")["displacements_mm"]) -
-           sheet.base.sheet.vertices_mm;
-  }
-  ElasticSheet panels(double thickness_mm = 1, double stiffer = 1) const {
-    return {own.sheet.vertices_mm(),
-            own.sheet.panels(),
-            own.sheet.mechanism().diagonals,
-            {},
-            thickness_mm,
-            stiffer};
-  }
-  Matrix3Xd folded(double pilot_deg) const {
-    const FoldingWay& way = *own.sheet.way();
-    SheetGeometry<double> geometry;
-    place(own.sheet.mechanism(), own.sheet.vertices_mm(), geometry);
-    FoldState<double> state = way.stations().front().state;
-    way.find_state(way.x_of(pilot_deg), state);
-    return own.model.shape().vertices_mm(geometry, state);
-  }
-  BentPanels bent(const ReleaseOptions& deploying, const BentPanelsOptions& options = {}) const {
-    return *bend_panels(own.sheet, deploying, options);
-  }
-  const OwnSheet own;
-};
 
 // Gradients and second derivatives by differences, of a sheet that is out of every shape.
 TEST_F(Bent, Derivatives) {
@@ -294,7 +195,7 @@ TEST_F(Bent, FromRigidToSoft) {
   rock.material.e_gpa = 1e11;
   rock.method = BendMethod::linear;
   const BentPanels rigid = bent(deploying, rock);
-  const EnergyModel as_rigid(*own.sheet.way(), own.model.shape(), own.model.base(), {});
+  const EnergyModel as_rigid(own.sheet, {});
   EXPECT_NEAR(*rigid.friction.critical_n_mm_per_mm /
                   *find_friction_limits(as_rigid, 36).critical_n_mm_per_mm,
               1, 1e-4);
@@ -345,66 +246,6 @@ TEST(BentFriction, OfAQuadraticEnergy) {
   const BentFriction with_balls = find_bent_friction(curve, 1, b * a * 10, balls);
   EXPECT_NEAR(*with_balls.static_stall_deg, 15, 1e-6);
   EXPECT_NEAR(*with_balls.critical_n_mm_per_mm / (b * a * (20 - 5)), 1, 1e-3);
-}
-
-// What programs that share no code found of Table 1: 1 mm best with 0.05 N, none left at 0.10; 4 mm
-// 3 and 6; of 18 ways to leave flat eight or nine are unstable with any preload.
-TEST_F(Bent, PreloadOfTable1) {
-  const VectorXd all = Preload{1, {}}.forces_n(own.sheet.mechanism().diagonals);
-  const PreloadAtFlat thin = *preload_at_flat(own.sheet, {}, 1, all),
-                      thick = *preload_at_flat(own.sheet, {}, 4, all);
-  EXPECT_NEAR(thin.best_n(), 0.05, 0.005);
-  EXPECT_NEAR(thick.best_n(), 3, 0.3);
-  const ElasticSheet sheet = panels();
-  const VectorXd signs = (sheet.lengths_mm(folded(5)) - sheet.flat_lengths_mm()).cwiseSign();
-  for (const double preload_n : {0.001, 0.05, 1.0}) {
-    const FlatModes modes =
-        find_flat_modes(sheet, {50, sheet.flat_lengths_mm() - preload_n / 50 * signs});
-    EXPECT_EQ(modes.rigid, 18);
-    EXPECT_GE(modes.unstable, 8);
-    EXPECT_LE(modes.unstable, 9);
-  }
-  EXPECT_EQ(find_flat_modes(sheet, {50, sheet.flat_lengths_mm()}).unstable, 0);
-}
-
-// The rigid sheet's moment grows with the angle under preload, and the bent one's too.
-TEST_F(Bent, PreloadMovesItOnNearFlat) {
-  ReleaseOptions deploying;
-  deploying.sheet.plates.thickness_mm = 4;
-  const double without = bent(deploying).friction.static_n_mm_per_mm;
-  deploying.sheet.springs.preload.each_n = 3;
-  const BentPanels with = bent(deploying);
-  EXPECT_GT(with.friction.static_n_mm_per_mm, 20 * without);
-  const BentWay way(own.sheet, {}, 4, 1, 36, 16);
-  const VectorXd all = Preload{1, {}}.forces_n(own.sheet.mechanism().diagonals);
-  const BestPreload best = best_preload(way, 50, 1, *preload_at_flat(own.sheet, {}, 4, all), all);
-  EXPECT_GE(best.static_n_mm_per_mm, with.friction.static_n_mm_per_mm * (1 - 1e-6));
-  deploying.sheet.springs.rest_deg = 20;
-  EXPECT_EQ(bend_panels(own.sheet, deploying, {}).fault()->name, "preload_n");
-}
-
-// Panels like rock: let go near flat it is there after a quarter of its period; also where springs
-// have preloads of their own.
-TEST_F(Bent, PreloadSwingsItAboutFlat) {
-  const std::vector<Diagonal>& diagonals = own.sheet.mechanism().diagonals;
-  const auto own_n = [&](std::size_t d, double n) {
-    return Preload::OfOne{diagonals[d].to, diagonals[d].from, n};
-  };
-  for (const Preload& preload :
-       {Preload{30, {}}, Preload{20, {own_n(0, 0), own_n(5, 60), own_n(10, 3)}}}) {
-    ReleaseOptions deploying;
-    deploying.from_deg = 1.5;
-    deploying.sheet.springs.preload = preload;
-    BentPanelsOptions rock;
-    rock.material.e_gpa = 1e11;
-    const BentPanels panels = *bend_panels(own.sheet, deploying, rock);
-    const PreloadStudy found = *study_preload(own.sheet, deploying, panels);
-    EXPECT_EQ(found.preload_n, preload.largest_n());
-    const DeploymentStudy let_go = *deploy(own.sheet, deploying);
-    // The springs' own stiffness adds k L2^2 rho^2 / 2 F L2 of it: half a per mille here; lengths
-    // near flat are off L2 rho^2 by (1 degree / 3)^2.
-    EXPECT_NEAR(4 * let_go.deploy_time_s().value() * found.frequency_hz, 1, 2e-3);
-  }
 }
 
 // A sheet of 0.2 mm with shifts of 4 mm, whose panels take nine tenths of the springs' stretch:

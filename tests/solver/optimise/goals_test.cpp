@@ -6,6 +6,7 @@
 #include "solver/contact/contact.hpp"
 #include "solver/motion/actuation.hpp"
 #include "solver/optimise/ascent.hpp"
+#include "solver/optimise/deployed_angle.hpp"
 #include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/objective.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
@@ -193,7 +194,7 @@ TEST_F(Goals, SpareDiagonalsAreThoseOfActuators) {
   int fewer = 0;
   for (int trial = 0; trial < 6; ++trial) {
     const Sheet sheet(solver_, next_start());
-    const EnergyModel rigid(*sheet.way(), model_.shape(), sheet.base(), options_.deploying.sheet);
+    const EnergyModel rigid(sheet, options_.deploying.sheet);
     const auto found = spare_diagonals(sheet, rigid, 36);
     const Actuation springs = actuate(sheet, {}, 36);
     ASSERT_EQ(found.has_value(), springs.few.has_value()) << "trial " << trial;

@@ -186,7 +186,7 @@ TEST_F(Optimising, StillSpringsRestNowhere) {
   const Sheet own(solver_, next_start(false)), still(solver_, 0 * own.shifts_mm());
   EnergyOptions options;
   const auto equilibria = [&](const Sheet& sheet) {
-    return find_equilibria(EnergyModel(*sheet.way(), model_.shape(), base_.base, options));
+    return find_equilibria(EnergyModel(sheet, options));
   };
   EXPECT_EQ(equilibria(still).size(), 0u);
   EXPECT_GT(equilibria(own).size(), 0u);

@@ -1,0 +1,44 @@
+#include "solver/optimise/deployed_angle.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "solver/optimise/path_gradients.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// Between their stations ways are off by thousandths of a degree, next to limits by less than this:
+// where a crease is folded to 180 degrees is solved there, and no closer to a limit.
+constexpr double kAroundFlat_deg = 0.1, kFromLimit_deg = 1e-6;
+
+// Where a crease is folded to 180 degrees; none where no crease is.
+std::optional<double> folded_flat_deg(const Sheet& sheet) {
+  PathGradients gradients(sheet);
+  const auto is_beyond = [&](double angle_deg) {
+    const auto folds_deg = gradients.folds_deg(angle_deg);
+    return folds_deg && folds_deg->cwiseAbs().maxCoeff() > 180 + kOverFoldBand_deg;
+  };
+  const FoldingWay& way = *sheet.way();
+  const auto about_deg = way.over_folded_deg();
+  if (!about_deg) return {};
+  double before_deg = *about_deg - kAroundFlat_deg,
+         beyond_deg = std::min(*about_deg + kAroundFlat_deg, way.end_deg() - kFromLimit_deg);
+  // Where a crease only touches 180 degrees, in a sharp bend, there is no place to be solved for.
+  if (is_beyond(before_deg) || !is_beyond(beyond_deg)) return about_deg;
+  while (beyond_deg - before_deg > kFromLimit_deg) {
+    const double middle_deg = (before_deg + beyond_deg) / 2;
+    (is_beyond(middle_deg) ? beyond_deg : before_deg) = middle_deg;
+  }
+  return before_deg;
+}
+
+}  // namespace
+
+double goes_until_deg(const Sheet& sheet) {
+  const auto& reverses_deg = sheet.record().extremes.reverses_deg;
+  return std::min(
+      {sheet.way()->end_deg(), reverses_deg.value_or(180), folded_flat_deg(sheet).value_or(180)});
+}
+
+}  // namespace misalign::solver
