@@ -13,9 +13,7 @@
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/sheets_once.hpp"
 #include "schema/catalogue/unit_copier.hpp"
-#include "schema/files/carried_files.hpp"
 #include "schema/files/file_name.hpp"
-#include "schema/files/output_file.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -6,6 +6,7 @@
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/connection.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/file_name.hpp"
 #include "schema/files/output_file.hpp"

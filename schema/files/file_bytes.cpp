@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "schema/files/input.hpp"
 #include "schema/files/kept_inputs.hpp"
+#include "schema/files/printable.hpp"
+#include "schema/files/user_error.hpp"
 
 namespace misalign::schema {
 namespace {

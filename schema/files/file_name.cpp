@@ -1,22 +1,42 @@
 #include "schema/files/file_name.hpp"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
-#include "schema/files/input.hpp"
-#include "schema/files/storage.hpp"
+#include "schema/files/hexadecimal.hpp"
+#include "schema/files/user_error.hpp"
 
 namespace misalign::schema {
 namespace {
 
+constexpr std::size_t kLongestStem = 200;  // with what is added, a name of at most 255 bytes
+constexpr std::size_t kRandomDigits = 32;
+constexpr const char* kEnding = ".partial";
 constexpr int kMostLinks = 40;  // as Linux itself follows
 
 int errno_unless(bool done) { return done ? 0 : errno; }
+
+std::string stem_of(const std::string& output) {
+  const std::filesystem::path path = output;
+  return path.parent_path() / (path.filename().string().substr(0, kLongestStem) + ".");
+}
+
+// What comes before the digits of a name of that form; empty of others.
+std::string stem_within(const std::string& path) {
+  const std::size_t added = kRandomDigits + std::string_view(kEnding).size();
+  if (path.size() <= added || !path.ends_with(kEnding)) return "";
+  const std::size_t stem = path.size() - added;
+  const bool is_random = path.find_first_not_of(kHexDigits, stem) == stem + kRandomDigits;
+  return is_random && path[stem - 1] == '.' ? path.substr(0, stem) : "";
+}
 
 bool is_missing(int error) { return error == EINVAL || error == ENOSYS || error == EOPNOTSUPP; }
 
@@ -43,6 +63,29 @@ const char* what_it_is(std::filesystem::file_type type) {
 
 }  // namespace
 
+std::string unforeseen_name(const std::string& output) {
+  std::array<unsigned char, kRandomDigits / 2> bytes{};
+  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    throw UserError(Cause::failure, output + ": cannot be written (no random numbers: " +
+                                        std::strerror(errno) + "); see to the system");
+  }
+  return stem_of(output) + hex(bytes) + kEnding;
+}
+
+bool is_unforeseen_name(const std::string& path, const std::string& output) {
+  return stem_within(path) == stem_of(output);
+}
+
+std::string output_of(const std::string& path) {
+  const std::string stem = stem_within(path);
+  return stem.empty() ? path : stem.substr(0, stem.size() - 1);
+}
+
+const std::vector<std::string>& journal_suffixes() {
+  static const std::vector<std::string> suffixes = {"-journal", "-wal", "-shm"};
+  return suffixes;
+}
+
 int rename_to_new(const std::string& from, const std::string& to) {
   return errno_unless(::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) ==
                       0);
@@ -60,6 +103,14 @@ int rename_over_empty(const std::string& from, const std::string& to) {
   const int error = errno_unless(::rename(from.c_str(), to.c_str()) == 0);
   if (error != 0) ::unlink(to.c_str());
   return error;
+}
+
+void sync_directory_of(const std::string& path) {
+  const auto directory = std::filesystem::absolute(path).parent_path();
+  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
 }
 
 int give_name(const std::string& from, const std::string& to, Existing existing) {

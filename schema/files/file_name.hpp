@@ -1,9 +1,24 @@
-// Gives a finished file its final name.
+// Names a file until it is finished, and gives it its final name.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace misalign::schema {
+
+/// NAME.<32 random hexadecimal digits>.partial, beside `output`. UserError (failure) if the system
+/// gives no random numbers.
+std::string unforeseen_name(const std::string& output);
+bool is_unforeseen_name(const std::string& path, const std::string& output);
+
+/// The output that a file of such a name becomes (a long one may be cut); any other path as it is.
+std::string output_of(const std::string& path);
+
+/// The names that SQLite gives to journals beside a database.
+const std::vector<std::string>& journal_suffixes();
+
+/// Makes the name of a new file outlast a power cut.
+void sync_directory_of(const std::string& path);
 
 enum class Existing {
   refused,  ///< a file that is there already stays there

@@ -1,7 +1,6 @@
 #include "schema/files/output_file.hpp"
 
 #include <fcntl.h>
-#include <sys/random.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,7 +11,6 @@
 #include <utility>
 
 #include "schema/files/file_bytes.hpp"
-#include "schema/files/hexadecimal.hpp"
 #include "schema/files/input.hpp"
 #include "schema/files/kept_inputs.hpp"
 #include "schema/files/storage.hpp"
@@ -20,38 +18,8 @@
 namespace misalign::schema {
 namespace {
 
-constexpr std::size_t kLongestStem = 200;  // with what is added, a name of at most 255 bytes
-constexpr std::size_t kRandomDigits = 32;
-constexpr const char* kEnding = ".partial";
 constexpr int kMostTries = 100;
 constexpr int kCreate = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-
-std::string stem_of(const std::string& output) {
-  const std::filesystem::path path = output;
-  return path.parent_path() / (path.filename().string().substr(0, kLongestStem) + ".");
-}
-
-std::string unforeseen_name(const std::string& output) {
-  std::array<unsigned char, kRandomDigits / 2> bytes{};
-  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw UserError(Cause::failure, output + ": cannot be written (no random numbers: " +
-                                        std::strerror(errno) + "); see to the system");
-  }
-  return stem_of(output) + hex(bytes) + kEnding;
-}
-
-// What comes before the digits of a name of that form; empty of others.
-std::string stem_within(const std::string& path) {
-  const std::size_t added = kRandomDigits + std::string_view(kEnding).size();
-  if (path.size() <= added || !path.ends_with(kEnding)) return "";
-  const std::size_t stem = path.size() - added;
-  const bool is_random = path.find_first_not_of(kHexDigits, stem) == stem + kRandomDigits;
-  return is_random && path[stem - 1] == '.' ? path.substr(0, stem) : "";
-}
-
-bool has_such_a_name(const std::string& path, const std::string& output) {
-  return stem_within(path) == stem_of(output);
-}
 
 // One byte far behind the data, beside the one that a catalogue's writer locks. 0, or an errno.
 int lock(int descriptor) {
@@ -118,7 +86,7 @@ bool remove_leftovers(const std::string& output, const std::vector<std::string>&
   std::filesystem::directory_iterator entries(folder.empty() ? "." : folder, error), end;
   for (; !error && entries != end; entries.increment(error)) {
     const std::string path = folder / entries->path().filename();
-    if (has_such_a_name(path, output) && !remove_leftover(path, originals)) return false;
+    if (is_unforeseen_name(path, output) && !remove_leftover(path, originals)) return false;
   }
   return true;
 }
@@ -182,11 +150,6 @@ mode_t common_mode(const std::vector<std::string>& originals) {
 
 }  // namespace
 
-const std::vector<std::string>& journal_suffixes() {
-  static const std::vector<std::string> suffixes = {"-journal", "-wal", "-shm"};
-  return suffixes;
-}
-
 OutputFile::OutputFile(const std::string& output, Existing existing)
     : output_(output), target_(output), existing_(existing) {}
 
@@ -196,11 +159,6 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       existing_(other.existing_),
       path_(std::exchange(other.path_, "")),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-std::string OutputFile::output_of(const std::string& path) {
-  const std::string stem = stem_within(path);
-  return stem.empty() ? path : stem.substr(0, stem.size() - 1);
-}
 
 OutputFile OutputFile::database(const std::string& output,
                                 const std::vector<std::string>& originals) {

@@ -36,10 +36,6 @@ class OutputFile {
   /// Removes what was not published.
   ~OutputFile();
 
-  /// The output that such a file of a database becomes (a long name may be cut); any other path as
-  /// it is.
-  static std::string output_of(const std::string& path);
-
   /// Where to write a database. Its connections must be closed before this object ends.
   const std::string& path() const { return path_; }
   /// Adds to a text. UserError (failure).
@@ -61,8 +57,5 @@ class OutputFile {
   std::string path_;  // empty while it has none
   int descriptor_ = -1;
 };
-
-/// The names that SQLite gives to journals beside a database.
-const std::vector<std::string>& journal_suffixes();
 
 }  // namespace misalign::schema

@@ -1,14 +1,12 @@
 #include "schema/files/storage.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
 #include <sys/vfs.h>
-#include <unistd.h>
 
 #include <filesystem>
 
-#include "schema/files/output_file.hpp"
+#include "schema/files/file_name.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -55,17 +53,9 @@ FileSystem file_system_of(const std::string& path) {
   return system;
 }
 
-void sync_directory_of(const std::string& path) {
-  const auto directory = std::filesystem::absolute(path).parent_path();
-  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
-}
-
 UserError storage_failure(const std::string& written, const SQLite::Exception& error) {
   // A catalogue keeps what was committed; an output that has no name yet goes.
-  const std::string path = OutputFile::output_of(written);
+  const std::string path = output_of(written);
   const bool is_kept = path == written;
   const std::string kept = is_kept ? "; what was committed is good: " : "; nothing was written: ";
   const std::string again =

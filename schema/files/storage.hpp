@@ -27,9 +27,6 @@ FileSystem file_system_of(const std::string& path);
 /// What statfs's f_type stands for.
 FileSystem file_system_of_type(std::uint64_t type);
 
-/// Makes the name of a new file outlast a power cut.
-void sync_directory_of(const std::string& path);
-
 /// What SQLite says of a file, as a sentence that says what was kept and what to do: a failure in
 /// most cases, a bad input of a damaged file (also one in which a table or column is missing), in
 /// use where another program keeps it locked. Of an OutputFile's database it names the output, of
