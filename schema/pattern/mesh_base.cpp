@@ -83,8 +83,10 @@ void take_near_base(const std::string& where, solver::NearestBase near, Displace
   }
   sheet = std::move(near.sheet);
   pattern.base.folding = std::move(near.folding);
-  MeshFaults mesh_faults(where, faults);
-  place_faces(sheet, mesh_faults);  // as when it is read again
+  if (const auto none = place_faces(sheet)) {  // as when it is read again
+    faults.add(where.empty() ? none->problem : where + ": " + none->problem, none->why,
+               none->suggestion);
+  }
   sheet.panel_width_mm = median_width_mm(sheet);
 }
 

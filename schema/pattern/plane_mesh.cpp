@@ -206,7 +206,9 @@ class MeshReader {
     if (interior.empty()) add("the mesh", "has no inner vertex", "give more faces");
   }
 
-  void place() { place_faces(sheet_, faults_); }
+  void place() {
+    if (const auto none = place_faces(sheet_)) add(none->problem, none->why, none->suggestion);
+  }
 
   const PlanePoints& points_;
   const PlaneEdges& edges_;

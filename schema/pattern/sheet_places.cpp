@@ -21,9 +21,9 @@ void turn_to_the_right(const solver::CreasePattern& sheet, Corners& face) {
   std::rotate(face.begin(), face.begin() + turn, face.end());
 }
 
-// Goes from the first face across all sides; whether each face was reached, nothing after a fault.
-std::vector<bool> placed_from_the_first(solver::CreasePattern& sheet, MeshFaults& faults) {
-  std::vector<bool> placed(sheet.facets.size(), false);
+// Goes from the first face across all sides; `placed`: whether each face was reached.
+std::optional<NoPlaces> place_from_the_first(solver::CreasePattern& sheet,
+                                             std::vector<bool>& placed) {
   placed[0] = true;
   std::vector<int> frontier{0};
   constexpr int kStep[4][2] = {{-1, 0}, {0, 1}, {1, 0}, {0, -1}};  // row, column across side k
@@ -43,10 +43,9 @@ std::vector<bool> placed_from_the_first(solver::CreasePattern& sheet, MeshFaults
                                         sheet.places[f][1] + kStep[k][1]};
       if (placed[g]) {
         if (shift == 0 && sheet.places[g] == place) continue;
-        faults.add(face_label(corners),
-                   "has no row and column of its own: the mesh winds round itself",
-                   "give a sheet of rows and columns");
-        return placed;
+        return NoPlaces{face_label(corners),
+                        "has no row and column of its own: the mesh winds round itself",
+                        "give a sheet of rows and columns"};
       }
       std::rotate(corners.begin(), corners.begin() + shift, corners.end());
       sheet.places[g] = place;
@@ -54,7 +53,7 @@ std::vector<bool> placed_from_the_first(solver::CreasePattern& sheet, MeshFaults
       frontier.push_back(g);
     }
   }
-  return placed;
+  return std::nullopt;
 }
 
 void count_from_zero(std::vector<std::array<int, 2>>& places) {
@@ -77,27 +76,27 @@ std::string face_label(const Corners& corners) {
   return label;
 }
 
-void place_faces(solver::CreasePattern& sheet, MeshFaults& faults) {
+std::optional<NoPlaces> place_faces(solver::CreasePattern& sheet) {
   sheet.places.resize(sheet.facets.size());
   turn_to_the_right(sheet, sheet.facets[0]);
-  const std::vector<bool> placed = placed_from_the_first(sheet, faults);
-  if (faults.any()) return;
+  std::vector<bool> placed(sheet.facets.size(), false);
+  if (auto none = place_from_the_first(sheet, placed)) return none;
   const auto unplaced = std::find(placed.begin(), placed.end(), false);
   if (unplaced != placed.end()) {
-    faults.add("the mesh",
-               "is in two pieces: " + face_label(sheet.facets[unplaced - placed.begin()]) +
-                   " shares no edge with the first face's piece",
-               "give one sheet");
-    return;
+    return NoPlaces{"the mesh",
+                    "is in two pieces: " + face_label(sheet.facets[unplaced - placed.begin()]) +
+                        " shares no edge with the first face's piece",
+                    "give one sheet"};
   }
   auto places = sheet.places;
   std::sort(places.begin(), places.end());
   if (std::adjacent_find(places.begin(), places.end()) != places.end()) {
-    faults.add("the mesh", "two of its faces have the same row and column: it winds round itself",
-               "give a sheet of rows and columns");
-    return;
+    return NoPlaces{"the mesh",
+                    "two of its faces have the same row and column: it winds round itself",
+                    "give a sheet of rows and columns"};
   }
   count_from_zero(sheet.places);
+  return std::nullopt;
 }
 
 double median_width_mm(const solver::CreasePattern& sheet) {
