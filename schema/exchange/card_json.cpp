@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/design_json.hpp"
 
 namespace misalign::schema {
 

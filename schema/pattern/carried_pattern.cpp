@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "schema/pattern/filled_mesh.hpp"
-#include "schema/pattern/pattern_file.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {

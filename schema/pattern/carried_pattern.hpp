@@ -2,7 +2,7 @@
 // folded again: a shifted sheet without holes does not fold.
 #pragma once
 
-#include "schema/pattern/pattern_file.hpp"
+#include "schema/pattern/pattern_json.hpp"
 
 namespace misalign::schema {
 

@@ -3,10 +3,10 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
-#include "schema/files/input.hpp"
 #include "schema/pattern/material.hpp"
 #include "solver/motion/actuators.hpp"
 #include "solver/motion/film_hinge.hpp"
@@ -68,15 +68,13 @@ struct Bounds {
 /// Of "springs.stroke_limit", say, as the table has it.
 Bounds design_bounds(std::string_view key);
 
-/// Reads "design" at `where`; what is wrong is a fault.
-Design read_design(const Json& value, const std::string& where, InputFaults& faults);
-
-/// The same of "springs" alone, which older files call "actuators".
-Design read_springs(const Json& value, const std::string& where, InputFaults& faults);
-
-/// Every key; null what is not said and has no number that holds instead.
-Json design_json(const Design& design);
-/// Without what says no more than that.
-Json explicit_design_json(const Design& design);
+struct DesignNumber {
+  std::string_view block, key;  ///< of "springs" "stiffness_n_per_mm"; of the block itself ""
+  std::optional<double> Design::*number;
+  Bounds bounds;
+  std::optional<double> standard;  ///< what holds where it is not said; none: null
+  const char* suggestion;
+};
+std::span<const DesignNumber> design_numbers();
 
 }  // namespace misalign::schema

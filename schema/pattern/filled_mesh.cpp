@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "schema/pattern/pattern_file.hpp"
 #include "schema/pattern/vertex_labels.hpp"
 
 namespace misalign::schema {

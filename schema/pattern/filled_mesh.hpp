@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/pattern/pattern_file.hpp"
+#include "schema/pattern/pattern.hpp"
 #include "solver/kinematics/filler.hpp"
 
 namespace misalign::schema {

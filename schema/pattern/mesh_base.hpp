@@ -3,7 +3,7 @@
 #pragma once
 
 #include "schema/pattern/mesh_family.hpp"
-#include "schema/pattern/pattern_file.hpp"
+#include "schema/pattern/pattern.hpp"
 
 namespace misalign::schema {
 

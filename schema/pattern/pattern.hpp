@@ -22,10 +22,18 @@ struct Pattern {
   solver::FlatVertices vertices_mm() const { return base.sheet.vertices_mm + shifts_mm; }
 };
 
+/// Whether a pattern may have shifts of its own.
+enum class Displacements { allowed, refused };
+
 /// Where a path is looked at, and what counts as a fault between.
 struct Sampling {
   double sample_deg = 1, end_deg = 180;
   solver::BumpRule between_samples = solver::BumpRule::ignored;
 };
+
+/// [row, column] of a facet.
+Json facet_json(const Pattern& pattern, int facet);
+/// The facet there; -1 if the sheet has none.
+int facet_of_json(const Pattern& pattern, const Json& place);
 
 }  // namespace misalign::schema

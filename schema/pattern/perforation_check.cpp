@@ -1,6 +1,5 @@
 #include "schema/pattern/perforation_check.hpp"
 
-#include "schema/pattern/pattern_file.hpp"
 #include "solver/kinematics/mechanism.hpp"
 #include "solver/linear/mobility.hpp"
 #include "solver/pattern/parallel_family.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "schema/pattern/pattern_file.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "schema/pattern/vertex_labels.hpp"
 #include "solver/kinematics/diagonals.hpp"

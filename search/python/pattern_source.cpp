@@ -4,6 +4,7 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/text_file.hpp"
+#include "schema/pattern/design_json.hpp"
 #include "schema/pattern/pattern_document.hpp"
 #include "solver/play/tolerance.hpp"
 

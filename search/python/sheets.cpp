@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/pattern/design_json.hpp"
 #include "search/draws/draw.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"

@@ -6,6 +6,7 @@
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/exchange/tolerance_json.hpp"
 #include "schema/files/suggestion.hpp"
+#include "schema/pattern/design_json.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/copies.hpp"
 #include "search/python/made.hpp"

@@ -18,6 +18,7 @@
 #include "schema/kit/kit_drawing.hpp"
 #include "schema/kit/kit_guide.hpp"
 #include "schema/kit/test_piece.hpp"
+#include "schema/pattern/design_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/studies.hpp"

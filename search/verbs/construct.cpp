@@ -3,6 +3,7 @@
 
 #include "schema/exchange/construct_json.hpp"
 #include "schema/files/text_file.hpp"
+#include "schema/pattern/design_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/construct_text.hpp"
 #include "search/sheets/studies.hpp"

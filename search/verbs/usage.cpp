@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "schema/files/suggestion.hpp"
-#include "schema/pattern/design.hpp"
+#include "schema/pattern/design_json.hpp"
 #include "search/verbs/border.hpp"
 #include "search/verbs/help_format.hpp"
 

@@ -1,7 +1,5 @@
 // The design block: what is read is written again, options go before files, and pattern files and
 // exports carry it.
-#include "schema/pattern/design.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,6 +7,7 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/text_file.hpp"
+#include "schema/pattern/design_json.hpp"
 #include "solver/kinematics/mechanism.hpp"
 #include "solver/pattern/crease_pattern.hpp"
 #include "tests/folder.hpp"

@@ -1,0 +1,22 @@
+// Reads and writes the `design` block of campaign and pattern files.
+#pragma once
+
+#include <string>
+
+#include "schema/files/input.hpp"
+#include "schema/pattern/design.hpp"
+
+namespace misalign::schema {
+
+/// Reads "design" at `where`; what is wrong is a fault.
+Design read_design(const Json& value, const std::string& where, InputFaults& faults);
+
+/// The same of "springs" alone, which older files call "actuators".
+Design read_springs(const Json& value, const std::string& where, InputFaults& faults);
+
+/// Every key; null what is not said and has no number that holds instead.
+Json design_json(const Design& design);
+/// Without what says no more than that.
+Json explicit_design_json(const Design& design);
+
+}  // namespace misalign::schema
