@@ -4,57 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/certificate_table.hpp"
-#include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/sheets_once.hpp"
 #include "schema/catalogue/unit_copier.hpp"
-#include "schema/files/file_name.hpp"
 
 namespace misalign::schema {
-namespace {
-
-void bind_or_null(SQLite::Statement& statement, const char* name,
-                  const std::optional<std::uint64_t>& value) {
-  value ? statement.bind(name, stored(*value)) : statement.bind(name);
-}
-
-void bind_or_null(SQLite::Statement& statement, const char* name,
-                  const std::optional<double>& value) {
-  value ? statement.bind(name, *value) : statement.bind(name);
-}
-
-}  // namespace
-
-Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
-                     const solver::Mechanism& mechanism, std::optional<Storage> storage,
-                     Missing missing)
-    : path_(end_of_links(path)),
-      campaign_(campaign),
-      mechanism_(mechanism),
-      identity_(identity(campaign)),
-      storage_(storage.value_or(file_system_of(path_).storage)),
-      lock_(path_, missing) {
-  try {
-    guarded(path_, [&] { open(missing); });
-  } catch (...) {
-    writer_.reset();
-    log_.reset();
-    database_.reset();
-    if (lock_.made_the_file()) {
-      std::error_code ignored;
-      for (const std::string& suffix : journal_suffixes()) {
-        std::filesystem::remove(path_ + suffix, ignored);
-      }
-      std::filesystem::remove(path_, ignored);
-    }
-    throw;
-  }
-}
 
 Catalogue::~Catalogue() = default;
 
@@ -66,20 +24,6 @@ std::vector<std::uint64_t> Catalogue::undecided() const {
   return draws_of(*database_, "undecided", {0, kEndOfDraws});
 }
 
-void Catalogue::check_same_builds(const RunInfo& run) const {
-  SQLite::Statement other(*database_,
-                          "SELECT \"commit\" FROM run WHERE golden_verdicts != ? LIMIT 1");
-  other.bind(1, run.golden_verdicts);
-  if (!other.executeStep()) return;
-  throw UserError(Cause::foreign,
-                  path_ + ": this build (commit " + run.commit +
-                      ") gives other verdicts on the golden draws than the one that worked on this "
-                      "catalogue (commit " +
-                      other.getColumn(0).getString() + "); use that build, another " +
-                      parameter("catalogue") + ", or " + parameter("allow_mixed_builds") +
-                      " if you know that the difference does no harm");
-}
-
 void Catalogue::begin_run(const RunInfo& run, const Goal& goal, Builds builds) {
   guarded(path_, [&] {
     if (builds == Builds::same) check_same_builds(run);
@@ -87,37 +31,19 @@ void Catalogue::begin_run(const RunInfo& run, const Goal& goal, Builds builds) {
     const GoalEnd end = goal_end_of_rows(*database_, goal);
     const std::string configuration = stored_configuration(campaign_).dump();
     transact([&] {
-      SQLite::Statement campaign(
-          *database_,
-          "UPDATE campaign SET name = :name, configuration = :configuration, range_lo = :lo, "
-          "range_hi = :hi, goal_draws = :draws, goal_accepted = :accepted, "
-          "goal_relative_error = :error, goal_end = :end");
-      campaign.bind(":name", campaign_.name);
-      campaign.bind(":configuration", configuration);
-      campaign.bind(":lo", stored(goal.range.lo));
-      campaign.bind(":hi", stored(goal.range.hi));
-      bind_or_null(campaign, ":draws", goal.draws);
-      bind_or_null(campaign, ":accepted", goal.accepted);
-      bind_or_null(campaign, ":error", goal.relative_error);
-      campaign.bind(":end", stored(end.value()));
-      campaign.exec();
-      SQLite::Statement insert(
-          *database_,
-          "INSERT INTO run (started_at, host, ranks, version, \"commit\", compiler, flags, "
-          "golden_verdicts, configuration, schema_version, metrics_version) VALUES "
-          "(strftime('%Y-%m-%dT%H:%M:%fZ'), :host, :ranks, :version, :commit, :compiler, :flags, "
-          ":golden, :configuration, :schema, :metrics)");
-      insert.bind(":host", run.host);
-      insert.bind(":ranks", run.ranks);
-      insert.bind(":version", run.version);
-      insert.bind(":commit", run.commit);
-      insert.bind(":compiler", run.compiler);
-      insert.bind(":flags", run.flags);
-      insert.bind(":golden", run.golden_verdicts);
-      insert.bind(":configuration", configuration);
-      insert.bind(":schema", kSchemaVersion);
-      insert.bind(":metrics", solver::kMetricsVersion);
-      insert.exec();
+      bound(*database_,
+            "UPDATE campaign SET name = ?, configuration = ?, range_lo = ?, range_hi = ?, "
+            "goal_draws = ?, goal_accepted = ?, goal_relative_error = ?, goal_end = ?",
+            campaign_.name, configuration, goal.range.lo, goal.range.hi, goal.draws, goal.accepted,
+            goal.relative_error, end.value())
+          .exec();
+      bound(*database_,
+            "INSERT INTO run (started_at, host, ranks, version, \"commit\", compiler, flags, "
+            "golden_verdicts, configuration, schema_version, metrics_version) VALUES "
+            "(strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+            run.host, run.ranks, run.version, run.commit, run.compiler, run.flags,
+            run.golden_verdicts, configuration, kSchemaVersion, solver::kMetricsVersion)
+          .exec();
     });
     run_ = database_->getLastInsertRowid();
     goal_end_ = end;
@@ -152,12 +78,9 @@ void Catalogue::keep_tables(const std::vector<UnitRecord>& units) {
   double deg = 0;
   for (const UnitRecord& unit : units) deg = std::max(deg, unit.tables_deg);
   if (deg == 0) return;
-  SQLite::Statement update(*database_,
-                           "UPDATE run SET tables_deg = ?1 WHERE id = ?2 AND "
-                           "coalesce(tables_deg, 0) < ?1");
-  update.bind(1, deg);
-  update.bind(2, run_);
-  update.exec();
+  bound(*database_, "UPDATE run SET tables_deg = ?1 WHERE id = ?2 AND coalesce(tables_deg, 0) < ?1",
+        deg, run_)
+      .exec();
 }
 
 std::string Catalogue::result_of(const PieceRow& piece) const {
@@ -169,16 +92,14 @@ std::vector<PieceRow> Catalogue::pieces(const std::string& layout) const {
 }
 
 void Catalogue::keep_levels(const std::vector<int>& scores, std::uint32_t pilot) {
-  guarded(path_, [&] {
-    transact([&] {
-      write_levels(*database_, scores, campaign_.sample_deg);
-      drop_pieces(*database_, pilot);
-    });
+  transact([&] {
+    write_levels(*database_, scores, campaign_.sample_deg);
+    drop_pieces(*database_, pilot);
   });
 }
 
 void Catalogue::keep_pieces(const std::vector<PieceRow>& pieces) {
-  guarded(path_, [&] { transact([&] { write_pieces(*database_, pieces); }); });
+  transact([&] { write_pieces(*database_, pieces); });
 }
 
 void Catalogue::add_to_goal(const UnitRecord& unit, GoalEnd& end) const {
@@ -191,15 +112,13 @@ void Catalogue::add_to_goal(const UnitRecord& unit, GoalEnd& end) const {
 }
 
 void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>& units) {
-  guarded(path_, [&] {
-    transact([&] {
-      UnitCopier copier(other, *database_, campaign_.search);
-      copier.copy_runs();
-      for (const DrawRange& unit : units) copier.copy(unit);
-      if (!campaign_.search.splitting) return;
-      take_over_levels(other);
-      keep_each_sheet_once(*database_, campaign_, mechanism_, {0, kEndOfDraws});
-    });
+  transact([&] {
+    UnitCopier copier(other, *database_, campaign_.search);
+    copier.copy_runs();
+    for (const DrawRange& unit : units) copier.copy(unit);
+    if (!campaign_.search.splitting) return;
+    take_over_levels(other);
+    keep_each_sheet_once(*database_, campaign_, mechanism_, {0, kEndOfDraws});
   });
 }
 
@@ -220,38 +139,31 @@ void Catalogue::take_over_levels(SQLite::Database& other) {
 std::vector<std::uint64_t> Catalogue::keep(const std::vector<Yield>& yields,
                                            const std::string& commit_of_build) {
   std::vector<std::uint64_t> no_candidates;
-  guarded(path_, [&] {
-    transact([&] { no_candidates = write_yields(*database_, yields, commit_of_build); });
-  });
+  transact([&] { no_candidates = write_yields(*database_, yields, commit_of_build); });
   return no_candidates;
 }
 
 std::vector<std::uint64_t> Catalogue::keep(const std::vector<CertificateRecord>& certificates) {
   std::vector<std::uint64_t> no_candidates;
-  guarded(path_,
-          [&] { transact([&] { no_candidates = write_certificates(*database_, certificates); }); });
+  transact([&] { no_candidates = write_certificates(*database_, certificates); });
   return no_candidates;
 }
 
 void Catalogue::take_over_yields(SQLite::Database& other) {
-  guarded(path_, [&] { transact([&] { copy_yields(other, *database_); }); });
+  transact([&] { copy_yields(other, *database_); });
 }
 
 std::uint64_t Catalogue::take_over_certificates(SQLite::Database& other) {
   std::uint64_t faulty = 0;
-  guarded(path_, [&] {
-    transact([&] { faulty = copy_certificates(other, *database_, campaign_, mechanism_); });
-  });
+  transact([&] { faulty = copy_certificates(other, *database_, campaign_, mechanism_); });
   return faulty;
 }
 
 void Catalogue::settle(const UnitRecord& decided) {
-  guarded(path_, [&] {
-    transact([&] {
-      writer_->settle(decided);
-      goal_end_ = goal_end_of_rows(*database_, goal_);
-      store_goal_end(*goal_end_);
-    });
+  transact([&] {
+    writer_->settle(decided);
+    goal_end_ = goal_end_of_rows(*database_, goal_);
+    store_goal_end(*goal_end_);
   });
 }
 
@@ -265,50 +177,33 @@ void Catalogue::transact(const Work& work) {
     work();
     transaction.commit();
   };
-  try {
-    once();
-  } catch (const SQLite::Exception& error) {
-    if (error.getErrorCode() != SQLITE_FULL || storage_ == Storage::network) throw;
-    log_->fold_in();
-    once();
-  }
+  guarded(path_, [&] {
+    try {
+      once();
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() != SQLITE_FULL || storage_ == Storage::network) throw;
+      log_->fold_in();
+      once();
+    }
+  });
   lock_.check_file_is_there();
 }
 
 void Catalogue::store_goal_end(const GoalEnd& end) {
-  SQLite::Statement update(*database_, "UPDATE campaign SET goal_end = ?");
-  update.bind(1, stored(end.value()));
-  update.exec();
+  bound(*database_, "UPDATE campaign SET goal_end = ?", end.value()).exec();
 }
 
 void Catalogue::end_run(const std::string& end) {
-  guarded(path_, [&] {
-    transact([&] {
-      SQLite::Statement update(*database_,
-                               "UPDATE run SET ended_at = strftime('%Y-%m-%dT%H:%M:%fZ'), "
-                               "end = ?, commits = ?, commit_s = ?, longest_commit_s = ? "
-                               "WHERE id = ?");
-      update.bind(1, end);
-      update.bind(2, stored(cost_.commits));
-      update.bind(3, cost_.seconds);
-      update.bind(4, cost_.longest_s);
-      update.bind(5, run_);
-      update.exec();
-    });
+  transact([&] {
+    bound(*database_,
+          "UPDATE run SET ended_at = strftime('%Y-%m-%dT%H:%M:%fZ'), end = ?, commits = ?, "
+          "commit_s = ?, longest_commit_s = ? WHERE id = ?",
+          end, cost_.commits, cost_.seconds, cost_.longest_s, run_)
+        .exec();
   });
   close();
 }
 
 void Catalogue::fold_in() { log_->copy_into_file(); }
-
-void Catalogue::close() {
-  // A finished catalogue is one plain file, readable in a directory that nobody may write to. A
-  // reader that is looking just now prevents that, which does no harm.
-  writer_.reset();
-  log_.reset();
-  database_->setBusyTimeout(0);
-  database_->tryExec("PRAGMA journal_mode = DELETE");
-  database_.reset();
-}
 
 }  // namespace misalign::schema

@@ -1,4 +1,5 @@
-// Opening a catalogue: a new one is laid out, one of an older schema is brought up to date.
+// Opening and closing a catalogue: a new one is laid out, one of an older schema is brought up to
+// date.
 #include <filesystem>
 
 #include "schema/campaign/campaign_file.hpp"
@@ -12,6 +13,32 @@
 #include "schema/files/output_file.hpp"
 
 namespace misalign::schema {
+
+Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
+                     const solver::Mechanism& mechanism, std::optional<Storage> storage,
+                     Missing missing)
+    : path_(end_of_links(path)),
+      campaign_(campaign),
+      mechanism_(mechanism),
+      identity_(identity(campaign)),
+      storage_(storage.value_or(file_system_of(path_).storage)),
+      lock_(path_, missing) {
+  try {
+    guarded(path_, [&] { open(missing); });
+  } catch (...) {
+    writer_.reset();
+    log_.reset();
+    database_.reset();
+    if (lock_.made_the_file()) {
+      std::error_code ignored;
+      for (const std::string& suffix : journal_suffixes()) {
+        std::filesystem::remove(path_ + suffix, ignored);
+      }
+      std::filesystem::remove(path_, ignored);
+    }
+    throw;
+  }
+}
 
 void Catalogue::open(Missing missing) {
   database_ = open_for_writing(path_, storage_,
@@ -46,6 +73,20 @@ void Catalogue::check_same_campaign() const {
                                       parameter("catalogue"));
 }
 
+void Catalogue::check_same_builds(const RunInfo& run) const {
+  SQLite::Statement other =
+      bound(*database_, "SELECT \"commit\" FROM run WHERE golden_verdicts != ? LIMIT 1",
+            run.golden_verdicts);
+  if (!other.executeStep()) return;
+  throw UserError(Cause::foreign,
+                  path_ + ": this build (commit " + run.commit +
+                      ") gives other verdicts on the golden draws than the one that worked on this "
+                      "catalogue (commit " +
+                      other.getColumn(0).getString() + "); use that build, another " +
+                      parameter("catalogue") + ", or " + parameter("allow_mixed_builds") +
+                      " if you know that the difference does no harm");
+}
+
 // The file as it was is kept beside it; then all steps to the present schema, or none.
 void Catalogue::migrate() {
   const int version = version_of(*database_);
@@ -54,11 +95,7 @@ void Catalogue::migrate() {
   std::string backup = name;
   for (int k = 2; is_taken(backup); ++k) backup = name + "-" + std::to_string(k);
   OutputFile file = OutputFile::database(backup, {path_});
-  {
-    SQLite::Statement copy(*database_, "VACUUM INTO ?");
-    copy.bind(1, plain_file_name(file.path()));
-    copy.exec();
-  }
+  bound(*database_, "VACUUM INTO ?", plain_file_name(file.path())).exec();
   file.publish();
   SQLite::Transaction transaction(*database_);
   for (int next = version + 1; next <= kSchemaVersion; ++next) {
@@ -70,18 +107,23 @@ void Catalogue::migrate() {
 void Catalogue::create() {
   SQLite::Transaction transaction(*database_);
   database_->exec(carried_text("schema/catalogue.sql"));
-  SQLite::Statement insert(
-      *database_,
-      "INSERT INTO campaign (id, identity, name, configuration, diagonals, "
-      "range_lo, range_hi, goal_end) "
-      "VALUES (1, :identity, :name, :configuration, :diagonals, 0, :end, :end)");
-  insert.bind(":identity", identity_);
-  insert.bind(":name", campaign_.name);
-  insert.bind(":configuration", stored_configuration(campaign_).dump());
-  insert.bind(":diagonals", diagonals_json(campaign_, mechanism_).dump());
-  insert.bind(":end", stored(kEndOfDraws));
-  insert.exec();
+  bound(*database_,
+        "INSERT INTO campaign (id, identity, name, configuration, diagonals, range_lo, range_hi, "
+        "goal_end) VALUES (1, ?1, ?2, ?3, ?4, 0, ?5, ?5)",
+        identity_, campaign_.name, stored_configuration(campaign_).dump(),
+        diagonals_json(campaign_, mechanism_).dump(), kEndOfDraws)
+      .exec();
   transaction.commit();
+}
+
+void Catalogue::close() {
+  // A finished catalogue is one plain file, readable in a directory that nobody may write to. A
+  // reader that is looking just now prevents that, which does no harm.
+  writer_.reset();
+  log_.reset();
+  database_->setBusyTimeout(0);
+  database_->tryExec("PRAGMA journal_mode = DELETE");
+  database_.reset();
 }
 
 bool holds_all(const std::string& path, const Campaign& campaign, const Goal& goal) {

@@ -70,8 +70,7 @@ struct LastRun {
   }
   // All of its ranks together.
   double draws_per_s(SQLite::Database& database) const {
-    SQLite::Statement ranks(database, "SELECT ranks FROM run WHERE id = ?");
-    ranks.bind(1, run);
+    SQLite::Statement ranks = bound(database, "SELECT ranks FROM run WHERE id = ?", run);
     if (!ranks.executeStep() || seconds == 0) return 0;
     return static_cast<double>(draws) * ranks.getColumn(0).getInt() / seconds;
   }
@@ -98,11 +97,8 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
   });
   state.draws_per_s = last_run.draws_per_s(database);
   const auto rows_of = [&](const std::string& columns, const std::string& table) {
-    SQLite::Statement rows(
-        database, "SELECT " + columns + " FROM " + table + " WHERE draw >= ? AND draw < ?");
-    rows.bind(1, stored(cut.lo));
-    rows.bind(2, stored(cut.hi));
-    return rows;
+    return bound(database, "SELECT " + columns + " FROM " + table + " WHERE draw >= ? AND draw < ?",
+                 cut.lo, cut.hi);
   };
   SQLite::Statement candidates = rows_of("draw, deploys_from_sample", "candidate");
   while (candidates.executeStep()) {
@@ -234,10 +230,9 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
                                     const DrawRange& range) {
   return reading(database, [&] {
     std::vector<std::uint64_t> draws;
-    SQLite::Statement row(
-        database, "SELECT draw FROM " + table + " WHERE draw >= ? AND draw < ? ORDER BY draw");
-    row.bind(1, stored(range.lo));
-    row.bind(2, stored(range.hi));
+    SQLite::Statement row =
+        bound(database, "SELECT draw FROM " + table + " WHERE draw >= ? AND draw < ? ORDER BY draw",
+              range.lo, range.hi);
     while (row.executeStep()) draws.push_back(draw_of(row.getColumn(0)));
     return draws;
   });
@@ -245,11 +240,11 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
 
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
-    SQLite::Statement row(
-        database,
-        "SELECT metrics_version FROM candidate JOIN unit ON unit.lo = candidate.unit "
-        "JOIN run ON run.id = unit.run WHERE draw = ?");
-    row.bind(1, stored(draw));
+    SQLite::Statement row =
+        bound(database,
+              "SELECT metrics_version FROM candidate JOIN unit ON unit.lo = candidate.unit "
+              "JOIN run ON run.id = unit.run WHERE draw = ?",
+              draw);
     return row.executeStep() ? row.getColumn(0).getInt() : solver::kMetricsVersion;
   });
 }
@@ -304,10 +299,11 @@ Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
 
 std::uint64_t count_deploying_from(SQLite::Database& database, int sample) {
   return reading(database, [&] {
-    SQLite::Statement row(database,
-                          "SELECT count(*) FROM candidate, campaign WHERE deploys_from_sample >= ? "
-                          "AND draw < goal_end");
-    row.bind(1, sample);
+    SQLite::Statement row =
+        bound(database,
+              "SELECT count(*) FROM candidate, campaign WHERE deploys_from_sample >= ? "
+              "AND draw < goal_end",
+              sample);
     row.executeStep();
     return draw_of(row.getColumn(0));
   });

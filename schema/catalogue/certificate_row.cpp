@@ -229,8 +229,7 @@ std::optional<CertificateRecord> certificate_of_json(const Json& exported,
 
 std::optional<CertificateRecord> read_certificate(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&]() -> std::optional<CertificateRecord> {
-    SQLite::Statement row(database, kSelect);
-    row.bind(1, stored(draw));
+    SQLite::Statement row = bound(database, kSelect, draw);
     if (!row.executeStep()) return std::nullopt;
     const bool good = is_certificate(row);
     return CertificateRecord{draw,
@@ -251,18 +250,10 @@ std::vector<std::uint64_t> write_certificates(SQLite::Database& database,
   std::vector<std::uint64_t> no_candidates;
   SQLite::Statement insert(database, kInsertCertificate);
   for (const CertificateRecord& row : rows) {
-    insert.tryReset();
-    insert.bind(1, stored(row.draw));
-    insert.bind(2, row.certified_deg);
-    insert.bind(3, row.asked_deg);
-    insert.bind(4, row.end);
-    insert.bind(5, row.place);
-    insert.bind(6, row.contact ? 1 : 0);
-    insert.bind(7, row.intervals);
-    insert.bind(8, row.seconds);
-    insert.bind(9, row.hash);
-    insert.bind(10, row.proof.data(), static_cast<int>(row.proof.size()));
-    if (insert.exec() == 0) no_candidates.push_back(row.draw);
+    const int changed =
+        execute(insert, row.draw, row.certified_deg, row.asked_deg, row.end, row.place,
+                row.contact ? 1 : 0, row.intervals, row.seconds, row.hash, Blob(row.proof));
+    if (changed == 0) no_candidates.push_back(row.draw);
   }
   return no_candidates;
 }

@@ -14,8 +14,8 @@ namespace {
 std::optional<Eigen::Matrix2Xd> stored_shifts(SQLite::Database& database, const Campaign& campaign,
                                               std::uint64_t draw) {
   return reading(database, [&]() -> std::optional<Eigen::Matrix2Xd> {
-    SQLite::Statement row(database, "SELECT displacements_mm FROM candidate WHERE draw = ?");
-    row.bind(1, stored(draw));
+    SQLite::Statement row =
+        bound(database, "SELECT displacements_mm FROM candidate WHERE draw = ?", draw);
     if (!row.executeStep()) return std::nullopt;
     return read_shifts(text_of(row.getColumn(0)), campaign.pattern.base.sheet.vertex_count());
   });

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "schema/files/storage.hpp"
@@ -55,8 +56,57 @@ std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Stor
 /// A statement that reads; UserError as from reading().
 SQLite::Statement prepared(SQLite::Database& from, const std::string& sql);
 
-/// Binds whatever a column of another statement holds.
+/// Bytes that are no text.
+struct Blob {
+  template <class Bytes>
+  explicit Blob(const Bytes& bytes) : data(bytes.data()), size(bytes.size()) {}
+  const void* data;
+  std::size_t size;
+};
+
+/// Binds a number, a text, a draw as it is stored, null for what is not there, or whatever a column
+/// of another statement holds.
+template <class Value>
+void bind_value(SQLite::Statement& statement, int index, const Value& value) {
+  statement.bind(index, value);
+}
 void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& value);
+inline void bind_value(SQLite::Statement& statement, int index, const Blob& value) {
+  statement.bind(index, value.data, static_cast<int>(value.size));
+}
+inline void bind_value(SQLite::Statement& statement, int index, std::uint64_t value) {
+  statement.bind(index, stored(value));
+}
+template <class Value>
+void bind_value(SQLite::Statement& statement, int index, const std::optional<Value>& value) {
+  value ? bind_value(statement, index, *value) : statement.bind(index);
+}
+
+/// Makes it ready for its rows with these values of its parameters, in turn.
+template <class... Values>
+void bind_all(SQLite::Statement& statement, const Values&... values) {
+  statement.tryReset();
+  int index = 0;
+  (bind_value(statement, ++index, values), ...);
+}
+
+/// Runs a statement that gives no rows with these values; how many rows it has changed.
+template <class... Values>
+int execute(SQLite::Statement& statement, const Values&... values) {
+  bind_all(statement, values...);
+  const int changed = statement.exec();
+  statement.reset();
+  return changed;
+}
+
+/// A statement with these values.
+template <class... Values>
+SQLite::Statement bound(SQLite::Database& database, const std::string& sql,
+                        const Values&... values) {
+  SQLite::Statement statement(database, sql);
+  bind_all(statement, values...);
+  return statement;
+}
 
 /// Runs `insert` for every row of `select`, once `bind_row` has bound it. UserError (bad_input)
 /// about `from` if it cannot be read, or holds rows that checks and keys of the target forbid.

@@ -6,15 +6,15 @@
 namespace misalign::schema {
 
 EndsState read_ends(SQLite::Database& database, std::uint64_t goal_end) {
-  SQLite::Statement row(
-      database,
-      "WITH ended AS (SELECT * FROM ascent WHERE draw < ?) "
-      "SELECT (SELECT json_extract(configuration, '$.search.maximise') FROM campaign), "
-      "(SELECT count(DISTINCT hash) FROM sheet WHERE draw < ?1), "
-      "count(*) - count(start_value), max(end_value), "
-      "(SELECT end_value FROM ended WHERE end_value IS NOT NULL ORDER BY end_value LIMIT 1 "
-      "OFFSET (SELECT count(end_value) / 2 FROM ended)) FROM ended");
-  row.bind(1, stored(goal_end));
+  SQLite::Statement row =
+      bound(database,
+            "WITH ended AS (SELECT * FROM ascent WHERE draw < ?) "
+            "SELECT (SELECT json_extract(configuration, '$.search.maximise') FROM campaign), "
+            "(SELECT count(DISTINCT hash) FROM sheet WHERE draw < ?1), "
+            "count(*) - count(start_value), max(end_value), "
+            "(SELECT end_value FROM ended WHERE end_value IS NOT NULL ORDER BY end_value LIMIT 1 "
+            "OFFSET (SELECT count(end_value) / 2 FROM ended)) FROM ended",
+            goal_end);
   row.executeStep();
   const auto value = [&](int column) {
     return row.getColumn(column).isNull() ? std::nullopt

@@ -26,6 +26,12 @@ std::string hash_bytes_of(const std::string& text) {
   return {reinterpret_cast<const char*>(bytes.digest), kHash_bytes};
 }
 
+// XXH3-128 of all that a row holds, which its result ends with.
+std::string piece_hash(const PieceRow& piece) {
+  return hash_bytes_of(fmt::format("{} {} {} {} {}\n{}", piece.population, piece.level, piece.lo,
+                                   piece.hi, piece.layout, piece.result));
+}
+
 // Whether a row of a population can follow those before it: the table's checks, at which SQLite
 // looks only when it writes, and what a population's way is. Columns as in read_population.
 bool adds_up(SQLite::Statement& row, const std::vector<LevelCount>& before) {
@@ -80,21 +86,18 @@ void write_levels(SQLite::Database& database, const std::vector<int>& scores, do
   SQLite::Statement insert(database,
                            "INSERT INTO level (number, score, deploys_from_deg) VALUES (?,?,?)");
   for (std::size_t k = 0; k < scores.size(); ++k) {
-    insert.reset();
-    insert.bind(1, stored(k + 1));
-    insert.bind(2, scores[k]);
-    insert.bind(3, angle_of(scores[k], sample_deg));
-    insert.exec();
+    execute(insert, k + 1, scores[k], angle_of(scores[k], sample_deg));
   }
 }
 
 std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_t unit,
                                         std::size_t most_levels) {
   std::vector<LevelCount> levels;
-  SQLite::Statement rows(database,
-                         "SELECT level, particles, survivors, ancestors, tried, taken, undecided, "
-                         "met, seconds FROM population WHERE unit = ? ORDER BY level");
-  rows.bind(1, stored(unit));
+  SQLite::Statement rows =
+      bound(database,
+            "SELECT level, particles, survivors, ancestors, tried, taken, undecided, "
+            "met, seconds FROM population WHERE unit = ? ORDER BY level",
+            unit);
   const std::uint64_t number = unit / kNumbersOfPopulation;
   while (rows.executeStep()) {
     if (levels.size() > most_levels || !adds_up(rows, levels)) {
@@ -137,10 +140,10 @@ void each_population(
 
 std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout) {
   std::vector<PieceRow> pieces;
-  SQLite::Statement rows(database,
-                         "SELECT population, level, lo, hi FROM piece WHERE layout = ? "
-                         "ORDER BY population, level, lo");
-  rows.bind(1, layout);
+  SQLite::Statement rows = bound(database,
+                                 "SELECT population, level, lo, hi FROM piece WHERE layout = ? "
+                                 "ORDER BY population, level, lo",
+                                 layout);
   while (rows.executeStep()) {
     const auto number = [&](int column) { return rows.getColumn(column).getUInt(); };
     pieces.push_back({number(0), number(1), number(2), number(3), layout, {}});
@@ -148,22 +151,10 @@ std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string&
   return pieces;
 }
 
-namespace {
-
-// XXH3-128 of all that a row holds, which its result ends with.
-std::string piece_hash(const PieceRow& piece) {
-  return hash_bytes_of(fmt::format("{} {} {} {} {}\n{}", piece.population, piece.level, piece.lo,
-                                   piece.hi, piece.layout, piece.result));
-}
-
-}  // namespace
-
 std::string read_result(SQLite::Database& database, const PieceRow& piece) {
-  SQLite::Statement row(database,
-                        "SELECT result FROM piece WHERE population = ? AND level = ? AND lo = ?");
-  row.bind(1, piece.population);
-  row.bind(2, piece.level);
-  row.bind(3, piece.lo);
+  SQLite::Statement row =
+      bound(database, "SELECT result FROM piece WHERE population = ? AND level = ? AND lo = ?",
+            piece.population, piece.level, piece.lo);
   if (!row.executeStep()) return "";
   PieceRow read = piece;
   read.result = row.getColumn(0).getString();
@@ -179,22 +170,13 @@ void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& piece
                            "INSERT OR REPLACE INTO piece (population, level, lo, hi, layout, "
                            "result) VALUES (?,?,?,?,?,?)");
   for (const PieceRow& piece : pieces) {
-    insert.reset();
-    insert.bind(1, piece.population);
-    insert.bind(2, piece.level);
-    insert.bind(3, piece.lo);
-    insert.bind(4, piece.hi);
-    insert.bind(5, piece.layout);
-    const std::string hashed = piece.result + piece_hash(piece);
-    insert.bind(6, hashed.data(), static_cast<int>(hashed.size()));
-    insert.exec();
+    execute(insert, piece.population, piece.level, piece.lo, piece.hi, piece.layout,
+            Blob(piece.result + piece_hash(piece)));
   }
 }
 
 void drop_pieces(SQLite::Database& database, std::uint32_t population) {
-  SQLite::Statement remove(database, "DELETE FROM piece WHERE population = ?");
-  remove.bind(1, population);
-  remove.exec();
+  bound(database, "DELETE FROM piece WHERE population = ?", population).exec();
 }
 
 std::string sheet_hash(const std::string& displacements_mm) {
@@ -213,13 +195,12 @@ CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& le
 std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database& from,
                                        std::uint64_t draw) {
   SQLite::Statement theirs = prepared(from, "SELECT hash FROM sheet WHERE draw = ?");
-  theirs.bind(1, stored(draw));
+  bind_all(theirs, draw);
   if (!reading(from, [&] { return theirs.executeStep(); })) return draw;
   SQLite::Statement ours(into,
                          "SELECT coalesce((SELECT draw FROM sheet WHERE hash = ?1 AND draw = ?2), "
                          "(SELECT min(draw) FROM sheet WHERE hash = ?1))");
-  bind_value(ours, 1, theirs.getColumn(0));
-  ours.bind(2, stored(draw));
+  bind_all(ours, theirs.getColumn(0), draw);
   ours.executeStep();
   return ours.getColumn(0).isNull() ? std::nullopt : std::optional(draw_of(ours.getColumn(0)));
 }

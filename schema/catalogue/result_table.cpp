@@ -256,8 +256,7 @@ std::vector<std::string> query_columns(SQLite::Database& database, const std::st
 
 Json row_of_draw(SQLite::Database& database, const std::string& table, std::uint64_t draw) {
   return reading(database, [&] {
-    SQLite::Statement row(database, "SELECT * FROM " + table + " WHERE draw = ?");
-    row.bind(1, stored(draw));
+    SQLite::Statement row = bound(database, "SELECT * FROM " + table + " WHERE draw = ?", draw);
     return row.executeStep() ? row_json(row) : Json();
   });
 }

@@ -31,37 +31,27 @@ void drop(SQLite::Database& database, SQLite::Statement statement) {
   SQLite::Statement sheet(database, "DELETE FROM sheet WHERE draw = ?");
   SQLite::Statement candidate(database, "DELETE FROM candidate WHERE draw = ?");
   for (const Row& row : rows) {
-    part.reset();
-    part.bind(1, row.unit);
+    bind_all(part, row.unit);
     if (!part.executeStep() || part.getColumn(0).getBytes() != 16) continue;  // a damaged file
     CandidateSum sum =
         CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getColumn(0).getBlob()));
     CandidateSum one;
     one.add(static_cast<std::uint64_t>(row.draw), row.sample, row.sheet);
     sum.subtract(one);
-    update.reset();
-    const auto bytes = sum.bytes();
-    update.bind(1, bytes.data(), static_cast<int>(bytes.size()));
-    update.bind(2, row.unit);
-    update.exec();
-    for (SQLite::Statement* remove : {&yields, &sheet, &candidate}) {
-      remove->reset();
-      remove->bind(1, row.draw);
-      remove->exec();
-    }
+    execute(update, Blob(sum.bytes()), row.unit);
+    for (SQLite::Statement* remove : {&yields, &sheet, &candidate}) execute(*remove, row.draw);
   }
 }
 
 void drop_repeated(SQLite::Database& database, const Campaign& campaign,
                    const solver::Mechanism& mechanism, const DrawRange& added) {
-  SQLite::Statement again(
+  SQLite::Statement again = bound(
       database,
       "SELECT draw, unit, deploys_from_sample, hash, least FROM sheet JOIN candidate USING (draw) "
       "JOIN (SELECT hash, min(draw) AS least FROM sheet WHERE hash IN "
       "(SELECT hash FROM sheet WHERE draw >= ? AND draw < ?) GROUP BY hash) USING (hash) "
-      "WHERE draw > least");
-  again.bind(1, stored(added.lo));
-  again.bind(2, stored(added.hi));
+      "WHERE draw > least",
+      added.lo, added.hi);
   while (again.executeStep()) {
     const std::uint64_t draw = draw_of(again.getColumn(0)), least = draw_of(again.getColumn(4));
     hand_on_certificate(database, campaign, mechanism, draw, least);
@@ -78,11 +68,11 @@ void keep_each_sheet_once(SQLite::Database& database, const Campaign& campaign,
   if (!campaign.search.optimisation) drop_repeated(database, campaign, mechanism, added);
   const std::optional<std::uint64_t>& most = campaign.stop.accepted;
   if (!most) return;
-  SQLite::Statement beyond(
-      database,
-      "SELECT draw, unit, deploys_from_sample, hash FROM candidate JOIN sheet USING (draw) "
-      "ORDER BY draw LIMIT -1 OFFSET ?");
-  beyond.bind(1, stored(*most));
+  SQLite::Statement beyond =
+      bound(database,
+            "SELECT draw, unit, deploys_from_sample, hash FROM candidate JOIN sheet USING (draw) "
+            "ORDER BY draw LIMIT -1 OFFSET ?",
+            *most);
   drop(database, std::move(beyond));
 }
 

@@ -40,13 +40,11 @@ class UnitCopier::Table {
         insert_(into, insert_of(name)) {}
 
   void copy(const DrawRange& range) {
-    select_.tryReset();
-    select_.bind(1, stored(range.lo));
-    select_.bind(2, stored(range.hi));
+    bind_all(select_, range.lo, range.hi);
     copy_rows(from_, select_, insert_, [&] {
       for (int k = 0; k < static_cast<int>(columns_.size()); ++k) {
         if (k == shifted_) {
-          insert_.bind(k + 1, stored(draw_of(select_.getColumn(k)) + shift_));
+          bind_value(insert_, k + 1, draw_of(select_.getColumn(k)) + shift_);
         } else {
           bind_value(insert_, k + 1, select_.getColumn(k));
         }

@@ -38,7 +38,7 @@ void copy(SQLite::Database& from, SQLite::Database& into, const std::string& whi
   SQLite::Statement insert(into, kInsertYield);
   copy_rows(from, select, insert, [&] {
     const std::optional<std::uint64_t> draw = renumber(draw_of(select.getColumn(0)));
-    draw ? insert.bind(1, stored(*draw)) : insert.bind(1);  // null: of no candidate
+    bind_value(insert, 1, draw);  // null: of no candidate
     for (int k = 1; k < kColumnCount; ++k) bind_value(insert, k + 1, select.getColumn(k));
   });
 }
@@ -76,21 +76,11 @@ std::vector<std::uint64_t> write_yields(SQLite::Database& database,
   const std::string now = database.execAndGet("SELECT strftime('%Y-%m-%dT%H:%M:%fZ')").getString();
   for (const Yield& yield : yields) {
     const Json json = yield_json(yield);
-    insert.tryReset();
-    insert.bind(1, stored(yield.draw));
-    insert.bind(2, yield.amplitude_mm);
-    insert.bind(3, stored(yield.trials));
-    insert.bind(4, stored(yield.survivors));
-    insert.bind(5, stored(yield.undecided));
-    json["share"].is_null() ? insert.bind(6) : insert.bind(6, json["share"].get<double>());
-    insert.bind(7, json["share_low"].get<double>());
-    insert.bind(8, json["share_high"].get<double>());
-    insert.bind(9, commit);
-    insert.bind(10, now);
-    yield.from_deg ? insert.bind(11, *yield.from_deg) : insert.bind(11);
-    insert.exec();
-    candidate.tryReset();
-    candidate.bind(1, stored(yield.draw));
+    execute(insert, yield.draw, yield.amplitude_mm, yield.trials, yield.survivors, yield.undecided,
+            json["share"].is_null() ? std::nullopt : std::optional(json["share"].get<double>()),
+            json["share_low"].get<double>(), json["share_high"].get<double>(), commit, now,
+            yield.from_deg);
+    bind_all(candidate, yield.draw);
     if (!candidate.executeStep()) no_candidates.push_back(yield.draw);
   }
   return no_candidates;
@@ -99,13 +89,14 @@ std::vector<std::uint64_t> write_yields(SQLite::Database& database,
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
     std::vector<Yield> yields;
-    SQLite::Statement row(
-        database, std::string("SELECT amplitude_mm, trials, survivors, undecided, CASE WHEN "
-                              "abs(from_deg - ") +
-                      kThresholdSql +
-                      ") >= 1e-9 THEN from_deg END FROM yield WHERE draw = ? "
-                      "ORDER BY amplitude_mm, from_deg");
-    row.bind(1, stored(draw));
+    SQLite::Statement row =
+        bound(database,
+              std::string("SELECT amplitude_mm, trials, survivors, undecided, CASE WHEN "
+                          "abs(from_deg - ") +
+                  kThresholdSql +
+                  ") >= 1e-9 THEN from_deg END FROM yield WHERE draw = ? "
+                  "ORDER BY amplitude_mm, from_deg",
+              draw);
     while (row.executeStep()) {
       yields.push_back({draw,
                         row.getColumn(0).getDouble(),
