@@ -25,11 +25,8 @@ bool whole_multiple(double value, double step) {
 
 // Null, both of them, for no stop.
 void read_required_stop(ObjectReader& accept, std::optional<RequiredStop>& stop) {
-  const auto is_there = [&](const char* key) {
-    const Json* value = accept.find(key);
-    return value && !value->is_null();
-  };
-  const bool angle = is_there("stops_at_deg"), stiffness = is_there("stop_stiffness_mm2_per_rad2");
+  const bool angle = accept.said("stops_at_deg"),
+             stiffness = accept.said("stop_stiffness_mm2_per_rad2");
   if (angle != stiffness) {
     accept.faults().add(accept.name(angle ? "stops_at_deg" : "stop_stiffness_mm2_per_rad2"),
                         std::string("needs ") +
@@ -162,16 +159,6 @@ bool usable_file_name(const std::string& name) {
          });
 }
 
-// Removes from `value` whatever `defaults` says just the same.
-void leave_out_defaults(Json& value, const Json& defaults) {
-  for (auto it = value.begin(); it != value.end();) {
-    const auto at = defaults.find(it.key());
-    if (at != defaults.end() && it->is_object() && at->is_object()) leave_out_defaults(*it, *at);
-    const bool same = at != defaults.end() && (*it == *at || (it->is_object() && it->empty()));
-    it = same ? value.erase(it) : std::next(it);
-  }
-}
-
 }  // namespace
 
 Campaign read_campaign(const Json& value, const std::string& source,
@@ -279,9 +266,7 @@ Json stored_configuration(const Campaign& campaign) {
   }
   if (!campaign.search.optimisation) {
     const Json its_keys = optimisation_json({});
-    for (const auto& [key, value] : its_keys.items()) {
-      configuration["search"].erase(key);
-    }
+    for (const auto& [key, value] : its_keys.items()) configuration["search"].erase(key);
   }
   if (!campaign.search.stores_sheets()) configuration.erase("search");
   if (!campaign.search.splitting &&
@@ -298,10 +283,7 @@ Json stored_configuration(const Campaign& campaign) {
 Json identity_json(const Campaign& campaign) {
   static const Json defaults = campaign_json(default_campaign());
   Json identity = campaign_json(campaign);
-  identity.erase("name");
-  identity.erase("stop");
-  identity.erase("design");
-  identity.erase("certify");
+  for (const char* key : {"name", "stop", "design", "certify"}) identity.erase(key);
   leave_out_defaults(identity, defaults);
   return identity;
 }

@@ -74,8 +74,8 @@ std::optional<ParallelDraws> family_of(ObjectReader& reader, const solver::Perfo
 
 // Null for none.
 void read_grid(ObjectReader& reader, double amplitude_mm, bool is_parallel, double& grid_mm) {
-  const Json* value = reader.find("grid_mm");
-  if (!value || value->is_null()) return;
+  const Json* value = reader.said("grid_mm");
+  if (!value) return;
   reader.number("grid_mm", grid_mm, 1e-6, amplitude_mm, "try 0.01, or null for no grid");
   if (is_parallel) return;
   reader.faults().add(reader.shown("grid_mm"), "is of members of the parallel family",

@@ -204,9 +204,7 @@ std::optional<CertificateRecord> certificate_of_json(const Json& exported,
   reader.number("certified_deg", row.certified_deg, 0, 180, again);
   reader.number("asked_deg", row.asked_deg, 0, 180, again);
   reader.text("end", row.end, again);
-  if (const Json* where = reader.find("where"); where && !where->is_null()) {
-    reader.text("where", row.place, again);
-  }
+  if (reader.said("where")) reader.text("where", row.place, again);
   if (const Json* contact = reader.find("contact"); contact && contact->is_boolean()) {
     row.contact = contact->get<bool>();
   } else if (contact) {

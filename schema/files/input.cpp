@@ -91,6 +91,11 @@ const Json* ObjectReader::find(const std::string& key) {
   return at == value_.end() ? nullptr : &*at;
 }
 
+const Json* ObjectReader::said(const std::string& key) {
+  const Json* value = find(key);
+  return value && !value->is_null() ? value : nullptr;
+}
+
 void ObjectReader::require(const std::string& key, const std::string& suggestion) {
   if (value_.is_object() && !value_.contains(key)) {
     faults_.add(name(key), "is missing", suggestion);

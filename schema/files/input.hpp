@@ -39,6 +39,8 @@ class ObjectReader {
 
   /// The value of a key, null if it is absent; marks the key as known.
   const Json* find(const std::string& key);
+  /// The same, also null where null says that there is none.
+  const Json* said(const std::string& key);
   void require(const std::string& key, const std::string& suggestion);
 
   void number(const std::string& key, double& into, double least, double most,

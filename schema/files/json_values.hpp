@@ -16,4 +16,10 @@ Json or_null(const std::optional<Value>& value) {
 /// Null for infinities and NaN, which JSON does not have.
 inline Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
+/// Whether it is a list of so many numbers.
+bool are_numbers(const Json& value, std::size_t count);
+
+/// Removes from an object whatever `defaults` says just the same, in its objects, too.
+void leave_out_defaults(Json& value, const Json& defaults);
+
 }  // namespace misalign::schema

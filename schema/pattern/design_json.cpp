@@ -32,8 +32,8 @@ void read_numbers(ObjectReader& reader, std::string_view block, Design& design) 
 }
 
 void read_hinge_kind(ObjectReader& reader, std::optional<CreaseCut>& kind) {
-  const Json* value = reader.find("kind");
-  if (!value || value->is_null()) return;
+  const Json* value = reader.said("kind");
+  if (!value) return;
   const auto* const named = std::ranges::find_if(
       kCreaseCuts, [&](const CreaseCutName& one) { return *value == one.name; });
   if (named == std::end(kCreaseCuts)) {
@@ -46,8 +46,8 @@ void read_hinge_kind(ObjectReader& reader, std::optional<CreaseCut>& kind) {
 
 void read_film(ObjectReader& reader, std::optional<solver::FilmHinge>& film) {
   constexpr double kMost = 1e6;
-  const Json* value = reader.find("film");
-  if (!value || value->is_null()) return;
+  const Json* value = reader.said("film");
+  if (!value) return;
   solver::FilmHinge read{0, 0, 0};
   ObjectReader part(*value, reader.name("film"), reader.faults());
   for (const char* key : {"thickness_mm", "e_gpa", "length_mm"}) {
@@ -72,8 +72,8 @@ Json film_json(const solver::FilmHinge& film) {
 template <class Array>
 void read_array(ObjectReader& reader, const char* key, std::optional<Array>& into,
                 const auto& is_one, const char* why, const char* suggestion) {
-  const Json* value = reader.find(key);
-  if (!value || value->is_null()) return;
+  const Json* value = reader.said(key);
+  if (!value) return;
   if (value->is_array() && value->size() == Array().size() && std::ranges::all_of(*value, is_one)) {
     into = value->get<Array>();
   } else {
@@ -109,7 +109,7 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
     }
     part.refuse_unknown_keys();
   }
-  if (const Json* material = reader.find("material"); material && !material->is_null()) {
+  if (const Json* material = reader.said("material")) {
     design.material = read_material(*material, reader.name("material"), "the design's", faults);
   }
   read_array(reader, "hold", design.hold, is_place, "is no panel, row and column counted from 0",
@@ -151,17 +151,7 @@ Json design_json(const Design& design) {
 Json explicit_design_json(const Design& design) {
   static const Json kNothing = design_json({});
   Json json = design_json(design);
-  const auto leave_out = [](Json& object, const Json& standard) {
-    for (auto it = object.begin(); it != object.end();) {
-      it = *it == standard.at(it.key()) ? object.erase(it) : std::next(it);
-    }
-  };
-  for (const std::string_view block : kBlocks) {
-    const std::string name(block);
-    leave_out(json[name], kNothing.at(name));
-    if (json[name].empty()) json[name] = kNothing.at(name);
-  }
-  leave_out(json, kNothing);
+  leave_out_defaults(json, kNothing);
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "schema/files/json_values.hpp"
 #include "schema/pattern/fold_frames.hpp"
 #include "schema/pattern/plane_mesh.hpp"
 #include "schema/pattern/sheet_places.hpp"
@@ -56,7 +57,6 @@ class Reader {
   void say(fmt::format_string<Values...> sentence, Values&&... values) {
     reading_.push_back(fmt::format(sentence, std::forward<Values>(values)...));
   }
-  static std::string label(int v) { return solver::vertex_label(v); }
   int vertex_count() const { return static_cast<int>(points_mm_.size()); }
 
   const Json* list(const char* key) {
@@ -101,15 +101,12 @@ class Reader {
     const Json* coordinates = list("vertices_coords");
     if (!coordinates) return;
     if (coordinates->size() > 4 * kMostFaces) {
-      add("vertices_coords", "has more than " + std::to_string(4 * kMostFaces) + " vertices",
-          "take a part of the mesh");
-      return;
+      return add("vertices_coords", "has more than " + std::to_string(4 * kMostFaces) + " vertices",
+                 "take a part of the mesh");
     }
     for (const Json& point : *coordinates) {
-      const std::string name = "vertex " + label(vertex_count());
-      const bool numbers =
-          point.is_array() && (point.size() == 2 || point.size() == 3) &&
-          std::all_of(point.begin(), point.end(), [](const Json& x) { return x.is_number(); });
+      const std::string name = "vertex " + solver::vertex_label(vertex_count());
+      const bool numbers = are_numbers(point, 2) || are_numbers(point, 3);
       Eigen::Vector3d& place_mm = points_mm_.emplace_back(0, 0, 0);
       if (!numbers) {
         add(name + " = " + point.dump().substr(0, 40), "must be two or three numbers",
@@ -135,9 +132,9 @@ class Reader {
         value_.contains("edges_assignment") ? list("edges_assignment") : &none_assigned;
     if (!assignments) return;
     if (vertices->size() != assignments->size()) {
-      add("edges_assignment has " + std::to_string(assignments->size()) + " entries",
-          "edges_vertices has " + std::to_string(vertices->size()), "write one for each edge");
-      return;
+      return add("edges_assignment has " + std::to_string(assignments->size()) + " entries",
+                 "edges_vertices has " + std::to_string(vertices->size()),
+                 "write one for each edge");
     }
     for (std::size_t e = 0; e < vertices->size(); ++e) {
       const auto ends = vertex_list((*vertices)[e], 2);
@@ -161,9 +158,8 @@ class Reader {
     const Json* faces = list("faces_vertices");
     if (!faces) return;
     if (faces->size() > kMostFaces) {
-      add("faces_vertices has " + std::to_string(faces->size()) + " faces",
-          "at most " + std::to_string(kMostFaces) + " are taken", "take a part of the mesh");
-      return;
+      return add("faces_vertices has " + std::to_string(faces->size()) + " faces",
+                 "at most " + std::to_string(kMostFaces) + " are taken", "take a part of the mesh");
     }
     for (std::size_t f = 0; f < faces->size(); ++f) {
       const auto corners = vertex_list((*faces)[f], 4);
@@ -185,9 +181,7 @@ class Reader {
       const auto [a, b] = ends;
       lengths_mm.push_back((points_mm_[a] - points_mm_[b]).norm());
     }
-    const auto middle = lengths_mm.begin() + static_cast<std::ptrdiff_t>(lengths_mm.size() / 2);
-    std::nth_element(lengths_mm.begin(), middle, lengths_mm.end());
-    return *middle;
+    return median(std::move(lengths_mm));
   }
 
   // In its own plane. A sheet that lies across z keeps its x and y: where its faces are seen from
@@ -198,25 +192,24 @@ class Reader {
     const auto farthest = std::ranges::max_element(
         points_mm_, {}, [&](const Eigen::Vector3d& point) { return plane.off(point); });
     const double off_mm = plane.off(*farthest);
-    const std::string name = "vertex " + label(static_cast<int>(farthest - points_mm_.begin()));
+    const std::string name =
+        "vertex " + solver::vertex_label(static_cast<int>(farthest - points_mm_.begin()));
     if (off_mm > within_mm) {
-      add(fmt::format("{} lies {:.3g} mm off the plane of the others", name, off_mm),
-          "a crease pattern is the flat sheet", "put folded states into file_frames");
-      return;
+      return add(fmt::format("{} lies {:.3g} mm off the plane of the others", name, off_mm),
+                 "a crease pattern is the flat sheet", "put folded states into file_frames");
     }
     mesh_.points_mm = plane.flat(points_mm_);
-    if (run_clockwise()) {
-      if (plane.is_the_files()) {
-        letters_side_ = -1;
-        const bool has_letters = std::ranges::any_of(
-            mesh_.edges, [](const auto& edge) { return edge.second == "M" || edge.second == "V"; });
-        if (has_letters) {
-          say("its faces run clockwise, seen from below: mountains and valleys are exchanged, seen "
-              "from +z");
-        }
-      } else {
-        plane = plane.from_behind();
-        mesh_.points_mm = plane.flat(points_mm_);
+    const bool clockwise = run_clockwise();
+    if (clockwise && !plane.is_the_files()) {
+      plane = plane.from_behind();
+      mesh_.points_mm = plane.flat(points_mm_);
+    } else if (clockwise) {
+      letters_side_ = -1;
+      if (std::ranges::any_of(mesh_.edges, [](const auto& edge) {
+            return edge.second == "M" || edge.second == "V";
+          })) {
+        say("its faces run clockwise, seen from below: mountains and valleys are exchanged, seen "
+            "from +z");
       }
     }
     if (!plane.is_the_files() || std::abs(plane.at) > within_mm) {
@@ -307,9 +300,7 @@ FoldMesh read_fold(const Json& value, const std::string& where, std::optional<do
 
 Json fold_json(const solver::CreasePattern& sheet, const std::vector<int>& assignment) {
   Json vertices = Json::array(), edges = Json::array(), letters = Json::array();
-  for (Eigen::Index v = 0; v < sheet.vertices_mm.cols(); ++v) {
-    vertices.push_back({sheet.vertices_mm(0, v), sheet.vertices_mm(1, v)});
-  }
+  for (const auto& place : sheet.vertices_mm.colwise()) vertices.push_back({place.x(), place.y()});
   for (std::size_t e = 0; e < sheet.edges.size(); ++e) {
     edges.push_back({sheet.edges[e].a, sheet.edges[e].b});
     letters.push_back(assignment[e] == 0 ? "B" : assignment[e] > 0 ? "V" : "M");

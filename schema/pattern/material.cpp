@@ -14,7 +14,7 @@ Material read_material(const Json& value, const std::string& where, const std::s
   reader.number("poisson", material.poisson, 0, 0.49, "give Poisson's ratio, such as 0.33");
   reader.number("density_g_per_cm3", material.density_g_per_cm3, 1e-3, 100,
                 "give the density in g/cm^3, such as 2.7");
-  if (const Json* strength = reader.find("strength_mpa"); strength && !strength->is_null()) {
+  if (reader.said("strength_mpa")) {
     material.strength_mpa = 1;
     reader.number("strength_mpa", *material.strength_mpa, 1e-3, 1e6,
                   "give the stress that it bears in MPa, such as 200");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/files/json_values.hpp"
 #include "schema/pattern/fold_format.hpp"
 #include "schema/pattern/mesh_base.hpp"
 #include "schema/pattern/mesh_family.hpp"
@@ -105,8 +106,7 @@ void read_displacements(ObjectReader& reader, Pattern& pattern) {
           name + "." + label, "is no vertex of this sheet",
           "vertices are A1 to A" + std::to_string(pattern.base.sheet.vertex_count()));
       good = false;
-    } else if (!shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
-               !shift[1].is_number()) {
+    } else if (!are_numbers(shift, 2)) {
       reader.faults().add(name + "." + label + " = " + shift.dump(), "must be two numbers, x and y",
                           "write [0.4, 0.0]");
       good = false;

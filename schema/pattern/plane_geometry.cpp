@@ -75,4 +75,10 @@ std::vector<std::pair<std::pair<int, int>, std::pair<int, int>>> crossing(const 
   return pairs;
 }
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 }  // namespace misalign::schema

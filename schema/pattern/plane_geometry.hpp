@@ -32,4 +32,7 @@ std::vector<std::pair<std::pair<int, int>, std::pair<int, int>>> crossing(const 
                                                                           const PlaneEdges& edges,
                                                                           std::size_t most);
 
+/// The middle one by size, the upper of two; there is one at least.
+double median(std::vector<double> values);
+
 }  // namespace misalign::schema

@@ -32,8 +32,8 @@ std::optional<Preload::OfOne> read_one(const std::string& label, const Json& for
 }  // namespace
 
 void read_preloads(ObjectReader& reader, std::vector<Preload::OfOne>& preloads) {
-  const Json* value = reader.find(kKey);
-  if (!value || value->is_null()) return;
+  const Json* value = reader.said(kKey);
+  if (!value) return;
   if (!value->is_object()) {
     return reader.faults().add(reader.shown(kKey), "is no object of forces", kSuggestion);
   }

@@ -1,6 +1,9 @@
 #include "schema/pattern/sheet_places.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "schema/pattern/plane_geometry.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -102,9 +105,7 @@ std::optional<NoPlaces> place_faces(solver::CreasePattern& sheet) {
 double median_width_mm(const solver::CreasePattern& sheet) {
   std::vector<double> widths_mm;
   for (const Corners& face : sheet.facets) widths_mm.push_back(side_of(sheet, face, 0).norm());
-  const auto middle = widths_mm.begin() + static_cast<std::ptrdiff_t>(widths_mm.size() / 2);
-  std::nth_element(widths_mm.begin(), middle, widths_mm.end());
-  return *middle;
+  return median(std::move(widths_mm));
 }
 
 }  // namespace misalign::schema

@@ -1,0 +1,22 @@
+#include "schema/files/json_values.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace misalign::schema {
+
+bool are_numbers(const Json& value, std::size_t count) {
+  return value.is_array() && value.size() == count &&
+         std::ranges::all_of(value, [](const Json& one) { return one.is_number(); });
+}
+
+void leave_out_defaults(Json& value, const Json& defaults) {
+  for (auto it = value.begin(); it != value.end();) {
+    const auto at = defaults.find(it.key());
+    if (at != defaults.end() && it->is_object() && at->is_object()) leave_out_defaults(*it, *at);
+    const bool same = at != defaults.end() && (*it == *at || (it->is_object() && it->empty()));
+    it = same ? value.erase(it) : std::next(it);
+  }
+}
+
+}  // namespace misalign::schema
