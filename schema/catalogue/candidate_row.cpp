@@ -1,5 +1,7 @@
 #include "schema/catalogue/candidate_row.hpp"
 
+#include "schema/catalogue/database.hpp"
+#include "schema/catalogue/result_table.hpp"
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "schema/pattern/vertex_labels.hpp"
@@ -61,13 +63,25 @@ std::optional<Eigen::Matrix2Xd> read_shifts(const Json& displacements_mm, int ve
   Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, vertices);
   for (const auto& [label, shift] : json.items()) {
     const int vertex = vertex_of_label(label, vertices);
-    if (vertex < 0 || !shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
-        !shift[1].is_number()) {
-      return {};
-    }
+    if (vertex < 0 || !are_numbers(shift, 2)) return {};
     shifts_mm.col(vertex) << shift[0].get<double>(), shift[1].get<double>();
   }
   return shifts_mm;
+}
+
+Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
+  return row_of_draw(database, "candidate", draw);
+}
+
+int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
+  return reading(database, [&] {
+    SQLite::Statement row =
+        bound(database,
+              "SELECT metrics_version FROM candidate JOIN unit ON unit.lo = candidate.unit "
+              "JOIN run ON run.id = unit.run WHERE draw = ?",
+              draw);
+    return row.executeStep() ? row.getColumn(0).getInt() : solver::kMetricsVersion;
+  });
 }
 
 }  // namespace misalign::schema

@@ -1,6 +1,8 @@
 // A catalogue's rows about a sheet: its diagonals, where it fails, its metrics.
 #pragma once
 
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <optional>
 #include <string>
 
@@ -28,5 +30,11 @@ Json metrics_json(const solver::Metrics& metrics);
 /// The displacements of a candidate's row, one column per vertex; nothing if they are none of a
 /// sheet with so many.
 std::optional<Eigen::Matrix2Xd> read_shifts(const Json& displacements_mm, int vertices);
+
+/// A candidate's row, every column under its name; null if there is none.
+Json read_candidate(SQLite::Database& database, std::uint64_t draw);
+
+/// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
+int metrics_version_of(SQLite::Database& database, std::uint64_t draw);
 
 }  // namespace misalign::schema

@@ -8,9 +8,6 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/digest.hpp"
-#include "schema/catalogue/result_table.hpp"
-#include "schema/records/fault_sample.hpp"
-#include "solver/records/metrics.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -238,17 +235,6 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
   });
 }
 
-int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
-  return reading(database, [&] {
-    SQLite::Statement row =
-        bound(database,
-              "SELECT metrics_version FROM candidate JOIN unit ON unit.lo = candidate.unit "
-              "JOIN run ON run.id = unit.run WHERE draw = ?",
-              draw);
-    return row.executeStep() ? row.getColumn(0).getInt() : solver::kMetricsVersion;
-  });
-}
-
 GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
   return reading(database, [&] {
     GoalEnd end(goal);
@@ -280,21 +266,6 @@ GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
     }
     return end;
   });
-}
-
-WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
-                           const SQLite::Column& weight) {
-  constexpr auto kLeast = static_cast<double>(kFaultSampleEvery);
-  const double draws = weight.getDouble();
-  if (!(draws >= kLeast)) {
-    throw damaged(database, "a row of fault_sample stands for " + shown_number(draws) +
-                                " draws, where none stands for fewer than " + shown_number(kLeast));
-  }
-  return WeightedCount::of(draw_of(rows), draws);
-}
-
-Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
-  return row_of_draw(database, "candidate", draw);
 }
 
 std::uint64_t count_deploying_from(SQLite::Database& database, int sample) {

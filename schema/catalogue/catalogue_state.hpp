@@ -1,4 +1,4 @@
-// Reads a catalogue: its campaign, goal and totals, the units that are done, single candidates.
+// Reads a catalogue: its campaign, goal and totals, the units that are done, draws.
 #pragma once
 
 #include <map>
@@ -51,17 +51,6 @@ std::vector<DrawRange> units_done(SQLite::Database& database);
 /// The draws of a range that are in a table, ascending: candidate, undecided, fault_sample.
 std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& table,
                                     const DrawRange& range);
-
-/// So many rows of fault_sample with one weight. UserError (bad_input) if no row has that weight:
-/// SQLite looks at no CHECK while it reads.
-WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
-                           const SQLite::Column& weight);
-
-/// A candidate's row, every column under its name; null if there is none.
-Json read_candidate(SQLite::Database& database, std::uint64_t draw);
-
-/// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
-int metrics_version_of(SQLite::Database& database, std::uint64_t draw);
 
 /// Where a goal ends by what the rows say, see GoalEnd. UserError (bad_input) if populations
 /// contradict themselves.

@@ -1,16 +1,13 @@
 #include "schema/catalogue/ledger_check.hpp"
 
-#include <sqlite3.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/campaign_check.hpp"
-#include "schema/catalogue/constraint_check.hpp"
 #include "schema/catalogue/digest.hpp"
+#include "schema/catalogue/file_check.hpp"
 #include "schema/catalogue/unit_writer.hpp"
 #include "schema/catalogue/yield_check.hpp"
 #include "schema/files/hexadecimal.hpp"
@@ -25,7 +22,7 @@ class LedgerCheck {
       : database_(database), campaign_(campaign) {}
 
   CheckedLedger take() {
-    check_file();
+    findings_ = check_file(database_);
     check_campaign();
     look_at_state();
     read_units();
@@ -61,31 +58,6 @@ class LedgerCheck {
   void add(const std::string& where, const std::string& column, const Json& stored,
            const Json& recomputed) {
     findings_.push_back(differs(where, column, stored, recomputed));
-  }
-
-  void check_file() {
-    findings_ = check_constraints(database_);
-    SQLite::Statement integrity(database_, "PRAGMA integrity_check");
-    while (integrity.executeStep()) {
-      const std::string answer = text_of(integrity.getColumn(0));
-      throw_if_unread(answer);
-      if (answer != "ok") add("file", "integrity_check", answer, "ok");
-    }
-    SQLite::Statement keys(database_, "PRAGMA foreign_key_check");
-    while (keys.executeStep()) {
-      add("table " + text_of(keys.getColumn(0)) + ", row " + text_of(keys.getColumn(1)),
-          "key into " + text_of(keys.getColumn(2)), "no such row", "a row");
-    }
-  }
-
-  // It lists pages that the disk did not give among those that are damaged, with SQLite's code.
-  void throw_if_unread(const std::string& answer) const {
-    static const std::string kCode = "error code=";
-    const std::size_t at = answer.find(kCode);
-    if (at == std::string::npos) return;
-    const int code = std::atoi(answer.c_str() + at + kCode.size()) & 0xff;
-    if (code != SQLITE_IOERR && code != SQLITE_NOMEM) return;
-    throw storage_failure(database_.getFilename(), SQLite::Exception(answer, code));
   }
 
   void check_campaign() {

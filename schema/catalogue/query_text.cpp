@@ -1,9 +1,12 @@
 #include "schema/catalogue/query_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/costly_terms.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/files/suggestion.hpp"
 
@@ -53,6 +56,15 @@ QueryText query_text(SQLite::Database& database, const std::string& name_or_sql)
   const std::string sql = costly_in_subqueries(name_or_sql);
   if (!has_unknown_column(database, sql)) return {sql, ""};
   return {costly_in_subqueries(in_full(name_or_sql)), ""};
+}
+
+bool leaves_rows_out(SQLite::Database& database, const std::string& named, std::uint64_t rows) {
+  const LimitedQuery query = limited(named);
+  if (query.most == 0 || query.most != rows) return false;
+  bool more = false;
+  const std::string next = fmt::format("SELECT 1 FROM ({}) LIMIT 1 OFFSET {}", query.all, rows);
+  read_query(database, next, [&](const SQLite::Statement&) { more = true; });
+  return more;
 }
 
 }  // namespace misalign::schema

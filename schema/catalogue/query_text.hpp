@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <cstdint>
 #include <string>
 
 namespace misalign::schema {
@@ -15,5 +16,8 @@ struct QueryText {
 /// Of a splitting search the acceptance is that of each level, with its interval. UserError (bad
 /// request) for a word that names no query.
 QueryText query_text(SQLite::Database& database, const std::string& name_or_sql);
+
+/// Whether a named query's LIMIT left any out behind the `rows` that it gave.
+bool leaves_rows_out(SQLite::Database& database, const std::string& named, std::uint64_t rows);
 
 }  // namespace misalign::schema

@@ -4,21 +4,18 @@
 #include <sqlite3.h>
 
 #include <algorithm>
-#include <cassert>
 #include <ctime>
 #include <optional>
 #include <utility>
 
 #include "schema/catalogue/candidate_words.hpp"
 #include "schema/catalogue/database.hpp"
-#include "schema/files/carried_files.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "schema/files/storage.hpp"
 #include "schema/files/text_table.hpp"
 
 namespace misalign::schema {
 namespace {
-
-const std::string kQueryFolder = "schema/queries/";
 
 UserError bad_sql(const std::string& what) {
   return UserError(Cause::bad_request, "the query was refused (" + what +
@@ -219,18 +216,6 @@ auto ask(SQLite::Database& database, const std::string& sql, const Work& work) {
   }
 }
 
-// A query without the LIMIT that a named one may end with, and that; 0: none.
-struct Limited {
-  std::string all;
-  std::uint64_t most = 0;
-};
-
-Limited limited(const std::string& named) {
-  const std::size_t limit = named.rfind("LIMIT ");
-  if (limit == std::string::npos) return {named, 0};
-  return {named.substr(0, limit), std::stoull(named.substr(limit + 6))};
-}
-
 }  // namespace
 
 std::uint64_t write_query(SQLite::Database& database, const std::string& sql, TableStyle style,
@@ -287,41 +272,6 @@ Json query_rows(SQLite::Database& database, const std::string& sql) {
     while (row.executeStep()) rows.push_back(row_json(row));
     return rows;
   });
-}
-
-std::string named_query(const std::string& name) {
-  for (const CarriedFile& file : carried_files()) {
-    if (file.path == kQueryFolder + name + ".sql") return file.text;
-  }
-  return "";
-}
-
-std::string best_order() {
-  const Limited best = limited(named_query("best"));
-  const std::size_t begin = best.all.find("ORDER BY ");
-  assert(begin != std::string::npos && best.most > 0);
-  return best.all.substr(begin);
-}
-
-bool leaves_rows_out(SQLite::Database& database, const std::string& named, std::uint64_t rows) {
-  const Limited query = limited(named);
-  if (query.most == 0 || query.most != rows) return false;
-  bool more = false;
-  const std::string next = fmt::format("SELECT 1 FROM ({}) LIMIT 1 OFFSET {}", query.all, rows);
-  read_query(database, next, [&](const SQLite::Statement&) { more = true; });
-  return more;
-}
-
-std::string named_query_list() { return fmt::to_string(fmt::join(named_queries(), ", ")); }
-
-std::vector<std::string> named_queries() {
-  std::vector<std::string> names;
-  for (const CarriedFile& file : carried_files()) {
-    if (file.path.rfind(kQueryFolder, 0) != 0) continue;
-    const std::string name = file.path.substr(kQueryFolder.size());
-    names.push_back(name.substr(0, name.size() - 4));
-  }
-  return names;
 }
 
 }  // namespace misalign::schema

@@ -47,15 +47,4 @@ Json row_json(SQLite::Statement& row);
 /// The row of a draw in one of this program's own tables; null if there is none.
 Json row_of_draw(SQLite::Database& database, const std::string& table, std::uint64_t draw);
 
-/// The SQL of a named query; empty if there is no such name.
-std::string named_query(const std::string& name);
-/// What "the best first" means, stated in the query `best`: "ORDER BY ..., ..." on the columns of
-/// the view candidates.
-std::string best_order();
-/// Whether a named query's LIMIT left any out behind the `rows` that it gave.
-bool leaves_rows_out(SQLite::Database& database, const std::string& named, std::uint64_t rows);
-/// "acceptance, best, ..."
-std::string named_query_list();
-std::vector<std::string> named_queries();
-
 }  // namespace misalign::schema

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/weighted_count.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -2,6 +2,8 @@
 // each.
 #pragma once
 
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <cstdint>
 
 #include "schema/campaign/share_interval.hpp"
@@ -28,5 +30,10 @@ double share(const WeightedCount& part, const WeightedCount& all);
 /// Its 95 % interval: that of share_interval() for the effective number of rows (Korn and Graubard,
 /// Survey Methodology 24, 1998), and exactly that where all weights are equal.
 ShareInterval share_interval(const WeightedCount& part, const WeightedCount& all);
+
+/// So many rows of fault_sample with one weight. UserError (bad_input) if no row has that weight:
+/// SQLite looks at no CHECK while it reads.
+WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
+                           const SQLite::Column& weight);
 
 }  // namespace misalign::schema

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/deploy_json.hpp"
@@ -32,11 +33,8 @@ std::string floats(const std::vector<double>& numbers) {
 
 std::vector<double> lengths_row_by_row(const solver::FoldingHistory& history) {
   std::vector<double> lengths_mm = history.flat_mm;
-  for (Index row = 0; row < history.length_mm.rows(); ++row) {
-    for (Index d = 0; d < history.length_mm.cols(); ++d) {
-      lengths_mm.push_back(history.length_mm(row, d));
-    }
-  }
+  const auto rows = history.length_mm.reshaped<Eigen::RowMajor>();
+  lengths_mm.insert(lengths_mm.end(), rows.begin(), rows.end());
   return lengths_mm;
 }
 
@@ -201,9 +199,7 @@ Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism) {
   const solver::CreasePattern& sheet = base.base.sheet;
   Json vertices = Json::array(), panels = Json::array(), places = Json::array(),
        holes = Json::array(), creases = Json::array(), cuts = Json::array(), balls = Json::array();
-  for (Index v = 0; v < sheet.vertices_mm.cols(); ++v) {
-    vertices.push_back({sheet.vertices_mm(0, v), sheet.vertices_mm(1, v)});
-  }
+  for (const auto& place : sheet.vertices_mm.colwise()) vertices.push_back({place.x(), place.y()});
   for (const int f : solver::kept_facets(sheet, base.base.holes)) {
     panels.push_back(sheet.facets[f]);
     places.push_back(sheet.places[f]);

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/ends_state.hpp"
 #include "schema/catalogue/merge_plan.hpp"

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/certificate_table.hpp"
 #include "schema/files/features.hpp"
 #include "search/checks/draws_again.hpp"

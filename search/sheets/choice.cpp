@@ -9,6 +9,7 @@
 
 #include "schema/catalogue/candidate_words.hpp"
 #include "schema/catalogue/costly_terms.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
 #include "schema/catalogue/study_table.hpp"

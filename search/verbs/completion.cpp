@@ -2,7 +2,7 @@
 // cannot go stale. They never call the program.
 #include <fmt/format.h>
 
-#include "schema/catalogue/result_table.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/help_format.hpp"

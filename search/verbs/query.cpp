@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "schema/catalogue/query_text.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/study_table.hpp"

@@ -12,6 +12,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/ledger_check.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/report/report.hpp"
 #include "search/checks/merge.hpp"

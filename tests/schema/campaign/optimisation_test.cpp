@@ -2,6 +2,7 @@
 #include "schema/campaign/optimisation.hpp"
 
 #include "schema/catalogue/ledger_check.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "tests/schema/campaign_faults.hpp"
 #include "tests/schema/catalogue_fixture.hpp"

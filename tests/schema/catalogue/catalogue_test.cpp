@@ -1,6 +1,7 @@
 // The catalogue: whatever the order of work, nothing is lost or counted twice.
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/ledger_check.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "schema/records/fault_sample.hpp"
 #include "tests/schema/catalogue_fixture.hpp"
 

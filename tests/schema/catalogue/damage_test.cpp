@@ -1,6 +1,7 @@
 // Damaged catalogues: a sentence for whoever reads one or goes on writing it, and nothing worse.
 #include <algorithm>
 
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/ledger_check.hpp"
 #include "schema/catalogue/survival.hpp"
 #include "schema/report/report.hpp"

@@ -1,4 +1,5 @@
 // Reading a catalogue: whoever reads cannot write, and tables come in three styles.
+#include "schema/catalogue/named_queries.hpp"
 #include "tests/older_catalogues.hpp"
 #include "tests/schema/catalogue_fixture.hpp"
 

@@ -1,4 +1,5 @@
 // Yields of miscut copies: what is kept, what replaces what, and what is found wrong with them.
+#include "schema/catalogue/named_queries.hpp"
 #include "schema/catalogue/yield.hpp"
 
 #include <boost/math/special_functions/beta.hpp>

@@ -1,4 +1,5 @@
 // Catalogues of one campaign, made in pieces that overlap: joined they are what one run makes.
+#include "schema/catalogue/candidate_row.hpp"
 #include "search/checks/merge.hpp"
 
 #include <gtest/gtest.h>
