@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "schema/exchange/calculix_motion.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/sheets/calculix_run.hpp"
 

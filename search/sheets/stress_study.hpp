@@ -5,7 +5,7 @@
 #include <string>
 
 #include "schema/exchange/calculix_deck.hpp"
-#include "schema/exchange/calculix_result.hpp"
+#include "schema/exchange/calculix_stress.hpp"
 
 namespace misalign::search {
 

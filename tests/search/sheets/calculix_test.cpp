@@ -9,7 +9,8 @@
 #include <sstream>
 
 #include "schema/exchange/calculix_deck.hpp"
-#include "schema/exchange/calculix_result.hpp"
+#include "schema/exchange/calculix_motion.hpp"
+#include "schema/exchange/calculix_stress.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/release.hpp"
 #include "search/sheets/studies.hpp"

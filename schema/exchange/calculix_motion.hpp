@@ -1,0 +1,44 @@
+// Reads the motion of the panels' corners, and energies, of CalculiX's results of a deck
+// (calculix_deck.hpp).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schema/exchange/panel_mesh.hpp"
+#include "schema/exchange/simulated_sheet.hpp"
+#include "solver/motion/stress.hpp"
+
+namespace misalign::schema {
+
+/// Reads the .dat file as it grows.
+class MotionReader {
+ public:
+  MotionReader(const SimulatedSheet& sheet, const PanelMesh& mesh);
+
+  /// What came since; the last line may be a part of one.
+  void feed(const std::string& text);
+  /// The first is the start; the last is before the first one that is no result.
+  const std::vector<solver::ElasticRow>& rows() const { return rows_; }
+  bool is_sound() const { return is_sound_; }
+
+ private:
+  enum class Block { none, corners, strain, kinetic };
+
+  void see_line(const std::string& line);
+  void see_corner(const std::string& line);
+  void add_row();
+  double fold_angle_deg(const solver::FoldLine& fold) const;
+  Eigen::Vector3d normal(int panel) const;
+
+  const SimulatedSheet& sheet_;
+  const PanelMesh mesh_;
+  std::string rest_;  // of a line that is not whole yet
+  Block block_ = Block::none;
+  solver::ElasticRow row_;
+  Eigen::Matrix3Xd corners_mm_;  // of each panel its four
+  std::vector<solver::ElasticRow> rows_;
+  bool is_sound_ = true;  // no increment was none
+};
+
+}  // namespace misalign::schema
