@@ -91,14 +91,7 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
 
 // `afterwards`: what certificates are for later of; null: nothing.
 void read_certify(ObjectReader& reader, const char* afterwards, bool& certify) {
-  const Json* value = reader.find("certify");
-  if (!value) return;
-  if (!value->is_boolean()) {
-    reader.faults().add(reader.shown("certify"), "must be true or false",
-                        "write true for certificates as the search goes");
-    return;
-  }
-  certify = value->get<bool>();
+  reader.boolean("certify", certify, "write true for certificates as the search goes");
   if (certify && afterwards) {
     reader.faults().add(reader.shown("certify"),
                         std::string(afterwards) + " makes no certificates as it goes",

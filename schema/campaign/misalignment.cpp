@@ -157,13 +157,13 @@ Misalignment read_misalignment(ObjectReader reader, const solver::PerforatedShee
 Json misalignment_json(const Misalignment& misalignment, const solver::CreasePattern& sheet) {
   const std::vector<int>& shifted = misalignment.vertices;
   const std::optional<ParallelDraws>& parallel = misalignment.parallel;
-  Json vertices = Json::array();
+  Json vertices;
   if (shifted == solver::interior_vertices(sheet)) {
     vertices = "interior";
   } else if (shifted == solver::ring_vertices(sheet)) {
     vertices = "ring";
   } else {
-    for (const int v : shifted) vertices.push_back(solver::vertex_label(v));
+    vertices = json_list(shifted, solver::vertex_label);
   }
   return {
       {"vertices", vertices},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/files/json_values.hpp"
 #include "solver/verdict/score.hpp"
 
 namespace misalign::schema {
@@ -33,10 +34,7 @@ void read_named_levels(ObjectReader& reader, double threshold_deg, double sample
   const Json* value = reader.find("levels_deg");
   if (!value || *value == "auto") return;
   InputFaults& faults = reader.faults();
-  const bool is_list =
-      value->is_array() && !value->empty() && value->size() <= kMostLevels &&
-      std::ranges::all_of(*value, [](const Json& level) { return level.is_number(); });
-  if (!is_list) {
+  if (value->empty() || value->size() > kMostLevels || !are_numbers(*value, value->size())) {
     faults.add(reader.shown("levels_deg"),
                "is no list of up to " + std::to_string(kMostLevels) + " angles", kFormsOfLevels);
     return;

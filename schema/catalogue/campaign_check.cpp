@@ -187,42 +187,34 @@ void check_runs(SQLite::Database& database, const Campaign& campaign,
                         "unit.run = run.id GROUP BY run.id");
   while (row.executeStep()) {
     const std::string where = "run " + text_of(row.getColumn(0));
+    const auto add = [&](const char* column, const Json& stored, const Json& expected) {
+      findings.push_back(differs(where, column, stored, expected));
+    };
     const std::int64_t ranks = row.getColumn(1).getInt64(), units = row.getColumn(2).getInt64();
     const std::int64_t worker = row.getColumn(3).getInt64(), commits = row.getColumn(5).getInt64();
     if (units > 0 && worker >= ranks) {
-      findings.push_back(
-          differs(where, "ranks", ranks, "above its worker " + std::to_string(worker)));
+      add("ranks", ranks, "above its worker " + std::to_string(worker));
     }
     const bool is_joined = row.getColumn(4).getInt() != 0;
     if (!is_joined && commits > units) {
-      findings.push_back(
-          differs(where, "commits", commits, "at most its " + std::to_string(units) + " units"));
+      add("commits", commits, "at most its " + std::to_string(units) + " units");
     }
-    if (commits < 0) findings.push_back(differs(where, "commits", commits, "a count"));
+    if (commits < 0) add("commits", commits, "a count");
     const double all_s = row.getColumn(6).getDouble(), longest_s = row.getColumn(7).getDouble();
-    if (longest_s > all_s) {
-      findings.push_back(differs(where, "longest_commit_s", longest_s, all_s));
-    }
-    if (!(longest_s >= 0)) {
-      findings.push_back(differs(where, "longest_commit_s", longest_s, "a time"));
-    }
-    if (units > 0) {
-      const double least_s = row.getColumn(12).getDouble(), most_s = row.getColumn(13).getDouble();
-      if (!(least_s >= 0 && std::isfinite(most_s))) {
-        findings.push_back(differs("units of " + where, "seconds",
-                                   fmt::format("{} to {}", least_s, most_s), "times"));
-      }
+    if (longest_s > all_s) add("longest_commit_s", longest_s, all_s);
+    if (!(longest_s >= 0)) add("longest_commit_s", longest_s, "a time");
+    const double least_s = row.getColumn(12).getDouble(), most_s = row.getColumn(13).getDouble();
+    if (units > 0 && !(least_s >= 0 && std::isfinite(most_s))) {
+      findings.push_back(differs("units of " + where, "seconds",
+                                 fmt::format("{} to {}", least_s, most_s), "times"));
     }
     const int written_by = row.getColumn(8).getInt();
     if (written_by < 1 || written_by > version) {
-      findings.push_back(
-          differs(where, "schema_version", written_by, "one of 1 to " + std::to_string(version)));
+      add("schema_version", written_by, "one of 1 to " + std::to_string(version));
     }
-    if (row.getColumn(9).isNull()) {
-      findings.push_back(differs(where, "started_at", "no time", "a time"));
-    }
+    if (row.getColumn(9).isNull()) add("started_at", "no time", "a time");
     if (row.getColumn(10).getInt() == 0 || row.getColumn(11).isNull()) {
-      findings.push_back(differs(where, "ended_at", "none, or no time", "a time beside its end"));
+      add("ended_at", "none, or no time", "a time beside its end");
     }
   }
   // Most runs of a campaign have the same one.

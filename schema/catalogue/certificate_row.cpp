@@ -205,11 +205,7 @@ std::optional<CertificateRecord> certificate_of_json(const Json& exported,
   reader.number("asked_deg", row.asked_deg, 0, 180, again);
   reader.text("end", row.end, again);
   if (reader.said("where")) reader.text("where", row.place, again);
-  if (const Json* contact = reader.find("contact"); contact && contact->is_boolean()) {
-    row.contact = contact->get<bool>();
-  } else if (contact) {
-    faults.add(reader.shown("contact"), "must be true or false", again);
-  }
+  reader.boolean("contact", row.contact, again);
   std::uint64_t intervals = 0;
   reader.whole("intervals", intervals, std::numeric_limits<std::uint32_t>::max(), again);
   row.intervals = static_cast<std::uint32_t>(intervals);

@@ -109,6 +109,9 @@ class LedgerCheck {
     }
   }
 
+  static std::string draw_in(SQLite::Statement& row, int column = 0) {
+    return "draw " + std::to_string(draw_of(row.getColumn(column)));
+  }
   static std::string name(std::uint64_t unit) { return "unit " + std::to_string(unit); }
 
   // The unit that a row names, if it is there and holds the row's draw.
@@ -185,8 +188,7 @@ class LedgerCheck {
     SQLite::Statement row(
         database_, "SELECT max(draw), min(draw) FROM sheet GROUP BY hash HAVING count(*) > 1");
     while (row.executeStep()) {
-      add("draw " + std::to_string(draw_of(row.getColumn(0))), "sheet.hash",
-          "that of draw " + std::to_string(draw_of(row.getColumn(1))), "its own");
+      add(draw_in(row), "sheet.hash", "that of " + draw_in(row, 1), "its own");
     }
   }
 
@@ -238,8 +240,8 @@ class LedgerCheck {
                           "(draw) WHERE fault_sample.deploys_from_sample != "
                           "candidate.deploys_from_sample");
     while (row.executeStep()) {
-      add("draw " + std::to_string(draw_of(row.getColumn(0))), "fault_sample.deploys_from_sample",
-          row.getColumn(1).getInt(), row.getColumn(2).getInt());
+      add(draw_in(row), "fault_sample.deploys_from_sample", row.getColumn(1).getInt(),
+          row.getColumn(2).getInt());
     }
   }
 
@@ -256,8 +258,8 @@ class LedgerCheck {
                                            table + " WHERE draw = fault_sample.draw)");
       while (row.executeStep()) {
         const bool is_sampled = row.getColumn(1).getInt() != 0;
-        add("draw " + std::to_string(draw_of(row.getColumn(0))), "fault_sample." + column,
-            is_sampled ? column : "not " + column, is_sampled ? "not " + column : column);
+        add(draw_in(row), "fault_sample." + column, is_sampled ? column : "not " + column,
+            is_sampled ? "not " + column : column);
       }
     };
     compare("accepted", "(" + accepted + ")", "candidate");
@@ -268,7 +270,7 @@ class LedgerCheck {
   void check_verdicts() {
     SQLite::Statement row(database_, "SELECT draw FROM undecided JOIN candidate USING (draw)");
     while (row.executeStep()) {
-      add("draw " + std::to_string(draw_of(row.getColumn(0))), "verdict", "undecided", "accepted");
+      add(draw_in(row), "verdict", "undecided", "accepted");
     }
   }
 

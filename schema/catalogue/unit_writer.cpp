@@ -9,7 +9,8 @@
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/population_rows.hpp"
 #include "schema/catalogue/sheets_once.hpp"
-#include "schema/pattern/pattern_file.hpp"
+#include "schema/files/json_values.hpp"
+#include "schema/pattern/pattern_json.hpp"
 #include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {
@@ -17,9 +18,7 @@ namespace {
 
 // Nine decimals: 1e-9 of a length of 100 mm is below what any maker can cut.
 Json elongations_json(const std::vector<double>& elongation) {
-  Json list = Json::array();
-  for (const double e : elongation) list.push_back(std::round(e * 1e9) / 1e9);
-  return list;
+  return json_list(elongation, [](double e) { return std::round(e * 1e9) / 1e9; });
 }
 
 // Its values in the order in which write_candidate binds them.

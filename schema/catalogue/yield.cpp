@@ -2,6 +2,7 @@
 
 #include "schema/campaign/share_interval.hpp"
 #include "schema/catalogue/population_rows.hpp"
+#include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -61,11 +62,7 @@ Json yield_json(const Yield& yield) {
   return json;
 }
 
-Json yields_json(const std::vector<Yield>& yields) {
-  Json list = Json::array();
-  for (const Yield& yield : yields) list.push_back(yield_json(yield));
-  return list;
-}
+Json yields_json(const std::vector<Yield>& yields) { return json_list(yields, yield_json); }
 
 std::vector<std::uint64_t> write_yields(SQLite::Database& database,
                                         const std::vector<Yield>& yields,

@@ -6,16 +6,6 @@
 #include "schema/pattern/preload_json.hpp"
 
 namespace misalign::schema {
-namespace {
-
-// A list; null for what is no number.
-Json numbers_json(const std::vector<double>& numbers) {
-  Json list = Json::array();
-  for (const double x : numbers) list.push_back(finite_or_null(x));
-  return list;
-}
-
-}  // namespace
 
 std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal) {
   return solver::line_label(mechanism.diagonals[diagonal].from, mechanism.diagonals[diagonal].to);
@@ -75,15 +65,14 @@ Json actuation_json(const FoldingView& view, const solver::Actuation& actuation)
 Json actuation_history_json(const FoldingView& view, const solver::Actuation& actuation) {
   Json json = actuation_json(view, actuation);
   for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
-    Json& force = json["forces"][static_cast<std::size_t>(d)]["history_n"] = Json::array();
-    for (Eigen::Index row = 0; row < actuation.force_n.rows(); ++row) {
-      force.push_back(actuation.force_n(row, d));
-    }
+    json["forces"][static_cast<std::size_t>(d)]["history_n"] =
+        json_list(actuation.force_n.col(d), std::identity());
   }
-  json["history"] = {{"pilot_deg", actuation.pilot_deg},
-                     {"energy_n_mm", actuation.energy_n_mm},
-                     {"moment_n_mm", actuation.moment_n_mm},
-                     {"mechanical_advantage", numbers_json(actuation.mechanical_advantage)}};
+  json["history"] = {
+      {"pilot_deg", actuation.pilot_deg},
+      {"energy_n_mm", actuation.energy_n_mm},
+      {"moment_n_mm", actuation.moment_n_mm},
+      {"mechanical_advantage", json_list(actuation.mechanical_advantage, finite_or_null)}};
   return json;
 }
 

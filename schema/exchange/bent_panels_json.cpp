@@ -6,26 +6,22 @@ namespace misalign::schema {
 namespace {
 
 Json bent_angles_json(const solver::BentPanels& study) {
-  Json list = Json::array();
-  for (const solver::BentAngle& angle : study.angles) {
-    list.push_back({{"pilot_deg", angle.pilot_deg},
-                    {"energy_n_mm", angle.rigid_n_mm},
-                    {"bent_energy_n_mm", angle.bent.n_mm},
-                    {"largest_saddle_mm", angle.largest_saddle_mm},
-                    {"largest_stress_mpa", angle.largest_stress_mpa},
-                    {"is_sure", angle.is_sure}});
-  }
-  return list;
+  return json_list(study.angles, [](const solver::BentAngle& angle) {
+    return Json{{"pilot_deg", angle.pilot_deg},
+                {"energy_n_mm", angle.rigid_n_mm},
+                {"bent_energy_n_mm", angle.bent.n_mm},
+                {"largest_saddle_mm", angle.largest_saddle_mm},
+                {"largest_stress_mpa", angle.largest_stress_mpa},
+                {"is_sure", angle.is_sure}};
+  });
 }
 
 Json margins_json(const solver::BentFriction& friction) {
-  Json list = Json::array();
-  for (const solver::StaticMargin& row : friction.rows) {
-    list.push_back({{"pilot_deg", row.pilot_deg},
-                    {"available_n_mm_per_mm", row.available_n},
-                    {"static_margin", or_null(row.margin)}});
-  }
-  return list;
+  return json_list(friction.rows, [](const solver::StaticMargin& row) {
+    return Json{{"pilot_deg", row.pilot_deg},
+                {"available_n_mm_per_mm", row.available_n},
+                {"static_margin", or_null(row.margin)}};
+  });
 }
 
 Json preload_json(const solver::PreloadStudy& study) {

@@ -7,15 +7,8 @@ namespace misalign::schema {
 namespace {
 
 const char* kind_name(solver::ContactKind kind) {
-  switch (kind) {
-    case solver::ContactKind::apart:
-      return "apart";
-    case solver::ContactKind::vertex:
-      return "vertex";
-    case solver::ContactKind::crease:
-      break;
-  }
-  return "crease";
+  constexpr const char* kNames[] = {"apart", "vertex", "crease"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel) {

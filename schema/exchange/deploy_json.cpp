@@ -8,19 +8,8 @@ namespace misalign::schema {
 namespace {
 
 const char* name_of(solver::DeploymentEvent event) {
-  switch (event) {
-    case solver::DeploymentEvent::start:
-      return "start";
-    case solver::DeploymentEvent::flat:
-      return "flat";
-    case solver::DeploymentEvent::turn:
-      return "turn";
-    case solver::DeploymentEvent::end:
-      return "end";
-    case solver::DeploymentEvent::none:
-      break;
-  }
-  return "";
+  constexpr const char* kNames[] = {"", "start", "flat", "turn", "end"};
+  return kNames[static_cast<std::size_t>(event)];
 }
 
 Json springs_json(const solver::Mechanism& mechanism, const solver::Springs& springs) {
@@ -51,14 +40,12 @@ Json held_json(const std::optional<solver::HeldPanel>& held) {
 }
 
 Json equilibria_json(const std::vector<solver::Equilibrium>& equilibria) {
-  Json list = Json::array();
-  for (const solver::Equilibrium& at : equilibria) {
-    list.push_back({{"pilot_deg", at.pilot_deg},
-                    {"energy_n_mm", at.energy_n_mm},
-                    {"stiffness_n_mm_per_rad", at.stiffness_n_mm},
-                    {"is_well", at.is_well}});
-  }
-  return list;
+  return json_list(equilibria, [](const solver::Equilibrium& at) {
+    return Json{{"pilot_deg", at.pilot_deg},
+                {"energy_n_mm", at.energy_n_mm},
+                {"stiffness_n_mm_per_rad", at.stiffness_n_mm},
+                {"is_well", at.is_well}};
+  });
 }
 
 // Vectors row by row.
@@ -96,10 +83,9 @@ Json forces_json(const solver::Mechanism& mechanism, const solver::JointForces& 
 
 Json pins_json(const solver::PinFriction& pins, double own_mm) {
   const solver::PinRow& locks = pins.locks_first();
-  Json rows = Json::array();
-  for (const solver::PinRow& row : pins.rows) {
-    rows.push_back({{"pilot_deg", row.pilot_deg}, {"locks_mm", row.locks_mm()}});
-  }
+  const Json rows = json_list(pins.rows, [](const solver::PinRow& row) {
+    return Json{{"pilot_deg", row.pilot_deg}, {"locks_mm", row.locks_mm()}};
+  });
   return {{"critical_mm", or_null(pins.critical_mm)},
           {"locks_mm", locks.locks_mm()},
           {"locks_deg", locks.pilot_deg},
@@ -108,9 +94,7 @@ Json pins_json(const solver::PinFriction& pins, double own_mm) {
 }
 
 Json labels_json(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
-  Json list = Json::array();
-  for (const int d : diagonals) list.push_back(diagonal_label(mechanism, d));
-  return list;
+  return json_list(diagonals, [&](int d) { return diagonal_label(mechanism, d); });
 }
 
 }  // namespace
@@ -173,19 +157,17 @@ Json deployment_json(const solver::Mechanism& mechanism, const solver::Deploymen
 Json deployment_history_json(const solver::Mechanism& mechanism,
                              const solver::DeploymentStudy& study) {
   Json json = deployment_json(mechanism, study);
-  const auto column = [&](const char* name, double solver::DeploymentRow::*member) {
-    Json& list = json[name] = Json::array();
-    for (const solver::DeploymentRow& row : study.run.rows) list.push_back(row.*member);
-  };
-  column("time_s", &solver::DeploymentRow::time_s);
-  column("pilot_deg", &solver::DeploymentRow::pilot_deg);
-  column("rate_deg_per_s", &solver::DeploymentRow::rate_deg_per_s);
-  column("energy_n_mm", &solver::DeploymentRow::springs_n_mm);
-  column("kinetic_n_mm", &solver::DeploymentRow::kinetic_n_mm);
-  column("total_n_mm", &solver::DeploymentRow::total_n_mm);
+  using Row = solver::DeploymentRow;
+  const std::vector<Row>& rows = study.run.rows;
+  json.update({{"time_s", json_list(rows, &Row::time_s)},
+               {"pilot_deg", json_list(rows, &Row::pilot_deg)},
+               {"rate_deg_per_s", json_list(rows, &Row::rate_deg_per_s)},
+               {"energy_n_mm", json_list(rows, &Row::springs_n_mm)},
+               {"kinetic_n_mm", json_list(rows, &Row::kinetic_n_mm)},
+               {"total_n_mm", json_list(rows, &Row::total_n_mm)}});
   if (study.forces) json["forces"] = forces_json(mechanism, *study.forces);
   Json& events = json["events"] = Json::array();
-  for (const solver::DeploymentRow& row : study.run.rows) {
+  for (const Row& row : rows) {
     if (row.event == solver::DeploymentEvent::none) continue;
     events.push_back({{"event", name_of(row.event)},
                       {"time_s", row.time_s},

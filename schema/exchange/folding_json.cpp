@@ -5,15 +5,10 @@
 #include <cstdio>
 
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
 namespace {
-
-Json column_json(const Eigen::MatrixXd& matrix, Eigen::Index column) {
-  Json list = Json::array();
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row) list.push_back(matrix(row, column));
-  return list;
-}
 
 Json diagonals_json(const FoldingView& view, bool histories) {
   Json list = Json::array();
@@ -22,8 +17,9 @@ Json diagonals_json(const FoldingView& view, bool histories) {
                                  view.history.flat_mm[d]));
     list.back()["diagonal"] = d;
     if (histories) {
-      list.back()["length_mm"] = column_json(view.history.length_mm, d);
-      list.back()["slope_mm_per_deg"] = column_json(view.history.slope_mm_per_deg, d);
+      list.back()["length_mm"] = json_list(view.history.length_mm.col(d), std::identity());
+      list.back()["slope_mm_per_deg"] =
+          json_list(view.history.slope_mm_per_deg.col(d), std::identity());
     }
   }
   return list;
@@ -57,8 +53,6 @@ Json bump_json(const FoldingView& view) {
 
 Json folding_json(const FoldingView& view) {
   const solver::FoldingHistory& history = view.history;
-  Json stations = Json::array();
-  for (const solver::Station& station : history.stations) stations.push_back(station.pilot_deg);
   Json creases = Json::array();
   for (std::size_t i = 0; i < view.mechanism.creases.size(); ++i) {
     const solver::Crease& crease = view.mechanism.creases[i];
@@ -67,7 +61,8 @@ Json folding_json(const FoldingView& view) {
          {"from", solver::vertex_label(crease.a)},
          {"to", solver::vertex_label(crease.b)},
          {"assignment", view.mechanism.is_valley(crease) ? "valley" : "mountain"},
-         {"fold_angle_deg", column_json(history.fold_angle_deg, static_cast<Eigen::Index>(i))}});
+         {"fold_angle_deg",
+          json_list(history.fold_angle_deg.col(static_cast<Eigen::Index>(i)), std::identity())}});
   }
   return {{"pattern", pattern_json(view.base, view.shifts_mm)},
           {"mesh_off_mm", view.base.mesh_off_mm},
@@ -77,7 +72,7 @@ Json folding_json(const FoldingView& view) {
           {"verdict", verdict_json(view)},
           {"bump_between_samples", bump_json(view)},
           {"fold_limit_deg", history.path.fold_limit_deg},
-          {"samples_deg", stations},
+          {"samples_deg", json_list(history.stations, &solver::Station::pilot_deg)},
           {"diagonals", diagonals_json(view, true)},
           {"creases", creases},
           {"residual_max", largest(history.open_by)},

@@ -15,18 +15,13 @@ Json at_json(const SimulatedSheet& sheet, const std::optional<solver::StressAt>&
 }
 
 Json rows_json(const std::vector<solver::ElasticRow>& rows) {
-  Json json;
-  const auto add = [&](const char* key, double solver::ElasticRow::*value) {
-    json[key] = Json::array();
-    for (const solver::ElasticRow& row : rows) json[key].push_back(row.*value);
-  };
-  add("time_s", &solver::ElasticRow::time_s);
-  add("pilot_deg", &solver::ElasticRow::pilot_deg);
-  add("widest_deg", &solver::ElasticRow::widest_deg);
-  add("springs_n_mm", &solver::ElasticRow::springs_n_mm);
-  add("bending_n_mm", &solver::ElasticRow::strain_n_mm);
-  add("kinetic_n_mm", &solver::ElasticRow::kinetic_n_mm);
-  return json;
+  using Row = solver::ElasticRow;
+  return {{"time_s", json_list(rows, &Row::time_s)},
+          {"pilot_deg", json_list(rows, &Row::pilot_deg)},
+          {"widest_deg", json_list(rows, &Row::widest_deg)},
+          {"springs_n_mm", json_list(rows, &Row::springs_n_mm)},
+          {"bending_n_mm", json_list(rows, &Row::strain_n_mm)},
+          {"kinetic_n_mm", json_list(rows, &Row::kinetic_n_mm)}};
 }
 
 }  // namespace
@@ -38,11 +33,8 @@ Json stress_json(const SimulatedSheet& sheet, const DeckOptions& deck, double di
     panels.push_back(
         {{"panel", sheet.places[k]}, {"outside_discs_mpa", study.stress.panel_outside_mpa[k]}});
   }
-  Json rigid = {{"time_s", Json::array()}, {"pilot_deg", Json::array()}};
-  for (const solver::DeploymentRow& row : study.rigid) {
-    rigid["time_s"].push_back(row.time_s);
-    rigid["pilot_deg"].push_back(row.pilot_deg);
-  }
+  const Json rigid = {{"time_s", json_list(study.rigid, &solver::DeploymentRow::time_s)},
+                      {"pilot_deg", json_list(study.rigid, &solver::DeploymentRow::pilot_deg)}};
   const Json history = {{"time_s", study.stress.time_s},
                         {"outside_discs_mpa", study.stress.outside_mpa},
                         {"anywhere_mpa", study.stress.anywhere_mpa}};

@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <mutex>
+#include <type_traits>
 
 #include "schema/files/file_bytes.hpp"
 
@@ -21,71 +22,28 @@ ssize_t read_again(const auto& call) {
   return count;
 }
 
-// One system call of SQLite's table; `real` is what stood there before.
-struct ReadCall {
-  static constexpr const char* kName = "read";
-  static inline ssize_t (*real)(int, void*, size_t) = nullptr;
-  static ssize_t guarded(int file, void* into, size_t size) {
-    return read_again([&] { return real(file, into, size); });
-  }
-};
-struct PreadCall {
-  static constexpr const char* kName = "pread";
-  static inline ssize_t (*real)(int, void*, size_t, off_t) = nullptr;
-  static ssize_t guarded(int file, void* into, size_t size, off_t at) {
-    return read_again([&] { return real(file, into, size, at); });
-  }
-};
-struct Pread64Call {
-  static constexpr const char* kName = "pread64";
-  static inline ssize_t (*real)(int, void*, size_t, off64_t) = nullptr;
-  static ssize_t guarded(int file, void* into, size_t size, off64_t at) {
-    return read_again([&] { return real(file, into, size, at); });
-  }
-};
-struct WriteCall {
-  static constexpr const char* kName = "write";
-  static inline ssize_t (*real)(int, const void*, size_t) = nullptr;
-  static ssize_t guarded(int file, const void* from, size_t size) {
-    return uninterrupted([&] { return real(file, from, size); });
-  }
-};
-struct PwriteCall {
-  static constexpr const char* kName = "pwrite";
-  static inline ssize_t (*real)(int, const void*, size_t, off_t) = nullptr;
-  static ssize_t guarded(int file, const void* from, size_t size, off_t at) {
-    return uninterrupted([&] { return real(file, from, size, at); });
-  }
-};
-struct Pwrite64Call {
-  static constexpr const char* kName = "pwrite64";
-  static inline ssize_t (*real)(int, const void*, size_t, off64_t) = nullptr;
-  static ssize_t guarded(int file, const void* from, size_t size, off64_t at) {
-    return uninterrupted([&] { return real(file, from, size, at); });
-  }
-};
-struct OpenCall {
-  static constexpr const char* kName = "open";
-  static inline int (*real)(const char*, int, int) = nullptr;
-  static int guarded(const char* path, int flags, int mode) {
-    return uninterrupted([&] { return real(path, flags, mode); });
-  }
-};
-struct TruncateCall {
-  static constexpr const char* kName = "ftruncate";
-  static inline int (*real)(int, off_t) = nullptr;
-  static int guarded(int file, off_t size) {
-    return uninterrupted([&] { return real(file, size); });
+// One system call of SQLite's table; `real` is what stood there before. The number tells calls of
+// the same arguments apart.
+template <int kNumber, class Result, class... Arguments>
+struct GuardedCall {
+  static inline Result (*real)(Arguments...) = nullptr;
+  static Result guarded(Arguments... arguments) {
+    const auto call = [&] { return real(arguments...); };
+    if constexpr ((std::is_same_v<Arguments, void*> || ...)) {  // it reads into that
+      return read_again(call);
+    } else {
+      return uninterrupted(call);
+    }
   }
 };
 
 template <class Guarded>
-void guard(sqlite3_vfs* vfs) {
-  const Call now = vfs->xGetSystemCall(vfs, Guarded::kName);
+void guard(sqlite3_vfs* vfs, const char* name) {
+  const Call now = vfs->xGetSystemCall(vfs, name);
   const Call ours = reinterpret_cast<Call>(Guarded::guarded);
   if (!now || now == ours) return;
   Guarded::real = reinterpret_cast<decltype(Guarded::real)>(now);
-  vfs->xSetSystemCall(vfs, Guarded::kName, ours);
+  vfs->xSetSystemCall(vfs, name, ours);
 }
 
 }  // namespace
@@ -95,14 +53,14 @@ void guard_file_calls() {
   const std::lock_guard lock(one_at_a_time);
   sqlite3_vfs* vfs = sqlite3_vfs_find("unix");
   if (!vfs || vfs->iVersion < 3 || !vfs->xGetSystemCall || !vfs->xSetSystemCall) return;
-  guard<ReadCall>(vfs);
-  guard<PreadCall>(vfs);
-  guard<Pread64Call>(vfs);
-  guard<WriteCall>(vfs);
-  guard<PwriteCall>(vfs);
-  guard<Pwrite64Call>(vfs);
-  guard<OpenCall>(vfs);
-  guard<TruncateCall>(vfs);
+  guard<GuardedCall<0, ssize_t, int, void*, size_t>>(vfs, "read");
+  guard<GuardedCall<1, ssize_t, int, void*, size_t, off_t>>(vfs, "pread");
+  guard<GuardedCall<2, ssize_t, int, void*, size_t, off64_t>>(vfs, "pread64");
+  guard<GuardedCall<3, ssize_t, int, const void*, size_t>>(vfs, "write");
+  guard<GuardedCall<4, ssize_t, int, const void*, size_t, off_t>>(vfs, "pwrite");
+  guard<GuardedCall<5, ssize_t, int, const void*, size_t, off64_t>>(vfs, "pwrite64");
+  guard<GuardedCall<6, int, const char*, int, int>>(vfs, "open");
+  guard<GuardedCall<7, int, int, off_t>>(vfs, "ftruncate");
 }
 
 }  // namespace misalign::schema

@@ -147,6 +147,16 @@ void ObjectReader::text(const std::string& key, std::string& into, const std::st
   }
 }
 
+void ObjectReader::boolean(const std::string& key, bool& into, const std::string& suggestion) {
+  const Json* value = find(key);
+  if (!value) return;
+  if (!value->is_boolean()) {
+    faults_.add(shown(key), "must be true or false", suggestion);
+  } else {
+    into = value->get<bool>();
+  }
+}
+
 void ObjectReader::refuse_unknown_keys() {
   if (!value_.is_object()) return;
   for (const auto& [key, value] : value_.items()) {

@@ -51,6 +51,7 @@ class ObjectReader {
   void whole(const std::string& key, std::uint64_t& into, std::uint64_t most,
              const std::string& suggestion);
   void text(const std::string& key, std::string& into, const std::string& suggestion);
+  void boolean(const std::string& key, bool& into, const std::string& suggestion);
 
   /// Reports every key that nobody asked for.
   void refuse_unknown_keys();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "schema/files/input.hpp"
@@ -15,6 +16,14 @@ Json or_null(const std::optional<Value>& value) {
 
 /// Null for infinities and NaN, which JSON does not have.
 inline Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+/// A list of what `of`, a function or a member, is of each.
+template <class Range, class Of>
+Json json_list(const Range& range, const Of& of) {
+  Json list = Json::array();
+  for (const auto& one : range) list.push_back(std::invoke(of, one));
+  return list;
+}
 
 /// Whether it is a list of so many numbers.
 bool are_numbers(const Json& value, std::size_t count);

@@ -3,37 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "schema/files/utf8.hpp"
 
 namespace misalign::schema {
 namespace {
 
-using Range = std::pair<char32_t, char32_t>;
-
 // What a terminal acts on, or what hides or turns round what is beside it: controls; Arabic letter
 // mark, marks and embeddings of direction; separators of lines; isolates and deprecated format
 // characters; byte order mark; annotation; tags.
-constexpr std::array<Range, 10> kEscaped = {{{0x00, 0x1f},
-                                             {0x7f, 0x9f},
-                                             {0x61c, 0x61c},
-                                             {0x180e, 0x180e},
-                                             {0x200e, 0x200f},
-                                             {0x2028, 0x202e},
-                                             {0x2060, 0x206f},
-                                             {0xfeff, 0xfeff},
-                                             {0xfff9, 0xfffb},
-                                             {0xe0000, 0xe0fff}}};
-
-bool is_escaped(char32_t c) {
-  return std::any_of(kEscaped.begin(), kEscaped.end(),
-                     [c](const Range& range) { return c >= range.first && c <= range.second; });
-}
+constexpr CharacterRange kEscaped[] = {
+    {0x00, 0x1f},     {0x7f, 0x9f},     {0x61c, 0x61c},   {0x180e, 0x180e}, {0x200e, 0x200f},
+    {0x2028, 0x202e}, {0x2060, 0x206f}, {0xfeff, 0xfeff}, {0xfff9, 0xfffb}, {0xe0000, 0xe0fff}};
 
 void append_escape(std::string& shown, char32_t code) {
   const auto append = [&](std::uint32_t unit) { shown += fmt::format("\\u{:04x}", unit); };
@@ -51,7 +35,7 @@ std::string escaped(std::string_view text, Keeps keeps) {
     const Utf8Character c = first_character(text);
     if (!c.is_utf8) {
       shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
-    } else if (is_escaped(c.code) && !keeps(c.code)) {
+    } else if (is_within(kEscaped, c.code) && !keeps(c.code)) {
       append_escape(shown, c.code);
     } else {
       shown.append(text.substr(0, c.bytes));

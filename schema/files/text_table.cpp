@@ -1,10 +1,8 @@
 #include "schema/files/text_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <string_view>
-#include <utility>
 
 #include "schema/files/printable.hpp"
 #include "schema/files/utf8.hpp"
@@ -12,29 +10,13 @@
 namespace misalign::schema {
 namespace {
 
-using Ranges = std::pair<char32_t, char32_t>;
-
 // Blocks of Unicode as a whole: exact enough for names in a table.
-constexpr std::array<Ranges, 6> kOnTheLetterBefore = {{{0x300, 0x36f},
-                                                       {0x483, 0x489},
-                                                       {0x1ab0, 0x1aff},
-                                                       {0x200b, 0x200f},
-                                                       {0x20d0, 0x20ff},
-                                                       {0xfe00, 0xfe0f}}};
-constexpr std::array<Ranges, 8> kWide = {{{0x1100, 0x115f},
-                                          {0x2e80, 0xa4cf},
-                                          {0xac00, 0xd7a3},
-                                          {0xf900, 0xfaff},
-                                          {0xfe30, 0xfe6f},
-                                          {0xff00, 0xff60},
-                                          {0x1f300, 0x1faff},
-                                          {0x20000, 0x3fffd}}};
-
-template <std::size_t count>
-bool within(const std::array<Ranges, count>& ranges, char32_t c) {
-  return std::any_of(ranges.begin(), ranges.end(),
-                     [c](const Ranges& range) { return c >= range.first && c <= range.second; });
-}
+constexpr CharacterRange kOnTheLetterBefore[] = {{0x300, 0x36f},   {0x483, 0x489},
+                                                 {0x1ab0, 0x1aff}, {0x200b, 0x200f},
+                                                 {0x20d0, 0x20ff}, {0xfe00, 0xfe0f}};
+constexpr CharacterRange kWide[] = {{0x1100, 0x115f},   {0x2e80, 0xa4cf},  {0xac00, 0xd7a3},
+                                    {0xf900, 0xfaff},   {0xfe30, 0xfe6f},  {0xff00, 0xff60},
+                                    {0x1f300, 0x1faff}, {0x20000, 0x3fffd}};
 
 }  // namespace
 
@@ -42,7 +24,7 @@ std::size_t display_width(const std::string& text) {
   std::size_t width = 0;
   for (std::string_view rest = text; !rest.empty();) {
     const Utf8Character c = first_character(rest);
-    width += within(kOnTheLetterBefore, c.code) ? 0 : within(kWide, c.code) ? 2 : 1;
+    width += is_within(kOnTheLetterBefore, c.code) ? 0 : is_within(kWide, c.code) ? 2 : 1;
     rest.remove_prefix(c.bytes);
   }
   return width;

@@ -1,5 +1,6 @@
 #include "schema/files/utf8.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace misalign::schema {
@@ -19,6 +20,12 @@ Utf8Character first_character(std::string_view text) {
   const bool is_half = code >= 0xd800 && code <= 0xdfff;
   if (code < kLeast[bytes] || code > 0x10ffff || is_half) return none;
   return {code, bytes};
+}
+
+bool is_within(std::span<const CharacterRange> ranges, char32_t code) {
+  return std::ranges::any_of(ranges, [code](const CharacterRange& range) {
+    return code >= range.first && code <= range.last;
+  });
 }
 
 }  // namespace misalign::schema

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 
 namespace misalign::schema {
@@ -15,5 +16,11 @@ struct Utf8Character {
 /// The first character of a text that is not empty: shortest forms only, no halves of pairs
 /// (RFC 3629).
 Utf8Character first_character(std::string_view text);
+
+/// Characters from one to another, both included.
+struct CharacterRange {
+  char32_t first, last;
+};
+bool is_within(std::span<const CharacterRange> ranges, char32_t code);
 
 }  // namespace misalign::schema

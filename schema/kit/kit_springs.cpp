@@ -46,17 +46,8 @@ LengthTrend trend_of(const std::vector<double>& length_mm, double band_mm) {
 }  // namespace
 
 const char* word_of(LengthTrend trend) {
-  switch (trend) {
-    case LengthTrend::constant:
-      return "constant";
-    case LengthTrend::lengthens:
-      return "lengthens";
-    case LengthTrend::shortens:
-      return "shortens";
-    case LengthTrend::reverses:
-      break;
-  }
-  return "reverses";
+  constexpr const char* kWords[] = {"constant", "lengthens", "shortens", "reverses"};
+  return kWords[static_cast<std::size_t>(trend)];
 }
 
 double KitSpring::stroke_mm() const {

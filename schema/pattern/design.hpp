@@ -71,7 +71,7 @@ Bounds design_bounds(std::string_view key);
 struct DesignNumber {
   std::string_view block, key;  ///< of "springs" "stiffness_n_per_mm"; of the block itself ""
   std::optional<double> Design::*number;
-  Bounds bounds;
+  double least, most;
   std::optional<double> standard;  ///< what holds where it is not said; none: null
   const char* suggestion;
 };

@@ -25,8 +25,8 @@ void read_numbers(ObjectReader& reader, std::string_view block, Design& design) 
     const std::string key(one.key);
     const Json* value = reader.find(key);
     if (!value || (value->is_null() && !one.standard)) continue;
-    double number = one.standard.value_or(one.bounds.least);
-    reader.number(key, number, one.bounds.least, one.bounds.most, one.suggestion);
+    double number = one.standard.value_or(one.least);
+    reader.number(key, number, one.least, one.most, one.suggestion);
     design.*one.number = number;
   }
 }

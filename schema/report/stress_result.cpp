@@ -4,6 +4,7 @@
 
 #include "schema/exchange/calculix_result.hpp"
 #include "schema/files/base64.hpp"
+#include "schema/files/json_values.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
@@ -36,9 +37,7 @@ std::string text(ObjectReader& reader, const std::string& key) {
 
 std::vector<double> numbers(ObjectReader& reader, const std::string& key) {
   const Json& list = part(reader, key);
-  const bool is_good = list.is_array() && std::all_of(list.begin(), list.end(),
-                                                      [](const Json& x) { return x.is_number(); });
-  if (is_good) return list.get<std::vector<double>>();
+  if (are_numbers(list, list.size())) return list.get<std::vector<double>>();
   reader.faults().add(reader.name(key), "must be a list of numbers", kSuggestion);
   return {};
 }
