@@ -8,7 +8,6 @@
 #include "schema/campaign/misalignment.hpp"
 #include "schema/files/hash.hpp"
 #include "schema/files/json_values.hpp"
-#include "schema/pattern/design_check.hpp"
 #include "schema/pattern/design_json.hpp"
 #include "schema/pattern/perforation_check.hpp"
 

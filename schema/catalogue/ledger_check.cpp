@@ -9,7 +9,7 @@
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/file_check.hpp"
 #include "schema/catalogue/unit_writer.hpp"
-#include "schema/catalogue/yield_check.hpp"
+#include "schema/catalogue/yield.hpp"
 #include "schema/files/hexadecimal.hpp"
 #include "schema/records/fault_sample.hpp"
 

@@ -38,6 +38,17 @@ Json cell_json(const SQLite::Column& cell) {
   return cell.getString();
 }
 
+// The row that a statement stands at, every column under its name.
+Json row_json(SQLite::Statement& row) {
+  Json json = Json::object();
+  for (int k = 0; k < row.getColumnCount(); ++k) {
+    Json cell = cell_json(row.getColumn(k));
+    json[utf8(row.getColumnName(k))] =
+        cell.is_string() ? Json(utf8(cell.get_ref<const std::string&>())) : std::move(cell);
+  }
+  return json;
+}
+
 // For people: six digits; JSON and CSV have all.
 std::string cell_text(const SQLite::Column& cell) {
   if (cell.isNull()) return "";
@@ -253,16 +264,6 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
     return true;
   });
   return text;
-}
-
-Json row_json(SQLite::Statement& row) {
-  Json json = Json::object();
-  for (int k = 0; k < row.getColumnCount(); ++k) {
-    Json cell = cell_json(row.getColumn(k));
-    json[utf8(row.getColumnName(k))] =
-        cell.is_string() ? Json(utf8(cell.get_ref<const std::string&>())) : std::move(cell);
-  }
-  return json;
 }
 
 Json query_rows(SQLite::Database& database, const std::string& sql) {

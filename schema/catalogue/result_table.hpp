@@ -39,11 +39,9 @@ std::vector<std::string> query_columns(SQLite::Database& database, const std::st
 /// The whole of a small table.
 std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style);
 
-/// The rows of one of this program's own queries: a list of {column: value}. UserError (bad_input).
+/// The rows of one of this program's own queries: a list of {column: value}, where a text that is
+/// no UTF-8 is made such. UserError (bad_input).
 Json query_rows(SQLite::Database& database, const std::string& sql);
-/// The row that a statement stands at, every column under its name; a text that is no UTF-8 is made
-/// such.
-Json row_json(SQLite::Statement& row);
 /// The row of a draw in one of this program's own tables; null if there is none.
 Json row_of_draw(SQLite::Database& database, const std::string& table, std::uint64_t draw);
 

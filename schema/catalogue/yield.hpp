@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "schema/catalogue/database.hpp"
+#include "schema/catalogue/finding.hpp"
 
 namespace misalign::schema {
 
@@ -48,5 +49,9 @@ std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw);
 void copy_yields(SQLite::Database& from, SQLite::Database& into);
 /// The same within one catalogue: from one candidate to another that is the same sheet.
 void hand_on_yields(SQLite::Database& database, std::uint64_t from, std::uint64_t to);
+
+/// Every yield: its draw is a candidate, its counts add up, and its share and interval are theirs.
+/// Throws SQLite::Exception.
+std::vector<Finding> check_yields(SQLite::Database& database);
 
 }  // namespace misalign::schema

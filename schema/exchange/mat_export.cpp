@@ -149,9 +149,9 @@ MatValue verdict(const FoldingView& view) {
   return MatValue::json("verdict", json);
 }
 
-}  // namespace
-
-const char* const kMatReadme =
+// What the file's own `readme` says, before what is the sheet's: the variables with their axes and
+// units.
+constexpr const char* kMatReadme =
     "Lengths in mm, angles in degrees, forces in N; the unit ends each name.\n"
     "S rows: pilot angles, flat first. V vertices (row 1 is "
     "A1), C creases, D diagonals.\n"
@@ -173,6 +173,8 @@ const char* const kMatReadme =
     "verdict: deploys_from_deg (D), first_fault, fault_deg, where, fold_limit_deg\n"
     "metrics: over the samples up to D, the units in their names; elongations and strokes are\n"
     "  shares (0.02 is 2 %); NaN where there is none\n";
+
+}  // namespace
 
 std::string folded_mat(const std::string& path, const FoldingView& view,
                        const solver::Actuation& actuation, const Sampling& sampling,

@@ -9,10 +9,6 @@
 
 namespace misalign::schema {
 
-/// What the file's own `readme` says, before what is the sheet's: the variables with their axes and
-/// units.
-extern const char* const kMatReadme;
-
 /// The bytes of a MAT-file (see mat_file). With S rows, flat first; V vertices, C creases, D
 /// diagonals; vertices, panels and diagonals counted from 1. Every number is the one that
 /// folding_json, folded_pattern_json and actuation_history_json write. `origin` as in origin_json,

@@ -5,6 +5,7 @@
 
 #include "schema/files/input.hpp"
 #include "schema/pattern/design.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::schema {
 
@@ -18,5 +19,10 @@ Design read_springs(const Json& value, const std::string& where, InputFaults& fa
 Json design_json(const Design& design);
 /// Without what says no more than that.
 Json explicit_design_json(const Design& design);
+
+/// Whether a design names what its sheet has. UserError (bad_input) about `source`: a preload of no
+/// diagonal, a hold that is no panel.
+void check_names(const Design& design, const solver::PerforatedSheet& base,
+                 const std::string& source);
 
 }  // namespace misalign::schema

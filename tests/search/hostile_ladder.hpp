@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "schema/catalogue/ladder_json.hpp"
 #include "schema/catalogue/named_queries.hpp"
+#include "schema/catalogue/status_json.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/sheets/campaign_sheet.hpp"

@@ -1,12 +1,11 @@
 // Yields of miscut copies: what is kept, what replaces what, and what is found wrong with them.
-#include "schema/catalogue/named_queries.hpp"
 #include "schema/catalogue/yield.hpp"
 
 #include <boost/math/special_functions/beta.hpp>
 
 #include "schema/catalogue/ledger_check.hpp"
 #include "schema/catalogue/metric_table.hpp"
-#include "schema/catalogue/yield_check.hpp"
+#include "schema/catalogue/named_queries.hpp"
 #include "tests/older_catalogues.hpp"
 #include "tests/schema/catalogue_fixture.hpp"
 

@@ -1,5 +1,4 @@
 // Catalogues of one campaign, made in pieces that overlap: joined they are what one run makes.
-#include "schema/catalogue/candidate_row.hpp"
 #include "search/checks/merge.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include <filesystem>
 
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "search/draws/draw_evaluator.hpp"
