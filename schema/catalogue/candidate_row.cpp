@@ -18,12 +18,10 @@ Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
 
 Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism) {
   const auto& vertices = campaign.pattern.base.sheet.vertices_mm;
-  Json list = Json::array();
-  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
+  return json_list(mechanism.diagonals, [&](const solver::Diagonal& diagonal) {
     const double flat_mm = (vertices.col(diagonal.from) - vertices.col(diagonal.to)).norm();
-    list.push_back(diagonal_json(campaign.pattern, mechanism, diagonal, flat_mm));
-  }
-  return list;
+    return diagonal_json(campaign.pattern, mechanism, diagonal, flat_mm);
+  });
 }
 
 std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict) {

@@ -4,7 +4,8 @@
 #include <string_view>
 
 #include "schema/files/file_bytes.hpp"
-#include "schema/files/input.hpp"
+#include "schema/files/file_name.hpp"
+#include "schema/files/user_error.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -21,7 +22,7 @@ void check_journals(const std::string& database_path) {
   std::error_code error;
   const fs::path database = fs::canonical(database_path, error);
   if (error) return;  // there is none, and opening it says so
-  for (const char* suffix : {"-journal", "-wal", "-shm"}) {
+  for (const std::string& suffix : journal_suffixes()) {
     const std::string path = database.string() + suffix;
     const fs::file_type type = fs::symlink_status(path, error).type();
     if (type == fs::file_type::regular || type == fs::file_type::not_found) continue;

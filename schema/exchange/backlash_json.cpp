@@ -2,18 +2,17 @@
 
 #include <algorithm>
 
+#include "schema/files/json_values.hpp"
 #include "solver/play/tolerance.hpp"
 
 namespace misalign::schema {
 namespace {
 
 Json quantiles_json(const std::vector<double>& values, const char* name) {
-  Json quantiles = Json::array();
-  if (values.empty()) return quantiles;
-  for (const double share : solver::kShownShares) {
-    quantiles.push_back({{"share", share}, {name, solver::quantile(values, share)}});
-  }
-  return quantiles;
+  if (values.empty()) return Json::array();
+  return json_list(solver::kShownShares, [&](double share) {
+    return Json{{"share", share}, {name, solver::quantile(values, share)}};
+  });
 }
 
 Json one_way_json(const solver::Backlash& backlash, double up_to_deg) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "schema/files/json_values.hpp"
 #include "schema/pattern/carried_pattern.hpp"
 #include "schema/pattern/filled_mesh.hpp"
 #include "schema/pattern/pattern_file.hpp"
@@ -22,24 +23,17 @@ std::vector<int> crease_of_edge(const solver::CreasePattern& sheet,
 }
 
 Json coordinates_json(const Eigen::MatrixXd& points_mm) {
-  Json list = Json::array();
-  for (Index v = 0; v < points_mm.cols(); ++v) {
-    Json point = Json::array();
-    for (Index k = 0; k < points_mm.rows(); ++k) point.push_back(points_mm(k, v));
-    list.push_back(std::move(point));
-  }
-  return list;
+  return json_list(points_mm.colwise(),
+                   [](const auto& point) { return json_list(point, std::identity()); });
 }
 
 // Angles of one row; flat if there is none. A crease may be closed a little (kOverFoldBand_deg)
 // beyond 180 degrees, which readers need not understand.
 Json angles_json(const FoldingView& view, const std::vector<int>& crease_of_edge, Index row) {
-  Json list = Json::array();
-  for (const int crease : crease_of_edge) {
+  return json_list(crease_of_edge, [&](int crease) {
     const double angle = crease >= 0 && row >= 0 ? view.history.fold_angle_deg(row, crease) : 0.0;
-    list.push_back(std::clamp(angle, -180.0, 180.0));
-  }
-  return list;
+    return std::clamp(angle, -180.0, 180.0);
+  });
 }
 
 constexpr const char* kPlainDescription =

@@ -1,5 +1,7 @@
 #include "schema/exchange/tolerance_json.hpp"
 
+#include "schema/files/json_values.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -14,11 +16,10 @@ Json share_json(std::uint64_t hits, const solver::MiscutCopies& copies) {
 }  // namespace
 
 Json tolerance_json(const solver::Tolerance& t) {
-  Json quantiles = Json::array(), vertices = Json::array();
-  for (const double share : solver::kShownShares) {
-    quantiles.push_back(
-        {{"share", share}, {"deploys_from_deg", t.copies.quantile(share) * t.sample_deg}});
-  }
+  const Json quantiles = json_list(solver::kShownShares, [&](double share) {
+    return Json{{"share", share}, {"deploys_from_deg", t.copies.quantile(share) * t.sample_deg}};
+  });
+  Json vertices = Json::array();
   for (const solver::VertexTolerance& vertex : t.vertices) {
     Json json = share_json(vertex.copies.from(t.threshold_sample), vertex.copies);
     json["vertex"] = solver::vertex_label(vertex.vertex);

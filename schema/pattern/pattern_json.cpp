@@ -180,8 +180,7 @@ Json pattern_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm) {
   } else if (base.base.holes == solver::checkerboard(sheet, 0)) {
     json["holes"] = "checkerboard-even";
   } else {
-    json["holes"] = Json::array();
-    for (const int f : base.base.holes) json["holes"].push_back(facet_json(base, f));
+    json["holes"] = json_list(base.base.holes, [&](int f) { return facet_json(base, f); });
   }
   const int pilot = base.base.folding.pilot_edge();
   if (pilot != solver::default_pilot(sheet, base.base.holes)) {

@@ -13,6 +13,7 @@
 #include "schema/files/base64.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/features.hpp"
+#include "schema/files/json_values.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "schema/records/fault_sample.hpp"
 #include "solver/pattern/outline.hpp"
@@ -104,10 +105,10 @@ std::string page_with(const Json& data, std::string_view server) {
 // What the page says of faults and metrics; units, ways of writing and what is best as it knows
 // them.
 Json words_json() {
-  Json faults = Json::array(), metrics = Json::array();
-  for (const solver::FaultEntry& fault : solver::fault_table()) {
-    faults.push_back({{"name", fault.name}, {"label", fault.label}, {"meaning", fault.meaning}});
-  }
+  const Json faults = json_list(solver::fault_table(), [](const solver::FaultEntry& fault) {
+    return Json{{"name", fault.name}, {"label", fault.label}, {"meaning", fault.meaning}};
+  });
+  Json metrics = Json::array();
   for (const MetricEntry& metric : metric_table()) {
     if (!metric.label) continue;
     const std::string unit = metric.unit;
