@@ -210,10 +210,9 @@ Campaign read_campaign(const Json& value, const std::string& source,
 Campaign read_campaign_file(const std::string& path) {
   const Json document = read_json_file(path);
   if (document.is_object() && document.contains("family") && !document.contains("pattern")) {
-    throw UserError(Cause::bad_input,
-                    path +
-                        ": is a pattern, not a campaign; `misalign fold` folds it, "
-                        "and a campaign has it under \"pattern\"");
+    throw UserError(Cause::bad_input, path +
+                                          ": is a pattern, not a campaign; `misalign fold` folds "
+                                          "it, and a campaign has it under \"pattern\"");
   }
   Campaign campaign = read_campaign(document, path, std::filesystem::path(path).parent_path());
   check_names(campaign.design, campaign.pattern.base, path);

@@ -95,14 +95,13 @@ std::string why_not_converged(const SplitRate& rate) {
   if (has_converged(rate)) return "";
   if (rate.reached < kLeastReached) {
     return fmt::format(
-        "the rate is not to be believed yet: {} of {} populations came to the last level, where "
-        "{} at least should; more populations help, or more particles and sweeps",
+        "the rate is not to be believed yet: {} of {} populations came to the last level, where {} "
+        "at least should; more populations help, or more particles and sweeps",
         rate.reached, rate.populations, kLeastReached);
   }
   return fmt::format(
       "the rate is not to be believed yet: one population makes up {:.0f} % of it; more "
-      "populations "
-      "help, or more particles and sweeps",
+      "populations help, or more particles and sweeps",
       100 * rate.largest_part);
 }
 

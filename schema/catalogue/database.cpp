@@ -73,10 +73,9 @@ int version_of(SQLite::Database& database) {
 }
 
 UserError damaged(const SQLite::Database& database, const std::string& why) {
-  return UserError(Cause::bad_input, database.getFilename() + ": is damaged (" +
-                                         printable(utf8(why)) +
-                                         "); put a backup in its place, or see what "
-                                         "`misalign verify` says");
+  return UserError(Cause::bad_input,
+                   database.getFilename() + ": is damaged (" + printable(utf8(why)) +
+                       "); put a backup in its place, or see what `misalign verify` says");
 }
 
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {

@@ -35,9 +35,8 @@ constexpr MetricEntry kMetrics[] = {
     {.name = "fold_limit_deg",
      .member = &solver::Metrics::fold_limit_deg,
      .unit = "deg",
-     .meaning =
-         "Pilot fold angle where the pilot crease reaches its fold limit: a misaligned sheet "
-         "generally cannot fold flat. Or the end of the path.",
+     .meaning = "Pilot fold angle where the pilot crease reaches its fold limit: a misaligned "
+                "sheet generally cannot fold flat. Or the end of the path.",
      .range = kPositive,
      .allowance = {.absolute = 1e-6},  // located to 1e-7
      .age = {1, 5},
@@ -107,8 +106,8 @@ constexpr MetricEntry kMetrics[] = {
     {.name = "stroke_min",
      .member = &solver::Metrics::stroke_min,
      .unit = "share",
-     .meaning = "Largest change of length of the least used diagonal, as a share of its flat "
-                "length.",
+     .meaning =
+         "Largest change of length of the least used diagonal, as a share of its flat length.",
      .range = kNotNegative,
      .allowance = kShares,
      .label = "stroke min"},
@@ -132,8 +131,8 @@ constexpr MetricEntry kMetrics[] = {
     {.name = "elongation_max",
      .member = &solver::Metrics::elongation_max,
      .unit = "share",
-     .meaning = "Largest elongation (L − L₀)/L₀ over all diagonals up to D: a share of the flat "
-                "length.",
+     .meaning =
+         "Largest elongation (L − L₀)/L₀ over all diagonals up to D: a share of the flat length.",
      .range = kNotNegative,
      .allowance = kShares,
      .label = "longest",

@@ -12,8 +12,7 @@ namespace {
 constexpr StudyColumn kOfDeployment[] = {
     {"deploy_time_s", "deploy time", "s",
      "When it is flat, let go at rest as the design says: from_deg (otherwise 20 % folded, 36°, or "
-     "D "
-     "where that is less), its springs, hinges and panels (otherwise 1 mm of 2.7 g/cm³, without "
+     "D where that is less), its springs, hinges and panels (otherwise 1 mm of 2.7 g/cm³, without "
      "friction).",
      Cost::motion, true, true},
     {"critical_friction_n_mm_per_mm", "critical friction", "N mm/mm",

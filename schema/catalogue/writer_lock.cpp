@@ -28,9 +28,9 @@ WriterLock::WriterLock(const std::string& path, Missing missing)
     : path_(path), descriptor_(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK)) {
   if (descriptor_ < 0 && errno == ENOENT) {
     if (missing == Missing::refused) {
-      throw UserError(Cause::bad_input, path +
-                                            ": there is no such file any more; put it back, then "
-                                            "the same command again");
+      throw UserError(
+          Cause::bad_input,
+          path + ": there is no such file any more; put it back, then the same command again");
     }
     descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     made_the_file_ = descriptor_ >= 0;
@@ -58,11 +58,11 @@ void WriterLock::check_kind() const {
                                           "another place with " + parameter("catalogue"));
   }
   if (opened.st_nlink > 1) {
-    throw UserError(Cause::failure,
-                    path_ + ": has " + std::to_string(opened.st_nlink) +
-                        " names (hard links; a journal goes by one of them, and whoever opens "
-                        "another would read half of a catalogue); copy it with cp, and write the "
-                        "copy");
+    throw UserError(
+        Cause::failure,
+        path_ + ": has " + std::to_string(opened.st_nlink) +
+            " names (hard links; a journal goes by one of them, and whoever opens another would "
+            "read half of a catalogue); copy it with cp, and write the copy");
   }
 }
 
@@ -70,11 +70,10 @@ void WriterLock::lock() const {
   struct flock byte = locked_byte();
   if (::fcntl(descriptor_, F_OFD_SETLK, &byte) == 0) return;
   if (errno == EAGAIN || errno == EACCES) {
-    throw UserError(Cause::in_use,
-                    path_ +
-                        ": another search is writing this catalogue; wait for it, or "
-                        "give this one a file of its own with " +
-                        parameter("catalogue"));
+    throw UserError(Cause::in_use, path_ +
+                                       ": another search is writing this catalogue; wait for it, "
+                                       "or give this one a file of its own with " +
+                                       parameter("catalogue"));
   }
   throw UserError(Cause::failure, path_ + ": cannot be locked (" + std::strerror(errno) +
                                       "); choose a place whose file system has locks");
@@ -89,11 +88,11 @@ void WriterLock::check_file_is_there() const {
       opened.st_dev == named.st_dev && opened.st_ino == named.st_ino) {
     return;
   }
-  throw UserError(Cause::failure,
-                  path_ +
-                      ": was removed or replaced while this campaign was writing it; "
-                      "put it back (its last copy holds what was committed until "
-                      "then), and the same command goes on from there");
+  throw UserError(
+      Cause::failure,
+      path_ +
+          ": was removed or replaced while this campaign was writing it; put it back (its last "
+          "copy holds what was committed until then), and the same command goes on from there");
 }
 
 bool is_being_written(const std::string& path) {

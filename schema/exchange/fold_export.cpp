@@ -39,9 +39,8 @@ Json angles_json(const FoldingView& view, const std::vector<int>& crease_of_edge
 constexpr const char* kPlainDescription =
     "The folded shapes are in file_frames. Where two panels share a vertex alone there is a ball "
     "joint, for which this format has no word: who folds the pattern along a tree of creases "
-    "cannot "
-    "place panels that only ball joints hold. `misalign export --format fold --joined` writes "
-    "hinges for that.";
+    "cannot place panels that only ball joints hold. `misalign export --format fold --joined` "
+    "writes hinges for that.";
 constexpr const char* kJoinedDescription =
     "The folded shapes are in file_frames. The last faces, those of misalign:fillers, are no "
     "panels: two triangles each, in the corner of a hole, stand for a ball joint by three hinges, "

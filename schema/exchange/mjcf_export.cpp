@@ -152,8 +152,7 @@ std::string Model::head() const {
       "    A hinge among them has two, one at each end, of which one equation of six says nothing "
       "new: both panels keep\n"
       "    its length. Where an end is a vertex that hinges in the tree keep together anyway, it "
-      "is "
-      "left out.\n"
+      "is left out.\n"
       "    The values of hinges are fold angles in rad, valleys positive. Friction acts on hinges "
       "of the tree: {:.10g} N mm per mm.\n  -->\n",
       std::count(tree_.crease_is_branch.begin(), tree_.crease_is_branch.end(), true),

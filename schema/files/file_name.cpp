@@ -149,9 +149,8 @@ std::string end_of_links(const std::string& path) {
   std::error_code error;
   for (int k = 0; std::filesystem::is_symlink(end, error); ++k) {
     if (k == kMostLinks) {
-      throw UserError(Cause::failure, path +
-                                          ": leads nowhere (links go round in a circle); name "
-                                          "another file");
+      throw UserError(Cause::failure,
+                      path + ": leads nowhere (links go round in a circle); name another file");
     }
     end = end.parent_path() / std::filesystem::read_symlink(end, error);
   }

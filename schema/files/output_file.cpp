@@ -166,15 +166,14 @@ OutputFile OutputFile::database(const std::string& output,
   if (is_taken(output)) file.refuse(EEXIST);
   for (const std::string& suffix : journal_suffixes()) {
     if (!is_taken(output + suffix)) continue;
-    throw UserError(Cause::bad_request, output + suffix +
-                                            ": is there already (SQLite would take it for a "
-                                            "part of " +
-                                            output + "); name a new file, or move that one away");
+    throw UserError(Cause::bad_request,
+                    output + suffix + ": is there already (SQLite would take it for a part of " +
+                        output + "); name a new file, or move that one away");
   }
   if (!remove_leftovers(output, originals)) {
-    throw UserError(Cause::in_use, output +
-                                       ": another process is writing it; wait for that one to "
-                                       "end, or name another file");
+    throw UserError(
+        Cause::in_use,
+        output + ": another process is writing it; wait for that one to end, or name another file");
   }
   file.make_named(common_mode(originals));
   return file;
@@ -185,10 +184,9 @@ OutputFile OutputFile::text(const std::string& output) {
   file.target_ = end_of_links(output);
   const auto found = stat_of(file.target_);
   if (found && !S_ISREG(found->st_mode)) {
-    throw UserError(Cause::failure, output +
-                                        ": cannot be written (it is there, and no file); choose "
-                                        "another " +
-                                        parameter("output"));
+    throw UserError(Cause::failure,
+                    output + ": cannot be written (it is there, and no file); choose another " +
+                        parameter("output"));
   }
   if (found && is_input(*found)) {
     throw UserError(Cause::bad_request,
@@ -251,8 +249,8 @@ void OutputFile::refuse_journals() const {
     const auto found = stat_of(path_ + suffix);
     if (found && found->st_size > 0 && suffix != "-shm") {
       throw UserError(Cause::failure, output_ +
-                                          ": could not be written to its end (a journal is left "
-                                          "of it); see to the disk, then the same again");
+                                          ": could not be written to its end (a journal is left of "
+                                          "it); see to the disk, then the same again");
     }
     if (found) ::unlink((path_ + suffix).c_str());
   }

@@ -121,18 +121,17 @@ class Kit {
   void check_bed() const {
     const Vector2d inside = *options_.bed_mm - Vector2d::Constant(2 * options_.margin_mm);
     if (inside.x() >= kLeastHeading_mm && room_mm().y() > 0) return;
-    refuse_bed(
-        fmt::format("too small for the title and a gauge of 100 mm (they take {:g} x {:g} mm, "
-                    "and {} round it)",
-                    kLeastHeading_mm, inside.y() - room_mm().y(),
-                    parameter("margin_mm", fmt::format("{:g}", options_.margin_mm))));
+    refuse_bed(fmt::format(
+        "too small for the title and a gauge of 100 mm (they take {:g} x {:g} mm, and {} round it)",
+        kLeastHeading_mm, inside.y() - room_mm().y(),
+        parameter("margin_mm", fmt::format("{:g}", options_.margin_mm))));
   }
 
   void expect_room(const std::string& what, const LayoutBox& box, const Vector2d& room_mm) const {
     if (fits_bed(box, room_mm)) return;
     refuse_bed(
-        fmt::format("{} does not fit{} (it has {:.1f} x {:.1f} mm, and margin and heading "
-                    "leave {:.1f} x {:.1f})",
+        fmt::format("{} does not fit{} (it has {:.1f} x {:.1f} mm, and margin and heading leave "
+                    "{:.1f} x {:.1f})",
                     what, box.may_turn ? ", turned neither" : "", box.size_mm.x(), box.size_mm.y(),
                     room_mm.x(), room_mm.y()));
   }

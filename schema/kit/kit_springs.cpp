@@ -96,8 +96,7 @@ std::string contradiction_of(const std::vector<KitSpring>& springs) {
       "change though their diagonals do not: the sheet is driven by its bores");
   if (kinds.empty()) return "";
   return fmt::format(
-      "{} of {} springs contradict the verdict ({}); --spring-at vertex hangs them "
-      "where it holds",
+      "{} of {} springs contradict the verdict ({}); --spring-at vertex hangs them where it holds",
       opposite + reverse + idle + driven, springs.size(), fmt::join(kinds, ", "));
 }
 

@@ -233,10 +233,9 @@ class Reader {
     const bool few = clockwise.size() <= others.size();
     for (const std::size_t f : few ? clockwise : others) {
       add(face_label(mesh_.faces[f]),
-          fmt::format(
-              "runs {}clockwise, others do not: mountains and valleys are those of the side "
-              "from which faces run counter-clockwise",
-              few ? "" : "counter-"),
+          fmt::format("runs {}clockwise, others do not: mountains and valleys are those of the "
+                      "side from which faces run counter-clockwise",
+                      few ? "" : "counter-"),
           "list the corners of all faces the same way round");
     }
     return false;

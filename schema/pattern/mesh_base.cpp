@@ -68,18 +68,17 @@ void take_near_base(const std::string& where, solver::NearestBase near, Displace
   pattern.mesh_off_mm = near.off_mm;
   pattern.reading.push_back(
       fmt::format("the mesh does not fold rigidly; its base is the nearest sheet found that does, "
-                  "off by at most "
-                  "{:.3g} mm",
+                  "off by at most {:.3g} mm",
                   near.off_mm));
   if (displacements == Displacements::allowed) {
     pattern.shifts_mm = sheet.vertices_mm - near.sheet.vertices_mm;
   } else if (near.off_mm > solver::kStandsFor_widths * sheet.panel_width_mm) {
-    faults.add(where.empty() ? "the mesh" : where,
-               "does not fold rigidly, and the nearest sheet found that does is off by " +
-                   shown_number(std::round(near.off_mm * 1e3) / 1e3) +
-                   " mm: a campaign draws shifts of a base that folds",
-               "`misalign fold` and studies take it as a sheet; for a campaign correct the "
-               "coordinates");
+    faults.add(
+        where.empty() ? "the mesh" : where,
+        "does not fold rigidly, and the nearest sheet found that does is off by " +
+            shown_number(std::round(near.off_mm * 1e3) / 1e3) +
+            " mm: a campaign draws shifts of a base that folds",
+        "`misalign fold` and studies take it as a sheet; for a campaign correct the coordinates");
   }
   sheet = std::move(near.sheet);
   pattern.base.folding = std::move(near.folding);

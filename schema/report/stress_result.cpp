@@ -151,10 +151,9 @@ Json stress_shown_json(const StressResult& result, const Pattern& base) {
     if (at != result.panels_mpa.end()) panels_mpa.push_back(at->second);
   }
   if (panels_mpa.size() != kept.size() || result.panels_mpa.size() != kept.size()) {
-    throw UserError(Cause::bad_input,
-                    result.path +
-                        ": has other panels than the sheet that it is said to be of "
-                        "(it was altered); run `misalign stress` again");
+    throw UserError(Cause::bad_input, result.path +
+                                          ": has other panels than the sheet that it is said to be "
+                                          "of (it was altered); run `misalign stress` again");
   }
   Json json = result.shown;
   json["panels_mpa"] = panels_mpa;
