@@ -6,7 +6,6 @@
 #include <chrono>
 
 #include "schema/campaign/campaign_file.hpp"
-#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/sheets_once.hpp"

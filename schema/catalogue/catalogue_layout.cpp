@@ -13,7 +13,6 @@
 #include "schema/files/carried_files.hpp"
 #include "schema/files/printable.hpp"
 #include "schema/files/user_error.hpp"
-#include "schema/files/utf8.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/weighted_count.hpp"
 
 namespace misalign::schema {

@@ -1,7 +1,6 @@
 #include "schema/exchange/contact_json.hpp"
 
 #include "schema/files/json_values.hpp"
-#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 namespace {

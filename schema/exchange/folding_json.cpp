@@ -1,8 +1,6 @@
 #include "schema/exchange/folding_json.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/json_values.hpp"

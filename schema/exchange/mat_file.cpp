@@ -2,7 +2,6 @@
 
 #include <matio.h>
 
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <new>

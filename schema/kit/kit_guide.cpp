@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "schema/exchange/xml_text.hpp"
-#include "schema/files/printable.hpp"
 #include "schema/kit/kit_hinges.hpp"
 #include "schema/kit/kit_parts.hpp"
 #include "schema/kit/kit_springs.hpp"

@@ -1,7 +1,6 @@
 #include "schema/pattern/pattern_json.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/fold_format.hpp"

@@ -1,7 +1,6 @@
 #include "schema/pattern/plane_mesh.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "schema/pattern/sheet_places.hpp"
 

@@ -14,7 +14,7 @@
 #include "schema/files/carried_files.hpp"
 #include "schema/files/features.hpp"
 #include "schema/files/json_values.hpp"
-#include "schema/pattern/pattern_file.hpp"
+#include "schema/pattern/pattern_json.hpp"
 #include "schema/records/fault_sample.hpp"
 #include "solver/pattern/outline.hpp"
 
