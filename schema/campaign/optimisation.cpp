@@ -56,19 +56,6 @@ void read_limits(ObjectReader& reader, OptimiseBounds& limits) {
   }
 }
 
-// Of something that has to be there at least once.
-void read_count(ObjectReader& reader, const char* key, std::uint32_t& into, std::uint64_t most,
-                const char* without) {
-  const std::string suggestion = "try " + std::to_string(into);
-  std::uint64_t count = into;
-  const std::size_t before = reader.faults().count();
-  reader.whole(key, count, most, suggestion);
-  if (reader.faults().count() == before && count == 0) {
-    reader.faults().add(reader.shown(key), without, suggestion);
-  }
-  into = static_cast<std::uint32_t>(count);
-}
-
 // Of a key that the design block has, too: within its bounds.
 template <class Number>
 void read_as_design(ObjectReader& reader, const char* key, std::string_view design_key,
@@ -98,9 +85,9 @@ Optimisation read_optimisation(ObjectReader& reader, double threshold_deg) {
   reader.number("grid_mm", optimisation.grid_mm, 1e-6, 1e3,
                 "try 0.01, a cutter's step, or null for none");
   reader.number("least_slope_mm_per_deg", optimisation.least_slope_mm_per_deg, 0, 1e6, "try 0.001");
-  read_count(reader, "most_steps", optimisation.most_steps, 100000, "leaves every draw as it is");
-  read_count(reader, "starts_of_population", optimisation.starts_of_population, 1000000,
-             "leaves nothing to begin with");
+  reader.count("most_steps", optimisation.most_steps, 1, 100000, "leaves every draw as it is");
+  reader.count("starts_of_population", optimisation.starts_of_population, 1, 1000000,
+               "leaves nothing to begin with");
   if (optimisation.from_deg && *optimisation.from_deg > threshold_deg) {
     reader.faults().add(reader.shown("from_deg"),
                         "lies above accept.deploys_from_deg = " + shown_number(threshold_deg),

@@ -58,18 +58,6 @@ void read_named_levels(ObjectReader& reader, double threshold_deg, double sample
   }
 }
 
-void read_count(ObjectReader& reader, const char* key, std::uint32_t& into, std::uint64_t least,
-                std::uint64_t most) {
-  std::uint64_t count = into;
-  const std::size_t before = reader.faults().count();
-  reader.whole(key, count, most, "try " + std::to_string(into));
-  if (reader.faults().count() == before && count < least) {
-    reader.faults().add(reader.shown(key), "must be at least " + std::to_string(least),
-                        "try " + std::to_string(into));
-  }
-  into = static_cast<std::uint32_t>(count);
-}
-
 }  // namespace
 
 std::vector<int> named_scores(const Splitting& splitting, double sample_deg) {
@@ -84,9 +72,9 @@ std::vector<int> named_scores(const Splitting& splitting, double sample_deg) {
 Splitting read_splitting(ObjectReader& reader, double threshold_deg, double sample_deg) {
   Splitting splitting;
   read_named_levels(reader, threshold_deg, sample_deg, splitting.levels_deg);
-  read_count(reader, "particles", splitting.particles, 2, kMostParticles);
-  read_count(reader, "sweeps", splitting.sweeps, 1, kMostSweeps);
-  read_count(reader, "first_draws", splitting.first_draws, 2, kMostFirstDraws);
+  reader.count("particles", splitting.particles, 2, kMostParticles, "must be at least 2");
+  reader.count("sweeps", splitting.sweeps, 1, kMostSweeps, "must be at least 1");
+  reader.count("first_draws", splitting.first_draws, 2, kMostFirstDraws, "must be at least 2");
   return splitting;
 }
 

@@ -135,6 +135,16 @@ void ObjectReader::whole(const std::string& key, std::uint64_t& into, std::uint6
   }
 }
 
+void ObjectReader::count(const std::string& key, std::uint32_t& into, std::uint64_t least,
+                         std::uint64_t most, const std::string& too_few) {
+  const std::string suggestion = "try " + std::to_string(into);
+  std::uint64_t number = into;
+  const std::size_t before = faults_.count();
+  whole(key, number, most, suggestion);
+  if (faults_.count() == before && number < least) faults_.add(shown(key), too_few, suggestion);
+  into = static_cast<std::uint32_t>(number);
+}
+
 void ObjectReader::text(const std::string& key, std::string& into, const std::string& suggestion) {
   const Json* value = find(key);
   if (!value) return;

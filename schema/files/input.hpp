@@ -50,6 +50,9 @@ class ObjectReader {
               const std::string& suggestion);
   void whole(const std::string& key, std::uint64_t& into, std::uint64_t most,
              const std::string& suggestion);
+  /// A whole number from `least` on; `too_few` says why no less. What it is by itself is tried.
+  void count(const std::string& key, std::uint32_t& into, std::uint64_t least, std::uint64_t most,
+             const std::string& too_few);
   void text(const std::string& key, std::string& into, const std::string& suggestion);
   void boolean(const std::string& key, bool& into, const std::string& suggestion);
 
