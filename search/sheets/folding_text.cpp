@@ -10,6 +10,7 @@
 #include "schema/files/text_table.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/sheets/springs_at_vertices.hpp"
+#include "search/terminal/screen.hpp"
 
 namespace misalign::search {
 namespace {

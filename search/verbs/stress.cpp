@@ -1,5 +1,6 @@
 // `misalign stress`: the deployment of elastic panels, by CalculiX.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,7 +19,8 @@
 #include "search/sheets/stress_text.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/terminal/duration.hpp"
-#include "search/terminal/progress.hpp"
+#include "search/terminal/screen.hpp"
+#include "search/terminal/stopwatch.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
