@@ -21,9 +21,8 @@ CLI::Validator a_condition() {
 
 ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
   ChoiceOptions options{};
-  options.best = group.add_option("--best", choice.best, "the K best")
-                     ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
-                     ->type_name("K");
+  options.best = add_value(group, "--best", choice.best, "the K best",
+                           counted(1, std::numeric_limits<std::int64_t>::max()), "K");
   options.diverse =
       group
           .add_option("--diverse", choice.diverse,

@@ -91,10 +91,7 @@ Action replay_verb(CLI::App& verb) {
                 "of a splitting campaign: make its population again, of an optimising one its way "
                 "from the draw, instead of showing what is stored");
   verb.add_flag("--json", call->json, "as JSON");
-  return [call] {
-    replay(*call);
-    return 0;
-  };
+  return showing(call, replay);
 }
 
 }  // namespace misalign::search

@@ -31,14 +31,11 @@ namespace {
 
 using solver::ElasticRow;
 
-struct StressCall {
-  std::string path;                   // a catalogue or a pattern file
-  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+struct StressCall : SheetCall {
   ReleaseCall release;
   DeckCall deck;
   StressStudyOptions options;
   std::string directory;
-  bool json = false;
 };
 
 // "miura-6x6-1234", or a pattern file's name, as ccx takes it.
@@ -190,39 +187,30 @@ Action stress_verb(CLI::App& verb) {
   verb.description(schema::study_named("stress").about);
   verb.footer(kStressFooter);
   auto call = std::make_shared<StressCall>();
-  add_catalogue_or_pattern(verb, call->path);
-  add_draw_of_catalogue(verb, call->draw);
+  add_sheet(verb, *call);
   add_stiffness(verb, call->release.design.stiffness_n_per_mm);
   add_preload(verb, call->release.design.preload_n);
   add_release(verb, call->release);
   add_deck(verb, call->deck);
   StressStudyOptions& options = call->options;
-  verb.add_option("--time-limit", options.deck.end_s,
-                  fmt::format("end of the motion at the latest, s [{:g}]", options.deck.end_s))
-      ->check(within(1e-6, 1e6))
-      ->type_name("S");
-  verb.add_option("--time-step", options.deck.time_step_s,
-                  fmt::format("longest increment, s [{:g}]", options.deck.time_step_s))
-      ->check(within(1e-9, 1))
-      ->type_name("S");
-  verb.add_option(
-          "--damping", options.deck.damping_per_s,
-          fmt::format("force against the velocity of all mass, per unit of both, 1/s [{:g}]",
-                      options.deck.damping_per_s))
-      ->check(within(0, 1e6))
-      ->type_name("PER_S");
-  verb.add_option("--disc", options.stress.disc_mm,
-                  fmt::format("radius of the discs, mm [{:g}]", options.stress.disc_mm))
-      ->check(within(0, 1e6))
-      ->type_name("MM");
+  add_value(verb, "--time-limit", options.deck.end_s,
+            fmt::format("end of the motion at the latest, s [{:g}]", options.deck.end_s),
+            within(1e-6, 1e6), "S");
+  add_value(verb, "--time-step", options.deck.time_step_s,
+            fmt::format("longest increment, s [{:g}]", options.deck.time_step_s), within(1e-9, 1),
+            "S");
+  add_value(verb, "--damping", options.deck.damping_per_s,
+            fmt::format("force against the velocity of all mass, per unit of both, 1/s [{:g}]",
+                        options.deck.damping_per_s),
+            within(0, 1e6), "PER_S");
+  add_value(verb, "--disc", options.stress.disc_mm,
+            fmt::format("radius of the discs, mm [{:g}]", options.stress.disc_mm), within(0, 1e6),
+            "MM");
   verb.add_option("--output", call->directory, "directory, made if it is not there")
       ->required()
       ->type_name("DIR");
   verb.add_flag("--json", call->json, "as JSON, with all histories");
-  return [call] {
-    show_stress(*call);
-    return 0;
-  };
+  return showing(call, show_stress);
 }
 
 }  // namespace misalign::search

@@ -44,4 +44,11 @@ CLI::Validator one_of(const Names<Enum>& names, const std::string& where = "") {
 /// One of the words, of which the nearest is suggested for any other: "x is no verb".
 CLI::Validator known_word(const std::string& kind, const std::vector<std::string>& known);
 
+/// Adds an option whose value, of this unit, the validator takes.
+template <class Value>
+CLI::Option* add_value(CLI::App& verb, const std::string& name, Value& value,
+                       const std::string& meaning, CLI::Validator check, const std::string& unit) {
+  return verb.add_option(name, value, meaning)->check(std::move(check))->type_name(unit);
+}
+
 }  // namespace misalign::search

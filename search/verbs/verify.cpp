@@ -73,11 +73,9 @@ Action verify_verb(CLI::App& verb) {
       verb.add_option("--units", call->options.units,
                       "how many units, chosen at random, all draws of which are made again [0]");
   units->check(a_draw())->type_name("N");
-  verb.add_option("--seed", call->seed,
-                  "seed of that choice, to choose the same units again [a random one]")
-      ->check(a_draw())
-      ->needs(units)
-      ->type_name("N");
+  add_value(verb, "--seed", call->seed,
+            "seed of that choice, to choose the same units again [a random one]", a_draw(), "N")
+      ->needs(units);
   verb.add_flag("--json", call->json, "as JSON");
   return [call, all, sample, units] {
     const bool is_pattern = is_pattern_file(call->path);
