@@ -157,10 +157,10 @@ class Catalogue {
   std::unique_ptr<SQLite::Database> open() const {
     auto database = schema::open_for_reading(path_);
     const auto refuse = [&](const std::string& what) {
-      return schema::UserError(schema::Cause::foreign,
-                               path_ + ": " + what +
-                                   " was opened (it was replaced); open it again with "
-                                   "misalign.Catalogue");
+      return schema::UserError(
+          schema::Cause::foreign,
+          path_ + ": " + what +
+              " was opened (it was replaced); open it again with misalign.Catalogue");
     };
     if (identity_of(*database) != identity_) throw refuse("holds another campaign than when it");
     if (FileIdentity::of(path_) != file_) throw refuse("is another file than the one that");

@@ -26,13 +26,13 @@ void expect_joined(const MpiSession& mpi) {
   if (!tasks || mpi.ranks() > 1 || tasks->count <= 1) return;
   throw schema::UserError(
       schema::Cause::bad_request,
-      fmt::format("{0} has started {1} tasks ({2}), and MPI says 1 rank in each of them (it "
-                  "knows nothing of the others: no PMIx), so that all would make the same draws; "
-                  "start them with the mpirun of its MPI, or with srun --mpi=pmix where that MPI "
-                  "has PMIx, or give each task draws of its own with {3}, or say {4} where every "
-                  "task has a catalogue of its own",
-                  tasks->launcher, tasks->count, tasks->variable, schema::parameter("range"),
-                  schema::parameter("ranks", "1")));
+      fmt::format(
+          "{0} has started {1} tasks ({2}), and MPI says 1 rank in each of them (it knows nothing "
+          "of the others: no PMIx), so that all would make the same draws; start them with the "
+          "mpirun of its MPI, or with srun --mpi=pmix where that MPI has PMIx, or give each task "
+          "draws of its own with {3}, or say {4} where every task has a catalogue of its own",
+          tasks->launcher, tasks->count, tasks->variable, schema::parameter("range"),
+          schema::parameter("ranks", "1")));
 }
 
 std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& own) {

@@ -229,8 +229,8 @@ Action bench_verb(CLI::App& verb) {
                 "thresholds every 10 degrees, at the draw's own D and one sample above",
                 counted(1, 100000000), "N");
   add_value(verb, "--rejections", call->rejection_draws,
-            "instead of speed: follow N draws on their full paths, and say whether a test "
-            "turns one away that deploys from such a threshold, or the campaign's",
+            "instead of speed: follow N draws on their full paths, and say whether a test turns "
+            "one away that deploys from such a threshold, or the campaign's",
             counted(1, 100000000), "N")
       ->excludes(agree);
   verb.add_flag("--json", call->json, "as JSON");

@@ -64,8 +64,7 @@ Action deploy_verb(CLI::App& verb) {
       "Forces act on the panel right of a crease (seen walking along its name), or on the\n"
       "second of a ball joint; moments are about the crease's midpoint, square to it.\n"
       "Panels that bend (--panels bend, or where a material is named): each into a saddle, creases "
-      "straight, "
-      "with\n"
+      "straight, with\n"
       "springs and panels in balance at every angle. Its numbers come first; all that follows, "
       "the\n"
       "motion too, is of rigid panels, an upper bound: a sudden release also shakes panels\n"
@@ -81,14 +80,14 @@ Action deploy_verb(CLI::App& verb) {
   auto call = std::make_shared<DeployCall>();
   add_sheet(verb, *call);
   add_deployment(verb, call->input);
-  verb.add_option("--panels", call->panels,
-                  "rigid, or as plates that bend [bend where the design or --material names a "
-                  "material]")
+  verb.add_option(
+          "--panels", call->panels,
+          "rigid, or as plates that bend [bend where the design or --material names a material]")
       ->transform(one_of<PanelKind>({{"rigid", PanelKind::rigid}, {"bend", PanelKind::bend}}));
   add_material(verb, call->material_file);
   add_value(verb, "--margin-to", call->input.design.margin_to_deg,
-            fmt::format("the angle down to which margins of panels that bend, and pins, are "
-                        "asked [the design's, or {:g}]",
+            fmt::format("the angle down to which margins of panels that bend, and pins, are asked "
+                        "[the design's, or {:g}]",
                         solver::BentPanelsOptions{}.to_deg),
             within("wanted.margin_to_deg"), "DEG");
   verb.add_option("--forces", call->forces,

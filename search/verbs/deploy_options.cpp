@@ -28,11 +28,9 @@ void add_motion(CLI::App& verb, DeployInput& input) {
       ->excludes(latch);
   verb.add_flag(
       "--least-damping", input.options.seeks_damping,
-      "also the least damping of creases with which it comes to rest flat without passing "
-      "through");
+      "also the least damping of creases with which it comes to rest flat without passing through");
   add_value(verb, "--swings", options.swings,
-            fmt::format("pass flat, or turn round without losses, this often before the end "
-                        "[{}]",
+            fmt::format("pass flat, or turn round without losses, this often before the end [{}]",
                         options.swings),
             counted(0, 10000), "N");
   add_number(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s", 1e-9,
@@ -69,8 +67,8 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
   hinge("--hinge-stiffness", design.hinge_stiffness_n_mm_per_mm,
         "elastic creases, N mm per mm for each rad", "hinges.stiffness_n_mm_per_mm");
   add_value(verb, "--pin-friction", design.pin_friction_mm,
-            "of hinges' pins and ball joints: friction coefficient times radius, mm; 0 asks "
-            "how much they bear [the design's, or none]",
+            "of hinges' pins and ball joints: friction coefficient times radius, mm; 0 asks how "
+            "much they bear [the design's, or none]",
             within("hinges.pin_friction_mm"), "MM");
   add_number(verb, "--hinge-rest", joints.rest_deg, "pilot angle where elastic creases are relaxed",
              0, kMostAngle_deg, "DEG");
@@ -88,8 +86,8 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
                   "hold this panel [the design's, or none: free in space, without momentum]")
       ->type_name("ROW,COLUMN");
   add_value(verb, "--gravity", input.gravity,
-            "weight of the panels, in standard gravities: x right, y along rising rows, z up "
-            "from the held panel, as 0,0,-1 [the design's, or none]",
+            "weight of the panels, in standard gravities: x right, y along rising rows, z up from "
+            "the held panel, as 0,0,-1 [the design's, or none]",
             within(-1e3, 1e3), "X,Y,Z")
       ->delimiter(',')
       ->expected(3);

@@ -54,11 +54,10 @@ void add_certificate(SQLite::Database& database, const schema::Pattern& base,
   if (!row) return;
   const auto fault = schema::certificate_fault(base, sheet.mechanism(), sheet.shifts_mm(), *row);
   if (fault) {
-    throw schema::UserError(
-        schema::Cause::bad_input,
-        fmt::format("{}: the certificate of draw {} is not as it was made ({}); `misalign certify` "
-                    "makes it anew",
-                    database.getFilename(), draw, *fault));
+    throw schema::UserError(schema::Cause::bad_input,
+                            fmt::format("{}: the certificate of draw {} is not as it was made "
+                                        "({}); `misalign certify` makes it anew",
+                                        database.getFilename(), draw, *fault));
   }
   origin["certificate"] = schema::certificate_json(*row);
 }
@@ -205,9 +204,8 @@ constexpr const char* kExportFooter =
     "  inp   the same for CalculiX: elastic panels\n"
     "mat needs a program built with matio, dxf with dxflib (misalign --version).\n"
     "Where two holes meet, the panels between them touch in a point. The sheet needs a ball\n"
-    "joint there, which is in the files of mjcf and inp alone. Files are named after the "
-    "campaign and the draw, or "
-    "after the\n"
+    "joint there, which is in the files of mjcf and inp alone. Files are named after the campaign "
+    "and the draw, or after the\n"
     "pattern file.\n\n"
     "A kit to cut (svg and dxf, --kit; NAME-kit, with --bed NAME-kit-1, NAME-kit-2, ...):\n"
     "  Panels that creases join are one part; those that ball joints alone hold lie beside it.\n"
@@ -273,10 +271,10 @@ Action export_verb(CLI::App& verb) {
   add_trim(verb, files.trim_mm);
   add_springs(verb, call->release.design);
   add_release(verb, call->release);
-  add_value(verb, "--friction", call->friction_n_mm_per_mm,
-            "mjcf: dry friction of the hinges in the tree, N mm per mm of crease [the "
-            "design's, or 0]",
-            within(0, 1e6), "N");
+  add_value(
+      verb, "--friction", call->friction_n_mm_per_mm,
+      "mjcf: dry friction of the hinges in the tree, N mm per mm of crease [the design's, or 0]",
+      within(0, 1e6), "N");
   add_deck(verb, call->deck);
   verb.add_flag("--only-cut", files.only_cut,
                 "svg and dxf: without the layers that are not to be cut, for programs that follow "

@@ -78,8 +78,8 @@ void add_goal_and_limits(CLI::App& verb, OptimiseCall& call) {
             "it still deploys from this pilot angle [the campaign's, or its own D]",
             within("optimise", "deploys_from_deg"), "DEG");
   add_value(verb, "--least-slope", input.least_slope_mm_per_deg,
-            fmt::format("what free shifts leave every diagonal, mm per degree at 90 deg and "
-                        "less by the sine elsewhere: against miscuts [{}]",
+            fmt::format("what free shifts leave every diagonal, mm per degree at 90 deg and less "
+                        "by the sine elsewhere: against miscuts [{}]",
                         input.least_slope_mm_per_deg),
             within("optimise", "least_slope_mm_per_deg"), "MM_PER_DEG");
   add_value(verb, "--steps", input.most_steps,
@@ -100,10 +100,10 @@ void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
             "choose the springs' rate, too, N/mm: from the design's, within these");
   add_range("--preload-within", input.preload_n,
             "choose what all springs are left with at flat, too, N: within these");
-  add_value(verb, "--rest-deg", input.rest_deg,
-            "pilot angle where the springs are relaxed: a stop for "
-            "rest_stiffness_n_mm_per_rad [flat]",
-            within("optimise", "rest_deg"), "DEG");
+  add_value(
+      verb, "--rest-deg", input.rest_deg,
+      "pilot angle where the springs are relaxed: a stop for rest_stiffness_n_mm_per_rad [flat]",
+      within("optimise", "rest_deg"), "DEG");
   add_value(verb, "--miscut", input.miscut_mm,
             fmt::format("copies whose yield is asked are cut off by up to this, mm [{:g}]",
                         input.miscut_mm),
@@ -114,10 +114,10 @@ void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
 
 // How far vertices may be shifted, and by what.
 void add_shifts(CLI::App& verb, OptimiseInput& input) {
-  add_value(verb, "--amplitude", input.amplitude_mm,
-            "shift no vertex by more in x or y, mm [the campaign's, or the largest of its "
-            "own shifts]",
-            within("optimise", "amplitude_mm"), "MM");
+  add_value(
+      verb, "--amplitude", input.amplitude_mm,
+      "shift no vertex by more in x or y, mm [the campaign's, or the largest of its own shifts]",
+      within("optimise", "amplitude_mm"), "MM");
   verb.add_flag("--ternary", input.ternary, "shift by nothing or the amplitude only");
   add_value(verb, "--grid", input.grid_mm,
             "shift by whole multiples of this only, mm: a cutter's steps",

@@ -59,8 +59,8 @@ CLI::Option* add_from(CLI::App& verb, std::optional<double>& from_deg,
 
 void add_release_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg) {
   add_value(verb, "--from", from_deg,
-            fmt::format("the sheet is used between this pilot angle, at which it is let go "
-                        "at rest, and flat [the design's, or {:g}, or D where that is less]",
+            fmt::format("the sheet is used between this pilot angle, at which it is let go at "
+                        "rest, and flat [the design's, or {:g}, or D where that is less]",
                         solver::kDeployFrom_deg),
             within(least_deg, 180), "DEG");
 }
@@ -104,11 +104,10 @@ void add_deck(CLI::App& verb, DeckCall& call) {
 }
 
 void add_material(CLI::App& verb, std::string& file) {
-  verb.add_option(
-          "--material", file,
-          fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3, strength_mpa "
-                      "[the design's, or {}]",
-                      schema::Material{}.name))
+  verb.add_option("--material", file,
+                  fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3, "
+                              "strength_mpa [the design's, or {}]",
+                              schema::Material{}.name))
       ->type_name("FILE");
 }
 

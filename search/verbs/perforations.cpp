@@ -109,10 +109,9 @@ void list_perforations(const PerforationsCall& call) {
     print_sets(one);
     put("{} of {} sets of {} leave one way to fold on the base's path{}\n", one.size(),
         one.size() + others.size(), holes,
-        holes < usual
-            ? "; with more equations than unknowns only shifts such as those of `misalign "
-              "construct` fold"
-            : "");
+        holes < usual ? "; with more equations than unknowns only shifts such as those of "
+                        "`misalign construct` fold"
+                      : "");
   }
 }
 

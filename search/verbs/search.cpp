@@ -69,8 +69,8 @@ void add_goals(CLI::App& verb, SearchCall& call) {
   add_value(verb, "--max-time", options.max_time_s,
             "end this run after so many seconds; the next one goes on", within(0, 1e9), "SECONDS");
   add_value(verb, "--stopped-exit", call.stopped_exit,
-            "exit code where a signal or --max-time ends it and work remains; a scheduler may "
-            "have one that has it start again [0]",
+            "exit code where a signal or --max-time ends it and work remains; a scheduler may have "
+            "one that has it start again [0]",
             counted(0, 255), "N");
   add_value(verb, "--seed", options.seed, "use this seed instead of the campaign's", draw_count,
             "SEED");

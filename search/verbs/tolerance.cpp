@@ -35,8 +35,8 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
     if (gone.empty()) return "";
     return call.path + ": " + std::to_string(gone.size()) + " of " + std::to_string(yields.size()) +
            " candidates are not in it any more, draw " + std::to_string(gone.front()) +
-           " among them (another catalogue took its place); put the former one back, then the "
-           "same command again";
+           " among them (another catalogue took its place); put the former one back, then the same "
+           "command again";
   } catch (const UserError& error) {
     return error.sentence(option_of);
   }
@@ -108,9 +108,9 @@ void take_subject(const schema::Design& design, ToleranceCall& call) {
   }
   if (!call.amplitude_mm && !call.backlash_mm) {
     throw UserError(schema::Cause::bad_request,
-                    "tolerance: against what? (neither is named, nor does the design say "
-                    "miscut_mm or play_mm); add --amplitude MM for vertices off their places, or "
-                    "--backlash MM for joints with play");
+                    "tolerance: against what? (neither is named, nor does the design say miscut_mm "
+                    "or play_mm); add --amplitude MM for vertices off their places, or --backlash "
+                    "MM for joints with play");
   }
   if (call.backlash_mm) check_backlash(call);
 }
@@ -142,13 +142,12 @@ void add_subject(CLI::App& verb, ToleranceCall& call) {
       verb.add_flag("--vertices", call.study.vertices,
                     "also move each vertex alone, in " + std::to_string(kMostTrialsOfOneVertex) +
                         " copies at most: which ones matter most");
-  auto* backlash =
-      add_value(verb, "--backlash", call.backlash_mm,
-                "radius of the ball in which each joint settles, mm, instead of miscuts [the "
-                "design's play_mm, where it says no miscut_mm]",
-                within("play_mm"), "MM")
-          ->excludes(amplitude)
-          ->excludes(vertices);
+  auto* backlash = add_value(verb, "--backlash", call.backlash_mm,
+                             "radius of the ball in which each joint settles, mm, instead of "
+                             "miscuts [the design's play_mm, where it says no miscut_mm]",
+                             within("play_mm"), "MM")
+                       ->excludes(amplitude)
+                       ->excludes(vertices);
   add_value(verb, "--backlash-from", call.backlash.from_deg,
             fmt::format("pilot angle from which on a loose sheet must move one way, deg [{:g}]",
                         solver::BacklashOptions{}.from_deg),

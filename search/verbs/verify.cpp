@@ -61,10 +61,9 @@ Action verify_verb(CLI::App& verb) {
       "  misalign verify search/patterns/table1.json");
   auto call = std::make_shared<VerifyCall>();
   add_catalogue_or_pattern(verb, call->path);
-  auto* sample =
-      verb.add_option("--sample", call->options.sample,
-                      "how many candidates, spread evenly in the order of their draws, and how "
-                      "many fault samples [100]");
+  auto* sample = verb.add_option("--sample", call->options.sample,
+                                 "how many candidates, spread evenly in the order of their draws, "
+                                 "and how many fault samples [100]");
   sample->check(a_draw())->type_name("N");
   auto* all = verb.add_flag_callback(
       "--all", [call] { call->options.sample.reset(); }, "every candidate and fault sample");
