@@ -20,13 +20,13 @@ namespace {
 
 ColorMode color_mode = ColorMode::automatic;
 
-constexpr const char *kBold = "1", *kDim = "2", *kGood = "32", *kBad = "31", *kEnd = "0";
+constexpr const char *kBold = "1", *kGood = "32", *kBad = "31", *kEnd = "0";
 
 std::string mark(const char* code) { return std::string("\x1b[") + code + "m"; }
 
 // How many bytes of a mark of Paint begin here; 0 if none does.
 std::size_t mark_at(std::string_view text) {
-  for (const char* code : {kBold, kDim, kGood, kBad, kEnd}) {
+  for (const char* code : {kBold, kGood, kBad, kEnd}) {
     if (text.starts_with(mark(code))) return mark(code).size();
   }
   return 0;
@@ -67,7 +67,6 @@ std::string Paint::marked(const char* code, const std::string& text) const {
 }
 
 std::string Paint::bold(const std::string& text) const { return marked(kBold, text); }
-std::string Paint::dim(const std::string& text) const { return marked(kDim, text); }
 std::string Paint::good(const std::string& text) const { return marked(kGood, text); }
 std::string Paint::bad(const std::string& text) const { return marked(kBad, text); }
 

@@ -23,7 +23,6 @@ class Paint {
   explicit Paint(bool on) : on_(on) {}
   bool is_on() const { return on_; }
   std::string bold(const std::string& text) const;
-  std::string dim(const std::string& text) const;
   std::string good(const std::string& text) const;
   std::string bad(const std::string& text) const;
 
