@@ -21,7 +21,19 @@ void unit_fields(Wire& wire, Unit& unit) {
   list(wire, unit.fault_sample, [&](auto& draw) { wire.field(draw); });
 }
 
-using Screened = std::pair<std::pair<int, int>, std::uint64_t>;
+// `screened` is the unit's map as a list.
+template <class Wire, class Sent, class Screened>
+void sent_fields(Wire& wire, Sent& sent, Screened& screened) {
+  wire.field(sent.was_stopped);
+  unit_fields(wire, sent.unit);
+  list(wire, screened, [&](auto& seen) {
+    wire.field(seen.first.first);
+    wire.field(seen.first.second);
+    wire.field(seen.second);
+  });
+}
+
+using Screened = std::vector<std::pair<std::pair<int, int>, std::uint64_t>>;
 
 }  // namespace
 
@@ -38,15 +50,8 @@ std::string message_layout() { return candidate_layout() + " certificate tables"
 
 Bytes pack(const SentUnit& sent) {
   Writer wire;
-  const schema::UnitRecord& unit = sent.unit;
-  wire.field(sent.was_stopped);
-  unit_fields(wire, unit);
-  const std::vector<Screened> screened(unit.screened.begin(), unit.screened.end());
-  list(wire, screened, [&](const Screened& seen) {
-    wire.field(seen.first.first);
-    wire.field(seen.first.second);
-    wire.field(seen.second);
-  });
+  const Screened screened(sent.unit.screened.begin(), sent.unit.screened.end());
+  sent_fields(wire, sent, screened);
   return wire.take();
 }
 
@@ -66,16 +71,9 @@ schema::DrawRange unpack_range(const Bytes& bytes) {
 SentUnit unpack_unit(const Bytes& bytes) {
   Reader wire(bytes);
   SentUnit sent;
-  schema::UnitRecord& unit = sent.unit;
-  wire.field(sent.was_stopped);
-  unit_fields(wire, unit);
-  std::vector<Screened> screened;
-  list(wire, screened, [&](Screened& seen) {
-    wire.field(seen.first.first);
-    wire.field(seen.first.second);
-    wire.field(seen.second);
-  });
-  unit.screened.insert(screened.begin(), screened.end());
+  Screened screened;
+  sent_fields(wire, sent, screened);
+  sent.unit.screened.insert(screened.begin(), screened.end());
   return sent;
 }
 

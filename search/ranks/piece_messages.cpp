@@ -56,39 +56,11 @@ void result_fields(Wire& wire, Result& result) {
   });
 }
 
-}  // namespace
-
-std::string piece_layout() { return "piece 3 " + candidate_layout(); }
-
-Bytes pack(const PieceOrder& order) {
-  Writer wire;
-  order_fields(wire, order);
-  return wire.take();
-}
-
-PieceOrder unpack_order(const Bytes& bytes) {
-  Reader wire(bytes);
-  PieceOrder order{};
-  order_fields(wire, order);
-  return order;
-}
-
-Bytes pack(const SentPiece& sent) {
-  Writer wire;
+template <class Wire, class Sent>
+void sent_fields(Wire& wire, Sent& sent) {
   wire.field(sent.was_stopped);
   result_fields(wire, sent.result);
-  return wire.take();
 }
-
-SentPiece unpack_piece(const Bytes& bytes) {
-  Reader wire(bytes);
-  SentPiece sent;
-  wire.field(sent.was_stopped);
-  result_fields(wire, sent.result);
-  return sent;
-}
-
-namespace {
 
 bool are_sheets(const ScoredParticles& sheets, const ShiftCode& code) {
   if (sheets.sheets.bytes.size() != sheets.count() * code.bytes()) return false;
@@ -160,13 +132,40 @@ bool is_sound(const PieceResult& result, const schema::Campaign& campaign, const
 
 }  // namespace
 
+std::string piece_layout() { return "piece 3 " + candidate_layout(); }
+
+Bytes pack(const PieceOrder& order) {
+  Writer wire;
+  order_fields(wire, order);
+  return wire.take();
+}
+
+PieceOrder unpack_order(const Bytes& bytes) {
+  Reader wire(bytes);
+  PieceOrder order{};
+  order_fields(wire, order);
+  return order;
+}
+
+Bytes pack(const SentPiece& sent) {
+  Writer wire;
+  sent_fields(wire, sent);
+  return wire.take();
+}
+
+SentPiece unpack_piece(const Bytes& bytes) {
+  Reader wire(bytes);
+  SentPiece sent;
+  sent_fields(wire, sent);
+  return sent;
+}
+
 std::optional<PieceResult> unpack_kept(const std::string& bytes, const schema::Campaign& campaign,
                                        const ShiftCode& code, const solver::Mechanism& mechanism) {
   const Bytes copy(bytes.begin(), bytes.end());
   Reader wire(copy);
   SentPiece sent;
-  wire.field(sent.was_stopped);
-  result_fields(wire, sent.result);
+  sent_fields(wire, sent);
   if (!wire.is_whole() || !is_sound(sent.result, campaign, code, mechanism)) return std::nullopt;
   return std::move(sent.result);
 }
