@@ -23,7 +23,7 @@ void unit_fields(Wire& wire, Unit& unit) {
 
 // `screened` is the unit's map as a list.
 template <class Wire, class Sent, class Screened>
-void sent_fields(Wire& wire, Sent& sent, Screened& screened) {
+void sent_unit_fields(Wire& wire, Sent& sent, Screened& screened) {
   wire.field(sent.was_stopped);
   unit_fields(wire, sent.unit);
   list(wire, screened, [&](auto& seen) {
@@ -32,6 +32,8 @@ void sent_fields(Wire& wire, Sent& sent, Screened& screened) {
     wire.field(seen.second);
   });
 }
+
+constexpr auto range_fields = [](auto& wire, auto& range) { wire.field(range); };
 
 using Screened = std::vector<std::pair<std::pair<int, int>, std::uint64_t>>;
 
@@ -51,28 +53,21 @@ std::string message_layout() { return candidate_layout() + " certificate tables"
 Bytes pack(const SentUnit& sent) {
   Writer wire;
   const Screened screened(sent.unit.screened.begin(), sent.unit.screened.end());
-  sent_fields(wire, sent, screened);
+  sent_unit_fields(wire, sent, screened);
   return wire.take();
 }
 
-Bytes pack(const schema::DrawRange& range) {
-  Writer wire;
-  wire.field(range);
-  return wire.take();
-}
+Bytes pack(const schema::DrawRange& range) { return packed(range, range_fields); }
 
 schema::DrawRange unpack_range(const Bytes& bytes) {
-  Reader wire(bytes);
-  schema::DrawRange range{};
-  wire.field(range);
-  return range;
+  return unpacked<schema::DrawRange>(bytes, range_fields);
 }
 
 SentUnit unpack_unit(const Bytes& bytes) {
   Reader wire(bytes);
   SentUnit sent;
   Screened screened;
-  sent_fields(wire, sent, screened);
+  sent_unit_fields(wire, sent, screened);
   sent.unit.screened.insert(screened.begin(), screened.end());
   return sent;
 }
