@@ -72,10 +72,9 @@ Action card_verb(CLI::App& verb) {
   number("--play", design.play_mm, "radius of the ball in which each joint settles, mm", "play_mm",
          "MM");
   add_material(verb, call->material_file);
-  add_value(verb, "--trials", call->options.trials,
-            fmt::format("how many miscut copies, and how often loose joints settle [{}]",
-                        call->options.trials),
-            counted("card", "trials"), "N");
+  add_default(verb, "--trials", call->options.trials,
+              "how many miscut copies, and how often loose joints settle",
+              counted("card", "trials"), "N");
   add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
             counted("", "jobs"), "N");
   verb.add_option("--output", call->output, "write the page, HTML, to this file")

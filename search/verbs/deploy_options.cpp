@@ -7,13 +7,6 @@
 namespace misalign::search {
 namespace {
 
-CLI::Option* add_number(CLI::App& verb, const std::string& name, double& value,
-                        const std::string& meaning, double least, double most,
-                        const std::string& unit) {
-  return add_value(verb, name, value, fmt::format("{} [{:g}]", meaning, value), within(least, most),
-                   unit);
-}
-
 constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
 
 // How it ends, and when.
@@ -29,12 +22,11 @@ void add_motion(CLI::App& verb, DeployInput& input) {
   verb.add_flag(
       "--least-damping", input.options.seeks_damping,
       "also the least damping of creases with which it comes to rest flat without passing through");
-  add_value(verb, "--swings", options.swings,
-            fmt::format("pass flat, or turn round without losses, this often before the end [{}]",
-                        options.swings),
-            counted(0, 10000), "N");
-  add_number(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s", 1e-9,
-             1e6, "S");
+  add_default(verb, "--swings", options.swings,
+              "pass flat, or turn round without losses, this often before the end",
+              counted(0, 10000), "N");
+  add_default(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s",
+              within(1e-9, 1e6), "S");
 }
 
 }  // namespace
@@ -52,7 +44,7 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
   solver::JointResistance& joints = input.options.sheet.joints;
   const auto resistance = [&](const char* name, double& value, const char* meaning,
                               const char* unit) {
-    add_number(verb, name, value, meaning, 0, kMostResistance, unit);
+    add_default(verb, name, value, meaning, within(0, kMostResistance), unit);
   };
   const auto hinge = [&](const char* name, std::optional<double>& value, const char* meaning,
                          const char* key) {
@@ -70,11 +62,11 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
             "of hinges' pins and ball joints: friction coefficient times radius, mm; 0 asks how "
             "much they bear [the design's, or none]",
             within("hinges.pin_friction_mm"), "MM");
-  add_number(verb, "--hinge-rest", joints.rest_deg, "pilot angle where elastic creases are relaxed",
-             0, kMostAngle_deg, "DEG");
+  add_default(verb, "--hinge-rest", joints.rest_deg,
+              "pilot angle where elastic creases are relaxed", within(0, kMostAngle_deg), "DEG");
   solver::Springs& springs = input.options.sheet.springs;
-  add_number(verb, "--rest-deg", springs.rest_deg, "pilot angle where the springs are relaxed", 0,
-             kMostAngle_deg, "DEG");
+  add_default(verb, "--rest-deg", springs.rest_deg, "pilot angle where the springs are relaxed",
+              within(0, kMostAngle_deg), "DEG");
   verb.add_option("--rest", input.other_rests,
                   "another such angle for one diagonal: A11-A17=60 (again: and that one)")
       ->expected(1)

@@ -77,14 +77,12 @@ void add_goal_and_limits(CLI::App& verb, OptimiseCall& call) {
   add_value(verb, "--deploys-from", input.deploys_from_deg,
             "it still deploys from this pilot angle [the campaign's, or its own D]",
             within("optimise", "deploys_from_deg"), "DEG");
-  add_value(verb, "--least-slope", input.least_slope_mm_per_deg,
-            fmt::format("what free shifts leave every diagonal, mm per degree at 90 deg and less "
-                        "by the sine elsewhere: against miscuts [{}]",
-                        input.least_slope_mm_per_deg),
-            within("optimise", "least_slope_mm_per_deg"), "MM_PER_DEG");
-  add_value(verb, "--steps", input.most_steps,
-            fmt::format("end after so many [{}]", input.most_steps), counted("optimise", "steps"),
-            "N");
+  add_default(verb, "--least-slope", input.least_slope_mm_per_deg,
+              "what free shifts leave every diagonal, mm per degree at 90 deg and less by the sine "
+              "elsewhere: against miscuts",
+              within("optimise", "least_slope_mm_per_deg"), "MM_PER_DEG");
+  add_default(verb, "--steps", input.most_steps, "end after so many", counted("optimise", "steps"),
+              "N");
 }
 
 // What of the springs may be chosen, and how copies are miscut.
@@ -104,12 +102,10 @@ void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
       verb, "--rest-deg", input.rest_deg,
       "pilot angle where the springs are relaxed: a stop for rest_stiffness_n_mm_per_rad [flat]",
       within("optimise", "rest_deg"), "DEG");
-  add_value(verb, "--miscut", input.miscut_mm,
-            fmt::format("copies whose yield is asked are cut off by up to this, mm [{:g}]",
-                        input.miscut_mm),
-            within("optimise", "miscut_mm"), "MM");
-  add_value(verb, "--trials", input.trials, fmt::format("so many copies [{}]", input.trials),
-            counted("optimise", "trials"), "N");
+  add_default(verb, "--miscut", input.miscut_mm,
+              "copies whose yield is asked are cut off by up to this, mm",
+              within("optimise", "miscut_mm"), "MM");
+  add_default(verb, "--trials", input.trials, "so many copies", counted("optimise", "trials"), "N");
 }
 
 // How far vertices may be shifted, and by what.

@@ -80,9 +80,8 @@ SimulationStart ReleaseCall::of(const schema::Design& whole) const {
 void add_release(CLI::App& verb, ReleaseCall& call) {
   constexpr double kLeast_deg = 1;  // closer to flat loops hardly say which way the sheet folds
   add_release_from(verb, call.design.from_deg, kLeast_deg);
-  add_value(verb, "--rest-deg", call.rest_deg,
-            fmt::format("pilot angle where the springs are relaxed [{:g}]", call.rest_deg),
-            within(0, 180), "DEG");
+  add_default(verb, "--rest-deg", call.rest_deg, "pilot angle where the springs are relaxed",
+              within(0, 180), "DEG");
   add_thickness(verb, call.design.thickness_mm);
   add_value(verb, "--density", call.density_g_per_cm3,
             fmt::format("of the panels, g/cm^3 [{:g}, or the material's]",
@@ -97,9 +96,8 @@ schema::DeckOptions DeckCall::of(const schema::Design& whole) const {
 }
 
 void add_deck(CLI::App& verb, DeckCall& call) {
-  add_value(verb, "--mesh", call.deck.elements,
-            fmt::format("elements along a panel's side [{}]", call.deck.elements), counted(2, 40),
-            "N");
+  add_default(verb, "--mesh", call.deck.elements, "elements along a panel's side", counted(2, 40),
+              "N");
   add_material(verb, call.material_file);
 }
 

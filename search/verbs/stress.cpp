@@ -193,19 +193,15 @@ Action stress_verb(CLI::App& verb) {
   add_release(verb, call->release);
   add_deck(verb, call->deck);
   StressStudyOptions& options = call->options;
-  add_value(verb, "--time-limit", options.deck.end_s,
-            fmt::format("end of the motion at the latest, s [{:g}]", options.deck.end_s),
-            within(1e-6, 1e6), "S");
-  add_value(verb, "--time-step", options.deck.time_step_s,
-            fmt::format("longest increment, s [{:g}]", options.deck.time_step_s), within(1e-9, 1),
-            "S");
-  add_value(verb, "--damping", options.deck.damping_per_s,
-            fmt::format("force against the velocity of all mass, per unit of both, 1/s [{:g}]",
-                        options.deck.damping_per_s),
-            within(0, 1e6), "PER_S");
-  add_value(verb, "--disc", options.stress.disc_mm,
-            fmt::format("radius of the discs, mm [{:g}]", options.stress.disc_mm), within(0, 1e6),
-            "MM");
+  add_default(verb, "--time-limit", options.deck.end_s, "end of the motion at the latest, s",
+              within(1e-6, 1e6), "S");
+  add_default(verb, "--time-step", options.deck.time_step_s, "longest increment, s",
+              within(1e-9, 1), "S");
+  add_default(verb, "--damping", options.deck.damping_per_s,
+              "force against the velocity of all mass, per unit of both, 1/s", within(0, 1e6),
+              "PER_S");
+  add_default(verb, "--disc", options.stress.disc_mm, "radius of the discs, mm", within(0, 1e6),
+              "MM");
   verb.add_option("--output", call->directory, "directory, made if it is not there")
       ->required()
       ->type_name("DIR");
