@@ -48,10 +48,10 @@ using Accepted = std::map<std::uint64_t, std::int64_t>;
 Accepted stored_accepted(SQLite::Database& database, const schema::DrawRange& unit) {
   return schema::reading(database, [&] {
     Accepted accepted;
-    SQLite::Statement row(database,
-                          "SELECT draw, deploys_from_sample FROM candidate WHERE draw >= ?1 AND "
-                          "draw < ?2 UNION ALL SELECT draw, 0 FROM undecided WHERE draw >= ?1 AND "
-                          "draw < ?2");
+    SQLite::Statement row(
+        database,
+        "SELECT draw, deploys_from_sample FROM candidate WHERE draw >= ?1 AND draw < ?2 UNION ALL "
+        "SELECT draw, 0 FROM undecided WHERE draw >= ?1 AND draw < ?2");
     row.bind(1, schema::stored(unit.lo));
     row.bind(2, schema::stored(unit.hi));
     while (row.executeStep()) {

@@ -83,10 +83,11 @@ std::vector<Check> check_numbers() {
     for (const auto& [verdicts, sets] : sets_of) {
       groups.push_back(fmt::to_string(fmt::join(sets, ", ")));
     }
-    checks.push_back({"golden verdicts", Health::bad,
-                      fmt::format("differ between {}: this build or this machine is broken; build "
-                                  "again, run the tests",
-                                  fmt::join(groups, " | "))});
+    checks.push_back(
+        {"golden verdicts", Health::bad,
+         fmt::format(
+             "differ between {}: this build or this machine is broken; build again, run the tests",
+             fmt::join(groups, " | "))});
   }
   return checks;
 }
@@ -113,10 +114,9 @@ std::vector<Check> check_directory(const std::string& directory) {
   std::vector<Check> checks;
   checks.push_back(
       {"file system", shared ? Health::note : Health::good,
-       system.name + (shared
-                          ? ", shared by machines: a rollback journal and an exclusive lock; put "
-                            "catalogues on a local disk if readers are not to wait"
-                          : ", local: a write-ahead log, readers never wait")});
+       system.name + (shared ? ", shared by machines: a rollback journal and an exclusive lock; "
+                               "put catalogues on a local disk if readers are not to wait"
+                             : ", local: a write-ahead log, readers never wait")});
   constexpr std::uint64_t kLittle_bytes = 1ULL << 30;
   const std::string free = whole(static_cast<double>(system.free_bytes) / 1e6) + " MB";
   checks.push_back(system.free_bytes > kLittle_bytes
@@ -169,11 +169,10 @@ std::vector<Check> check_ranks(const std::vector<RankReport>& ranks, bool has_be
     checks.push_back({"ranks", Health::good, all});
   }
   if (ranks.size() > 1) {
-    checks.push_back(has_beats
-                         ? Check{"heartbeat", Health::good, "MPI allows threads"}
-                         : Check{"heartbeat", Health::note,
-                                 "this MPI allows no threads: a cut link is noticed only when "
-                                 "MPI itself does, minutes later"});
+    checks.push_back(has_beats ? Check{"heartbeat", Health::good, "MPI allows threads"}
+                               : Check{"heartbeat", Health::note,
+                                       "this MPI allows no threads: a cut link is noticed only "
+                                       "when MPI itself does, minutes later"});
     checks.push_back(verdicts.size() == 1
                          ? Check{"same verdicts", Health::good, "on every rank"}
                          : Check{"same verdicts", Health::bad,

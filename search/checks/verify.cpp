@@ -137,8 +137,7 @@ std::string units_text(const Verification& v) {
   if (v.units.checked == 0) {
     return fmt::format(
         "units        none of {} made again: a candidate that was removed together with its sums "
-        "is "
-        "found by --units\n",
+        "is found by --units\n",
         v.units.of);
   }
   const std::string line = fmt::format(

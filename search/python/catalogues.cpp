@@ -27,6 +27,7 @@ namespace misalign::search::python {
 namespace {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 // Which file a name leads to. One that is made after another is removed may get its number, but not
 // its time of birth, where the file system keeps that.
@@ -63,11 +64,7 @@ class Catalogue {
     choice.where = where;
     choice.by = by;
     choice.best = limit;
-    const auto database = unlocked([&] {
-      auto opened = open();
-      add_study_functions(*opened, *source_->campaign);
-      return opened;
-    });
+    const auto database = open_for_queries();
     return table_of_query(*database, unlocked([&] {
       std::string found = "*";
       for (const std::string& column : columns) found += ", " + column_sql(*database, column);
@@ -76,11 +73,7 @@ class Catalogue {
   }
 
   py::dict query(const std::string& name_or_sql) const {
-    const auto database = unlocked([&] {
-      auto opened = open();
-      add_study_functions(*opened, *source_->campaign);
-      return opened;
-    });
+    const auto database = open_for_queries();
     return table_of_query(*database,
                           unlocked([&] { return schema::query_text(*database, name_or_sql).sql; }));
   }
@@ -157,14 +150,22 @@ class Catalogue {
   std::unique_ptr<SQLite::Database> open() const {
     auto database = schema::open_for_reading(path_);
     const auto refuse = [&](const std::string& what) {
-      return schema::UserError(schema::Cause::foreign,
-                               path_ + ": " + what +
-                                   " was opened (it was replaced); open it again with "
-                                   "misalign.Catalogue");
+      return schema::UserError(
+          schema::Cause::foreign,
+          path_ + ": " + what +
+              " was opened (it was replaced); open it again with misalign.Catalogue");
     };
     if (identity_of(*database) != identity_) throw refuse("holds another campaign than when it");
     if (FileIdentity::of(path_) != file_) throw refuse("is another file than the one that");
     return database;
+  }
+
+  std::unique_ptr<SQLite::Database> open_for_queries() const {
+    return unlocked([&] {
+      auto opened = open();
+      add_study_functions(*opened, *source_->campaign);
+      return opened;
+    });
   }
 
   std::vector<Eigen::Matrix2Xd> shifts_of(const std::vector<std::uint64_t>& draws) const {
@@ -186,18 +187,17 @@ class Catalogue {
 
 void bind_catalogues(py::module_& module) {
   py::class_<Catalogue, std::shared_ptr<Catalogue>>(module, "Catalogue")
-      .def(py::init<std::string>(), py::arg("path"))
+      .def(py::init<std::string>(), "path"_a)
       .def("sheet", made(&Catalogue::sheet))
-      .def("candidates", made(&Catalogue::candidates), py::arg("where"), py::arg("by"),
-           py::arg("limit"), py::arg("columns"))
-      .def("query", made(&Catalogue::query), py::arg("name_or_sql"))
-      .def("shifts", made(&Catalogue::shifts), py::arg("draws"))
-      .def("histories", made(&Catalogue::histories), py::arg("draws"))
-      .def("replay", made(&Catalogue::replay), py::arg("draw"), py::arg("stations"))
-      .def("pattern", made(&Catalogue::pattern), py::arg("draw"))
-      .def("springs", made(&Catalogue::springs), py::arg("draw"))
-      .def("tolerance", made(&Catalogue::tolerance), py::arg("draw"), py::arg("amplitude_mm"),
-           py::arg("trials"), py::arg("jobs"), py::arg("from_deg"));
+      .def("candidates", made(&Catalogue::candidates), "where"_a, "by"_a, "limit"_a, "columns"_a)
+      .def("query", made(&Catalogue::query), "name_or_sql"_a)
+      .def("shifts", made(&Catalogue::shifts), "draws"_a)
+      .def("histories", made(&Catalogue::histories), "draws"_a)
+      .def("replay", made(&Catalogue::replay), "draw"_a, "stations"_a)
+      .def("pattern", made(&Catalogue::pattern), "draw"_a)
+      .def("springs", made(&Catalogue::springs), "draw"_a)
+      .def("tolerance", made(&Catalogue::tolerance), "draw"_a, "amplitude_mm"_a, "trials"_a,
+           "jobs"_a, "from_deg"_a);
 }
 
 }  // namespace misalign::search::python

@@ -15,6 +15,7 @@ namespace misalign::search::python {
 namespace {
 
 namespace py = pybind11;
+using namespace py::literals;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
@@ -137,7 +138,7 @@ py::dict gradient(const PatternSource& source, const py::object& stations) {
 }  // namespace
 
 void bind_gradients(py::module_& module) {
-  module.def("gradient", made(&gradient), py::arg("sheet"), py::arg("stations"));
+  module.def("gradient", made(&gradient), "sheet"_a, "stations"_a);
 }
 
 }  // namespace misalign::search::python

@@ -12,6 +12,7 @@ namespace misalign::search::python {
 namespace {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 using Source = std::shared_ptr<PatternSource>;
 
@@ -116,9 +117,8 @@ py::tuple fault_names() {
 
 void bind_judging(py::module_& module) {
   module.attr("faults") = fault_names();
-  module.def("accepted", &accepted, py::arg("sheet").none(false), py::arg("shifts_mm"),
-             py::arg("threshold_deg"));
-  module.def("verdicts", &verdicts, py::arg("sheet").none(false), py::arg("shifts_mm"));
+  module.def("accepted", &accepted, "sheet"_a.none(false), "shifts_mm"_a, "threshold_deg"_a);
+  module.def("verdicts", &verdicts, "sheet"_a.none(false), "shifts_mm"_a);
 }
 
 }  // namespace misalign::search::python

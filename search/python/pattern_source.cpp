@@ -56,10 +56,9 @@ std::shared_ptr<PatternSource> source_of(schema::Campaign campaign) {
 
 std::shared_ptr<PatternSource> read_source(const std::string& path) {
   if (is_database(path)) {
-    throw schema::UserError(schema::Cause::bad_request,
-                            path +
-                                ": is a catalogue, which holds many sheets; open it with "
-                                "misalign.Catalogue");
+    throw schema::UserError(
+        schema::Cause::bad_request,
+        path + ": is a catalogue, which holds many sheets; open it with misalign.Catalogue");
   }
   if (schema::is_campaign(schema::read_pattern_document(path, schema::FileKind::regular))) {
     return source_of(schema::read_campaign_file(path));

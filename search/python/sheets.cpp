@@ -18,6 +18,7 @@ namespace misalign::search::python {
 namespace {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 // Vertices of lines, and how people call them.
 struct Lines {
@@ -31,7 +32,6 @@ struct Lines {
 };
 
 py::dict campaign_of(const schema::Campaign& campaign) {
-  using namespace py::literals;
   return py::dict(
       "name"_a = campaign.name, "identity"_a = schema::identity(campaign), "seed"_a = campaign.seed,
       "threshold_deg"_a = campaign.threshold_deg,
@@ -46,7 +46,6 @@ py::dict campaign_of(const schema::Campaign& campaign) {
 
 // Everything at once: small, and it never changes.
 py::dict describe(const PatternSource& source) {
-  using namespace py::literals;
   const schema::Pattern& base = source.sheet.base;
   const solver::Mechanism mechanism = solver::build_mechanism(base.base);
   Lines creases, diagonals;
@@ -118,7 +117,7 @@ py::array_t<double> shifts(const PatternSource& source, const py::object& draws)
 void bind_sheets(py::module_& module) {
   py::class_<PatternSource, std::shared_ptr<PatternSource>>(module, "Sheet")
       .def("describe", made(&describe))
-      .def("shifts", made(&shifts), py::arg("draws"))
+      .def("shifts", made(&shifts), "draws"_a)
       .def(py::pickle(made(&text_of), [](const std::string& text) {
         return unlocked([&] { return source_of_text(text); });
       }));
@@ -127,20 +126,20 @@ void bind_sheets(py::module_& module) {
       [](const std::string& text, const std::string& name) {
         return unlocked([&] { return read_document(text, name); });
       },
-      py::arg("text"), py::arg("name"));
+      "text"_a, "name"_a);
   module.def(
       "with_shifts",
       made(+[](const PatternSource& source, const py::object& shifts_mm, const std::string& name) {
         return with_shifts(source, shifts_of_one(shifts_mm, source), name);
       }),
-      py::arg("sheet"), py::arg("shifts_mm"), py::arg("name"));
+      "sheet"_a, "shifts_mm"_a, "name"_a);
   module.def("write", made(+[](const PatternSource& source, const std::string& path) {
                unlocked([&] { write_source(source, path); });
              }),
-             py::arg("sheet"), py::arg("path"));
+             "sheet"_a, "path"_a);
   module.def(
       "read", [](const std::string& path) { return unlocked([&] { return read_source(path); }); },
-      py::arg("path"));
+      "path"_a);
 }
 
 }  // namespace misalign::search::python

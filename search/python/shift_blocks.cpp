@@ -46,12 +46,11 @@ void check(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
            const std::string& whose) {
   for (Eigen::Index v = 0; v < shifts_mm.cols(); ++v) {
     if (shifts_mm.col(v).allFinite()) continue;
-    throw schema::UserError(
-        schema::Cause::bad_request,
-        fmt::format("shifts_mm: {}vertex {} is shifted by [{}, {}], which are not both numbers; "
-                    "give finite ones, in mm",
-                    whose, solver::vertex_label(static_cast<int>(v)), shifts_mm(0, v),
-                    shifts_mm(1, v)));
+    throw schema::UserError(schema::Cause::bad_request,
+                            fmt::format("shifts_mm: {}vertex {} is shifted by [{}, {}], which are "
+                                        "not both numbers; give finite ones, in mm",
+                                        whose, solver::vertex_label(static_cast<int>(v)),
+                                        shifts_mm(0, v), shifts_mm(1, v)));
   }
   const auto bad =
       solver::nonconvex_facets(source.pattern(), source.pattern().vertices_mm + shifts_mm);

@@ -23,6 +23,7 @@ namespace misalign::search::python {
 namespace {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 // What was said of the design, by the block's own keys.
 schema::Design design_of(const std::string& said) {
@@ -34,33 +35,35 @@ schema::Design design_of(const std::string& said) {
   return design;
 }
 
+// The JSON of what `study` finds of the sheet with this design.
+template <class Study>
+std::string said_of(const PatternSource& source, const std::string& design, const Study& study) {
+  return unlocked([&] {
+    Subject subject(source.sheet, design_of(design));
+    return study_json(subject, study(subject)).dump();
+  });
+}
+
 std::string contact(const PatternSource& source, const std::string& design,
                     const std::optional<double>& trim_mm) {
   if (trim_mm) schema::check_parameter("", "trim_mm", *trim_mm);
-  return unlocked([&] {
-    const Subject subject(source.sheet, design_of(design));
-    return study_json(subject,
-                      contact_of(subject.sheet, {trim_mm, subject.model.design().from_deg}))
-        .dump();
+  return said_of(source, design, [&](const Subject& subject) {
+    return contact_of(subject.sheet, {trim_mm, subject.model.design().from_deg});
   });
 }
 
 std::string actuators(const PatternSource& source, const std::string& design) {
-  return unlocked([&] {
-    const Subject subject(source.sheet, design_of(design));
-    return study_json(subject, actuated(subject.sheet, subject.model.design())).dump();
+  return said_of(source, design, [](const Subject& subject) {
+    return actuated(subject.sheet, subject.model.design());
   });
 }
 
 std::string deploy(const PatternSource& source, const std::string& design,
                    const std::optional<bool>& bends) {
-  return unlocked([&] {
-    const Subject subject(source.sheet, design_of(design));
+  return said_of(source, design, [&](const Subject& subject) {
     const schema::Design& whole = subject.model.design();
-    return study_json(subject,
-                      released_sheet(subject.sheet, deploy_options(whole, subject.sheet), whole,
-                                     bends.value_or(panels_bend(whole, subject.sheet))))
-        .dump();
+    return released_sheet(subject.sheet, deploy_options(whole, subject.sheet), whole,
+                          bends.value_or(panels_bend(whole, subject.sheet)));
   });
 }
 
@@ -81,7 +84,7 @@ std::string optimise(const PatternSource& source, const std::string& design,
   check("rest_deg", rest_deg);
   check("miscut_mm", miscut_mm);
   const auto copies = checked_count<std::uint64_t>("optimise", "trials", trials);
-  return unlocked([&] {
+  return said_of(source, design, [&](Subject& subject) {
     OptimiseInput input;
     input.goal = solver::goal_named(goal);
     if (!input.goal) {
@@ -101,8 +104,7 @@ std::string optimise(const PatternSource& source, const std::string& design,
     input.miscut_mm = miscut_mm;
     input.trials = copies;
     input.watch = watch_signals;
-    Subject subject(source.sheet, design_of(design));
-    return study_json(subject, optimised(subject, input)).dump();
+    return optimised(subject, input);
   });
 }
 
@@ -110,10 +112,8 @@ std::string card(const PatternSource& source, const std::string& design, std::in
                  std::int64_t jobs) {
   const CardOptions options{checked_count<std::uint64_t>("card", "trials", trials),
                             checked_count<int>("", "jobs", jobs)};
-  return unlocked([&] {
-    const Subject subject(source.sheet, design_of(design));
-    return study_json(subject, card_of(subject, options).card).dump();
-  });
+  return said_of(source, design,
+                 [&](const Subject& subject) { return card_of(subject, options).card; });
 }
 
 std::string certify(const PatternSource& source, const std::string& design, bool contact) {
@@ -150,21 +150,17 @@ std::string tolerance(const PatternSource& source, const std::string& said, std:
 }  // namespace
 
 void bind_studies(py::module_& module) {
-  module.def("contact", made(&contact), py::arg("sheet"), py::arg("design"), py::arg("trim_mm"));
-  module.def("actuators", made(&actuators), py::arg("sheet"), py::arg("design"));
-  module.def("deploy", made(&deploy), py::arg("sheet"), py::arg("design"), py::arg("bends"));
-  module.def("optimise", made(&optimise), py::arg("sheet"), py::arg("design"), py::kw_only(),
-             py::arg("goal"), py::arg("amplitude_mm"), py::arg("deploys_from_deg"),
-             py::arg("ternary"), py::arg("grid_mm"), py::arg("within_family"),
-             py::arg("subject_to"), py::arg("stiffness_within"), py::arg("preload_within"),
-             py::arg("rest_deg"), py::arg("miscut_mm"), py::arg("trials"));
-  module.def("card", made(&card), py::arg("sheet"), py::arg("design"), py::arg("trials"),
-             py::arg("jobs"));
-  module.def("certify", made(&certify), py::arg("sheet"), py::arg("design"), py::arg("contact"));
-  module.def("check_design", &schema::check_design, py::arg("name"), py::arg("design_key"),
-             py::arg("value"));
-  module.def("tolerance", made(&tolerance), py::arg("sheet"), py::arg("design"), py::arg("trials"),
-             py::arg("jobs"));
+  module.def("contact", made(&contact), "sheet"_a, "design"_a, "trim_mm"_a);
+  module.def("actuators", made(&actuators), "sheet"_a, "design"_a);
+  module.def("deploy", made(&deploy), "sheet"_a, "design"_a, "bends"_a);
+  module.def("optimise", made(&optimise), "sheet"_a, "design"_a, py::kw_only(), "goal"_a,
+             "amplitude_mm"_a, "deploys_from_deg"_a, "ternary"_a, "grid_mm"_a, "within_family"_a,
+             "subject_to"_a, "stiffness_within"_a, "preload_within"_a, "rest_deg"_a, "miscut_mm"_a,
+             "trials"_a);
+  module.def("card", made(&card), "sheet"_a, "design"_a, "trials"_a, "jobs"_a);
+  module.def("certify", made(&certify), "sheet"_a, "design"_a, "contact"_a);
+  module.def("check_design", &schema::check_design, "name"_a, "design_key"_a, "value"_a);
+  module.def("tolerance", made(&tolerance), "sheet"_a, "design"_a, "trials"_a, "jobs"_a);
 }
 
 }  // namespace misalign::search::python

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace misalign::search {
 
 void expect_one_layout(const std::vector<RankInfo>& ranks) {
@@ -24,13 +26,13 @@ void expect_joined(const MpiSession& mpi) {
   if (!tasks || mpi.ranks() > 1 || tasks->count <= 1) return;
   throw schema::UserError(
       schema::Cause::bad_request,
-      fmt::format("{0} has started {1} tasks ({2}), and MPI says 1 rank in each of them (it "
-                  "knows nothing of the others: no PMIx), so that all would make the same draws; "
-                  "start them with the mpirun of its MPI, or with srun --mpi=pmix where that MPI "
-                  "has PMIx, or give each task draws of its own with {3}, or say {4} where every "
-                  "task has a catalogue of its own",
-                  tasks->launcher, tasks->count, tasks->variable, schema::parameter("range"),
-                  schema::parameter("ranks", "1")));
+      fmt::format(
+          "{0} has started {1} tasks ({2}), and MPI says 1 rank in each of them (it knows nothing "
+          "of the others: no PMIx), so that all would make the same draws; start them with the "
+          "mpirun of its MPI, or with srun --mpi=pmix where that MPI has PMIx, or give each task "
+          "draws of its own with {3}, or say {4} where every task has a catalogue of its own",
+          tasks->launcher, tasks->count, tasks->variable, schema::parameter("range"),
+          schema::parameter("ranks", "1")));
 }
 
 std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& own) {
@@ -42,6 +44,21 @@ std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& own) {
   }
   expect_one_layout(ranks);
   return ranks;
+}
+
+std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds builds) {
+  std::set<std::string> different;
+  for (std::size_t k = 0; k < ranks.size(); ++k) {
+    different.insert(ranks[k].golden_verdicts);
+    if (different.size() == 1 || builds == schema::Builds::mixed) continue;
+    throw schema::UserError(
+        schema::Cause::foreign,
+        fmt::format("rank {} on {} gives other verdicts on the golden draws than rank 0 on {} "
+                    "(another build, or a broken machine); put the same program on every host, or "
+                    "use {} if you know that the difference does no harm",
+                    k, ranks[k].host, ranks[0].host, schema::parameter("allow_mixed_builds")));
+  }
+  return fmt::to_string(fmt::join(different, " "));
 }
 
 }  // namespace misalign::search

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/catalogue/catalogue.hpp"
 #include "search/ranks/departure.hpp"
 #include "search/ranks/heartbeat.hpp"
 #include "search/ranks/mpi_session.hpp"
@@ -30,6 +31,9 @@ struct RankInfo {
 void expect_one_layout(const std::vector<RankInfo>& ranks);
 /// On rank 0 everyone's, in the order of the ranks, and of one layout; nothing elsewhere.
 std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& own);
+
+/// The fingerprint of all ranks; UserError (foreign) if they differ and must not.
+std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds builds);
 
 /// How long rank 0 waits for the others, see MpiSession::meet.
 inline constexpr double kMeet_s = 0.8;
@@ -103,6 +107,24 @@ int run_other_rank(const Options& options, MpiSession& mpi) {
   if (failure) mpi.abort(failure);  // rank 0 would wait for ever
   if (!refused) mpi.meet();
   return refused;
+}
+
+/// The loop of ranks above 0: jobs are done until an empty one comes. One under way is cut short,
+/// and sent as far as it is done, when a signal asks to stop, rank 0 has already sent the next one,
+/// or its results take all that they may. `begin` makes a job's work from its bytes (UnitWork,
+/// PieceWork), `end` a result's bytes from the work, and from whether a signal stopped it.
+template <class Begin, class End>
+void run_worker(const MpiSession& mpi, const Begin& begin, const End& end) {
+  for (;;) {
+    const Bytes job = mpi.receive_job();
+    if (job.empty()) return;
+    auto work = begin(job);
+    while (!work.finished() && !work.is_full() && stop_request() == StopRequest::none &&
+           !mpi.job_waiting()) {
+      work.run_next_block();
+    }
+    mpi.send_result(end(work, !work.finished() && !work.is_full()));
+  }
 }
 
 /// Returns this rank's exit code. Rank 0 is a `Zero`(options), which opens the files: `campaign()`;

@@ -21,41 +21,28 @@ void sheet_result_fields(Wire& wire, Result& result) {
   });
 }
 
-template <class Wire, class Sent>
-void sent_fields(Wire& wire, Sent& sent) {
+constexpr auto sent_fields = [](auto& wire, auto& sent) {
   wire.field(sent.was_stopped);
   wire.field(sent.seconds);
   list(wire, sent.results, [&](auto& result) { sheet_result_fields(wire, result); });
-}
+};
+
+constexpr auto orders_fields = [](auto& wire, auto& orders) {
+  list(wire, orders, [&](auto& order) { sheet_order_fields(wire, order); });
+};
 
 }  // namespace
 
 std::string certify_layout() { return "certify 1"; }
 
-Bytes pack(const std::vector<CertifyOrder>& orders) {
-  Writer wire;
-  list(wire, orders, [&](const CertifyOrder& order) { sheet_order_fields(wire, order); });
-  return wire.take();
-}
+Bytes pack(const std::vector<CertifyOrder>& orders) { return packed(orders, orders_fields); }
 
 std::vector<CertifyOrder> unpack_orders(const Bytes& bytes) {
-  Reader wire(bytes);
-  std::vector<CertifyOrder> orders;
-  list(wire, orders, [&](CertifyOrder& order) { sheet_order_fields(wire, order); });
-  return orders;
+  return unpacked<std::vector<CertifyOrder>>(bytes, orders_fields);
 }
 
-Bytes pack(const SentResults& sent) {
-  Writer wire;
-  sent_fields(wire, sent);
-  return wire.take();
-}
+Bytes pack(const SentResults& sent) { return packed(sent, sent_fields); }
 
-SentResults unpack_results(const Bytes& bytes) {
-  Reader wire(bytes);
-  SentResults sent;
-  sent_fields(wire, sent);
-  return sent;
-}
+SentResults unpack_results(const Bytes& bytes) { return unpacked<SentResults>(bytes, sent_fields); }
 
 }  // namespace misalign::search

@@ -16,13 +16,11 @@
 #include "search/ranks/departure.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
-#include "search/ranks/worker.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
-#include "search/terminal/terminal.hpp"
 
 namespace misalign::search {
 namespace {

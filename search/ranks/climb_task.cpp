@@ -41,8 +41,6 @@ ClimbTask::ClimbTask(Climber& climber, schema::Catalogue& catalogue, const schem
   restore();
 }
 
-ClimbTask::~ClimbTask() = default;
-
 // Pieces of populations that are in the ledger, or that another build made, are of no use.
 void ClimbTask::restore() {
   for (const schema::PieceRow& row : catalogue_.pieces(piece_layout())) {

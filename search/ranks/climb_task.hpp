@@ -14,7 +14,6 @@ class ClimbTask final : public RankTask {
   /// All must outlive this object; the catalogue's run has begun already. Goes on from what it
   /// holds of populations under way.
   ClimbTask(Climber& climber, schema::Catalogue& catalogue, const schema::Goal& goal, int ranks);
-  ~ClimbTask() override;
 
   std::optional<Bytes> assign(int worker) override;
   bool has_job(int worker) const override { return dispatcher_.has_job(worker); }

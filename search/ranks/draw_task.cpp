@@ -17,8 +17,6 @@ DrawTask::DrawTask(DrawEvaluator& evaluator, schema::Catalogue& catalogue, const
                   options.unit_size),
       standing_(catalogue.standing()) {}
 
-DrawTask::~DrawTask() = default;
-
 std::optional<Bytes> DrawTask::assign(int worker) {
   const auto range = dispatcher_.assign(worker);
   return range ? std::optional(pack(*range)) : std::nullopt;

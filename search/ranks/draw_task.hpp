@@ -18,7 +18,6 @@ class DrawTask final : public RankTask {
   /// All must outlive this object; the catalogue's run has begun already.
   DrawTask(DrawEvaluator& evaluator, schema::Catalogue& catalogue, const schema::Goal& goal,
            int ranks, const DrawTaskOptions& options);
-  ~DrawTask() override;
 
   std::optional<Bytes> assign(int worker) override;
   bool has_job(int worker) const override { return dispatcher_.assigned(worker).has_value(); }

@@ -21,7 +21,21 @@ void unit_fields(Wire& wire, Unit& unit) {
   list(wire, unit.fault_sample, [&](auto& draw) { wire.field(draw); });
 }
 
-using Screened = std::pair<std::pair<int, int>, std::uint64_t>;
+// `screened` is the unit's map as a list.
+template <class Wire, class Sent, class Screened>
+void sent_unit_fields(Wire& wire, Sent& sent, Screened& screened) {
+  wire.field(sent.was_stopped);
+  unit_fields(wire, sent.unit);
+  list(wire, screened, [&](auto& seen) {
+    wire.field(seen.first.first);
+    wire.field(seen.first.second);
+    wire.field(seen.second);
+  });
+}
+
+constexpr auto range_fields = [](auto& wire, auto& range) { wire.field(range); };
+
+using Screened = std::vector<std::pair<std::pair<int, int>, std::uint64_t>>;
 
 }  // namespace
 
@@ -38,44 +52,23 @@ std::string message_layout() { return candidate_layout() + " certificate tables"
 
 Bytes pack(const SentUnit& sent) {
   Writer wire;
-  const schema::UnitRecord& unit = sent.unit;
-  wire.field(sent.was_stopped);
-  unit_fields(wire, unit);
-  const std::vector<Screened> screened(unit.screened.begin(), unit.screened.end());
-  list(wire, screened, [&](const Screened& seen) {
-    wire.field(seen.first.first);
-    wire.field(seen.first.second);
-    wire.field(seen.second);
-  });
+  const Screened screened(sent.unit.screened.begin(), sent.unit.screened.end());
+  sent_unit_fields(wire, sent, screened);
   return wire.take();
 }
 
-Bytes pack(const schema::DrawRange& range) {
-  Writer wire;
-  wire.field(range);
-  return wire.take();
-}
+Bytes pack(const schema::DrawRange& range) { return packed(range, range_fields); }
 
 schema::DrawRange unpack_range(const Bytes& bytes) {
-  Reader wire(bytes);
-  schema::DrawRange range{};
-  wire.field(range);
-  return range;
+  return unpacked<schema::DrawRange>(bytes, range_fields);
 }
 
 SentUnit unpack_unit(const Bytes& bytes) {
   Reader wire(bytes);
   SentUnit sent;
-  schema::UnitRecord& unit = sent.unit;
-  wire.field(sent.was_stopped);
-  unit_fields(wire, unit);
-  std::vector<Screened> screened;
-  list(wire, screened, [&](Screened& seen) {
-    wire.field(seen.first.first);
-    wire.field(seen.first.second);
-    wire.field(seen.second);
-  });
-  unit.screened.insert(screened.begin(), screened.end());
+  Screened screened;
+  sent_unit_fields(wire, sent, screened);
+  sent.unit.screened.insert(screened.begin(), screened.end());
   return sent;
 }
 

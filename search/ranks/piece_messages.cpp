@@ -23,8 +23,7 @@ void sheets_fields(Wire& wire, Scored& sheets) {
   numbers(wire, sheets.scores);
 }
 
-template <class Wire, class Order>
-void order_fields(Wire& wire, Order& order) {
+constexpr auto order_fields = [](auto& wire, auto& order) {
   wire.field(order.population);
   wire.field(order.level);
   wire.field(order.lo);
@@ -35,7 +34,7 @@ void order_fields(Wire& wire, Order& order) {
   wire.field(order.is_catalogued);
   sheets_fields(wire, order.here);
   list(wire, order.starts, [&](auto& start) { candidate_fields(wire, start); });
-}
+};
 
 template <class Wire, class Result>
 void result_fields(Wire& wire, Result& result) {
@@ -56,39 +55,10 @@ void result_fields(Wire& wire, Result& result) {
   });
 }
 
-}  // namespace
-
-std::string piece_layout() { return "piece 3 " + candidate_layout(); }
-
-Bytes pack(const PieceOrder& order) {
-  Writer wire;
-  order_fields(wire, order);
-  return wire.take();
-}
-
-PieceOrder unpack_order(const Bytes& bytes) {
-  Reader wire(bytes);
-  PieceOrder order{};
-  order_fields(wire, order);
-  return order;
-}
-
-Bytes pack(const SentPiece& sent) {
-  Writer wire;
+constexpr auto sent_fields = [](auto& wire, auto& sent) {
   wire.field(sent.was_stopped);
   result_fields(wire, sent.result);
-  return wire.take();
-}
-
-SentPiece unpack_piece(const Bytes& bytes) {
-  Reader wire(bytes);
-  SentPiece sent;
-  wire.field(sent.was_stopped);
-  result_fields(wire, sent.result);
-  return sent;
-}
-
-namespace {
+};
 
 bool are_sheets(const ScoredParticles& sheets, const ShiftCode& code) {
   if (sheets.sheets.bytes.size() != sheets.count() * code.bytes()) return false;
@@ -160,13 +130,22 @@ bool is_sound(const PieceResult& result, const schema::Campaign& campaign, const
 
 }  // namespace
 
+std::string piece_layout() { return "piece 3 " + candidate_layout(); }
+
+Bytes pack(const PieceOrder& order) { return packed(order, order_fields); }
+
+PieceOrder unpack_order(const Bytes& bytes) { return unpacked<PieceOrder>(bytes, order_fields); }
+
+Bytes pack(const SentPiece& sent) { return packed(sent, sent_fields); }
+
+SentPiece unpack_piece(const Bytes& bytes) { return unpacked<SentPiece>(bytes, sent_fields); }
+
 std::optional<PieceResult> unpack_kept(const std::string& bytes, const schema::Campaign& campaign,
                                        const ShiftCode& code, const solver::Mechanism& mechanism) {
   const Bytes copy(bytes.begin(), bytes.end());
   Reader wire(copy);
   SentPiece sent;
-  wire.field(sent.was_stopped);
-  result_fields(wire, sent.result);
+  sent_fields(wire, sent);
   if (!wire.is_whole() || !is_sound(sent.result, campaign, code, mechanism)) return std::nullopt;
   return std::move(sent.result);
 }

@@ -14,6 +14,7 @@
 
 #include "schema/files/input.hpp"
 #include "search/terminal/child_process.hpp"
+#include "search/terminal/screen.hpp"
 #include "search/terminal/terminal.hpp"
 
 namespace misalign::search {

@@ -6,7 +6,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <set>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
@@ -20,10 +19,10 @@
 #include "search/ranks/piece_messages.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
-#include "search/ranks/worker.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/nothing_found.hpp"
+#include "search/terminal/screen.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
 
@@ -87,22 +86,6 @@ schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campa
   goal.accepted = campaign.stop.accepted;
   goal.relative_error = campaign.stop.relative_error;
   return goal;
-}
-
-// The fingerprint of all ranks; UserError (foreign) if they differ and must not.
-std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds builds) {
-  std::set<std::string> different;
-  for (std::size_t k = 0; k < ranks.size(); ++k) {
-    different.insert(ranks[k].golden_verdicts);
-    if (different.size() == 1 || builds == schema::Builds::mixed) continue;
-    throw schema::UserError(
-        schema::Cause::foreign,
-        fmt::format("rank {} on {} gives other verdicts on the golden draws than rank 0 on {} "
-                    "(another build, or a broken machine); put the same program on every host, or "
-                    "use {} if you know that the difference does no harm",
-                    k, ranks[k].host, ranks[0].host, schema::parameter("allow_mixed_builds")));
-  }
-  return fmt::to_string(fmt::join(different, " "));
 }
 
 std::string place_of(const SearchOptions& options, const schema::Campaign& campaign) {

@@ -10,7 +10,7 @@
 #include <ctime>
 
 #include "schema/files/input.hpp"
-#include "search/terminal/progress.hpp"
+#include "search/terminal/screen.hpp"
 
 namespace misalign::search {
 namespace {

@@ -99,6 +99,21 @@ void optional_field(Reader& wire, std::optional<T>& value, Each&& each) {
   if (is_there) each(value.emplace());
 }
 
+/// The bytes of a value, and the value of bytes, by `fields`(wire, value).
+template <class Value, class Fields>
+Bytes packed(const Value& value, const Fields& fields) {
+  Writer wire;
+  fields(wire, value);
+  return wire.take();
+}
+template <class Value, class Fields>
+Value unpacked(const Bytes& bytes, const Fields& fields) {
+  Reader wire(bytes);
+  Value value{};
+  fields(wire, value);
+  return value;
+}
+
 template <class Wire, class Metrics>
 void metrics_fields(Wire& wire, Metrics& metrics) {
   schema::each_metric(metrics, [&](const auto&, auto& value) { wire.field(value); });

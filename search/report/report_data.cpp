@@ -245,13 +245,11 @@ void require_stressed_draws(const ReportCall& call, const std::vector<std::uint6
   for (std::size_t k = 0; k < stressed.size(); ++k) {
     const auto at = std::find(detailed.draws.begin(), detailed.draws.end(), stressed[k]);
     if (at == detailed.draws.end()) {
-      throw schema::UserError(
-          schema::Cause::bad_input,
-          fmt::format(
-              "{}: is of draw {}, which is not among those that can be looked at closely on "
-              "this page; add {}",
-              call.detail.stress_files[k], stressed[k],
-              schema::parameter("draw", std::to_string(stressed[k]))));
+      throw schema::UserError(schema::Cause::bad_input,
+                              fmt::format("{}: is of draw {}, which is not among those that can be "
+                                          "looked at closely on this page; add {}",
+                                          call.detail.stress_files[k], stressed[k],
+                                          schema::parameter("draw", std::to_string(stressed[k]))));
     }
     detailed.asked_for =
         std::max(detailed.asked_for, static_cast<std::size_t>(at - detailed.draws.begin()) + 1);

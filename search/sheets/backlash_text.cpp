@@ -58,8 +58,7 @@ std::string backlash_text(const NamedBacklash& named) {
   text += quantiles_line("one way up to", backlash.one_way_to_deg());
   const std::vector<double> left = backlash.left_over();
   text += fmt::format(
-      "{:<18} {:.3g} backlashes, at most {:.3g}: what play at whole vertices has to "
-      "take up\n",
+      "{:<18} {:.3g} backlashes, at most {:.3g}: what play at whole vertices has to take up\n",
       "left over", solver::quantile(left, 0.5), left.back());
   text += faults_line(backlash);
   if (backlash.undecided() > 0) {

@@ -8,8 +8,8 @@ namespace {
 std::string energy_text(const schema::Material& material, const solver::BentPanels& study) {
   const solver::BentAngle& start = study.angles.back();
   std::string text = fmt::format(
-      "panels of {} bend: at {:g} deg springs and panels hold {:.4g} N mm; if panels "
-      "were rigid, {:.4g}\n",
+      "panels of {} bend: at {:g} deg springs and panels hold {:.4g} N mm; if panels were rigid, "
+      "{:.4g}\n",
       material.name, study.from_deg, start.bent.n_mm, start.rigid_n_mm);
   if (study.method == solver::BendMethod::newton) {
     text += fmt::format("they bend far: Newton's method, {:.3g} times what is linear\n",
@@ -36,8 +36,8 @@ std::string bent_friction_text(const solver::BentPanels& study, const solver::Be
   }
   text += friction.static_n_mm_per_mm > 0
               ? fmt::format(
-                    "\nmoving slowly it overcomes {:.4g} N mm per mm at every angle down to "
-                    "{:g} deg: least at {:.4g} deg\n",
+                    "\nmoving slowly it overcomes {:.4g} N mm per mm at every angle down to {:g} "
+                    "deg: least at {:.4g} deg\n",
                     friction.static_n_mm_per_mm, study.options.to_deg, friction.static_deg)
               : fmt::format("\nat {:.4g} deg nothing drives it on to flat\n", friction.static_deg);
   if (!friction.static_margin) return text;
@@ -67,10 +67,8 @@ std::string preload_text(const solver::PreloadStudy& study) {
   if (study.modes.unstable > 0) {
     text += fmt::format(
         "flat is not held by it: {} of the {} ways to leave flat without bending a panel are "
-        "pushed "
-        "on, and a free sheet rests rippled; a stop at flat in the creases, a latch or a frame "
-        "holds "
-        "it\n",
+        "pushed on, and a free sheet rests rippled; a stop at flat in the creases, a latch or a "
+        "frame holds it\n",
         study.modes.unstable, study.modes.rigid);
   }
   return text;
@@ -85,8 +83,8 @@ std::string bent_panels_text(const schema::BentSheet& sheet, const solver::Frict
       energy_text(material, study) + bent_friction_text(study, advice, rigid) +
       fmt::format(
           "largest saddle {:.3g} mm, largest stress {:.3g} MPa, at {:.3g} deg; stress counts "
-          "farther than {:g} of a panel's width from its corners, beside which that of a "
-          "thin plate has no limit\n",
+          "farther than {:g} of a panel's width from its corners, beside which that of a thin "
+          "plate has no limit\n",
           most.largest_saddle_mm, most.largest_stress_mpa, most.pilot_deg, solver::kCornerWidths);
   if (advice.useful_stiffness_n_per_mm) {
     text += fmt::format("springs of {:.3g} N/mm overcome {:g} % of what the stiffest do\n",

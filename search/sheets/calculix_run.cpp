@@ -27,10 +27,10 @@ std::string find_calculix() {
       return ccx.string();
     }
   }
-  throw schema::UserError(schema::Cause::failure,
-                          "there is no ccx in PATH (CalculiX, which bends the panels; directories "
-                          "that do not begin with / are not looked at); install it (Debian: "
-                          "calculix-ccx)");
+  throw schema::UserError(
+      schema::Cause::failure,
+      "there is no ccx in PATH (CalculiX, which bends the panels; directories that do not begin "
+      "with / are not looked at); install it (Debian: calculix-ccx)");
 }
 
 RunDirectory::RunDirectory(const std::string& parent, const std::string& job)

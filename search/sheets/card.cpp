@@ -72,10 +72,10 @@ class CardMaker {
     ask("deploys_from_deg", "every diagonal goes one way, up to", "deg",
         design_.from_deg.value_or(used_deg_), is_decided ? Number(d_deg) : std::nullopt,
         Bound::at_least,
-        is_decided ? ""
-                   : fmt::format("undecided: beyond {:.10g} deg its path is lost (a numerical "
-                                 "failure)",
-                                 d_deg));
+        is_decided
+            ? ""
+            : fmt::format("undecided: beyond {:.10g} deg its path is lost (a numerical failure)",
+                          d_deg));
   }
 
   void geometry() {
@@ -129,9 +129,9 @@ class CardMaker {
          "N mm per mm", least, *least > 0 ? "" : "there nothing drives it on to flat");
     const solver::BentAngle& most = panels.most_bent();
     ask("largest_stress_mpa",
-        fmt::format("largest stress in the panels, held, farther than {:g} of their width from "
-                    "corners",
-                    solver::kCornerWidths),
+        fmt::format(
+            "largest stress in the panels, held, farther than {:g} of their width from corners",
+            solver::kCornerWidths),
         "MPa", material.strength_mpa, most.largest_stress_mpa, Bound::at_most);
     tell("bent_energy_n_mm", "springs and panels hold", "N mm", panels.angles.back().bent.n_mm,
          fmt::format("rigid: {:.4g} N mm", panels.angles.back().rigid_n_mm));
@@ -144,11 +144,10 @@ class CardMaker {
            advice.least_thickness_mm, advice.least_thickness_mm ? "" : "none is thick enough");
     }
     if (preload && preload->modes.unstable > 0) {
-      tell(
-          "unstable_modes_at_flat", "flat is not held by the preload", "", {},
-          fmt::format("{} of {} ways to leave flat are pushed on: a stop, a latch or a frame holds "
-                      "it",
-                      preload->modes.unstable, preload->modes.rigid));
+      tell("unstable_modes_at_flat", "flat is not held by the preload", "", {},
+           fmt::format(
+               "{} of {} ways to leave flat are pushed on: a stop, a latch or a frame holds it",
+               preload->modes.unstable, preload->modes.rigid));
     }
   }
 

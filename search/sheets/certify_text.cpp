@@ -169,12 +169,11 @@ std::string member_proof_text(const schema::Pattern& pattern, const std::string&
     text += fmt::format("beyond, diagonals of the hole {} do not go on one way\n",
                         schema::facet_json(pattern, proof.reversing_hole).dump());
   }
-  return text +
-         fmt::format(
-             "every loop closes by the base's own fold angles: that of a sheet whose shifts are "
-             "within {:.1e} mm\nof this one's, on a base whose edges are within {:.1e} mm; "
-             "solver/pattern/README.md\n",
-             proof.member_off_mm, proof.base_off_mm);
+  return text + fmt::format(
+                    "every loop closes by the base's own fold angles: that of a sheet whose shifts "
+                    "are within {:.1e} mm\nof this one's, on a base whose edges are within {:.1e} "
+                    "mm; solver/pattern/README.md\n",
+                    proof.member_off_mm, proof.base_off_mm);
 }
 
 }  // namespace misalign::search

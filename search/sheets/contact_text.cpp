@@ -40,8 +40,8 @@ std::string contact_text(const schema::Pattern& base, const solver::Panels& pane
   }
   if (study.known_until_deg < study.end_deg - 1e-6) {
     text += fmt::format(
-        "not known    beyond {:.4f} deg: there the path, which ends at {:.4f} deg, "
-        "turns too sharply\n",
+        "not known    beyond {:.4f} deg: there the path, which ends at {:.4f} deg, turns too "
+        "sharply\n",
         study.known_until_deg, study.end_deg);
   }
   text += thickness_text(base, panels, study);

@@ -98,8 +98,8 @@ double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sh
   return taken_n_mm / turned_mm.sum();
 }
 
-solver::ReleaseOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet) {
-  solver::ReleaseOptions options;
+solver::ReleaseOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet,
+                                      solver::ReleaseOptions options) {
   options.from_deg = design.from_deg;
   options.sheet.springs.stiffness_n_per_mm = design.actuators().stiffness_n_per_mm;
   options.sheet.springs.preload = design.actuators().preload;
@@ -122,16 +122,8 @@ solver::ReleaseOptions DeployInput::of(const solver::Sheet& sheet,
   schema::Design said = design;
   if (held) said.hold = place_of(*held);
   if (gravity.size() == 3) said.gravity = {gravity[0], gravity[1], gravity[2]};
-  const solver::ReleaseOptions its = deploy_options(said.instead_of(of_file), sheet);
-  solver::ReleaseOptions fitted = options;
-  fitted.from_deg = its.from_deg;
-  fitted.sheet.springs.stiffness_n_per_mm = its.sheet.springs.stiffness_n_per_mm;
-  fitted.sheet.springs.preload = its.sheet.springs.preload;
-  fitted.sheet.joints.friction_n_mm_per_mm = its.sheet.joints.friction_n_mm_per_mm;
-  fitted.sheet.joints.stiffness_n_mm_per_mm = its.sheet.joints.stiffness_n_mm_per_mm;
-  fitted.sheet.plates = its.sheet.plates;
+  solver::ReleaseOptions fitted = deploy_options(said.instead_of(of_file), sheet, options);
   if (density_g_per_cm3) fitted.sheet.plates.density_g_per_cm3 = *density_g_per_cm3;
-  fitted.sheet.held = its.sheet.held;
   for (const std::string& text : other_rests) {
     fitted.sheet.springs.other_rests_deg.push_back(other_rest(sheet.mechanism(), text));
   }

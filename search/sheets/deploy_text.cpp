@@ -49,8 +49,7 @@ std::string bounces_text(const DeploymentStudy& study) {
   for (const DeploymentRow& row : study.run.rows) {
     if (row.event != DeploymentEvent::flat) continue;
     return fmt::format(
-        ", against a stop from which it bounced {} times; first with {:.4g} deg/s, "
-        "{:.4g} N mm",
+        ", against a stop from which it bounced {} times; first with {:.4g} deg/s, {:.4g} N mm",
         study.run.bounces, std::abs(row.rate_deg_per_s), row.kinetic_n_mm);
   }
   return "";
@@ -61,8 +60,8 @@ std::string damping_text(const DeploymentStudy& study) {
   if (!study.least_damping)
     return "least damping: none is found with which it comes to rest flat\n";
   return fmt::format(
-      "least damping with which it comes to rest flat without passing through: "
-      "{:.4g} N mm s per mm of crease; then it takes {:.4g} s\n",
+      "least damping with which it comes to rest flat without passing through: {:.4g} N mm s per "
+      "mm of crease; then it takes {:.4g} s\n",
       study.least_damping->damping_n_mm_s_per_mm, study.least_damping->time_s);
 }
 
@@ -104,11 +103,10 @@ std::string friction_text(const DeploymentStudy& study) {
   const solver::FrictionLimits& limits = study.friction;
   const solver::JointResistance& joints = study.sheet.joints;
   std::string text =
-      limits.critical_n_mm_per_mm
-          ? fmt::format(
-                "critical friction: {:.5g} N mm per mm of crease; with more it does not "
-                "get to flat\n",
-                *limits.critical_n_mm_per_mm)
+      limits.critical_n_mm_per_mm ? fmt::format(
+                                        "critical friction: {:.5g} N mm per mm of crease; with "
+                                        "more it does not get to flat\n",
+                                        *limits.critical_n_mm_per_mm)
       : joints.damping_n_mm_s_per_mm > 0
           ? "critical friction: none, with this damping it does not get to flat in time\n"
           : "critical friction: none, it does not get to flat by itself\n";
@@ -183,8 +181,8 @@ std::string forces_text(const solver::Mechanism& mechanism, const DeploymentStud
          largest(forces.crease_moment_n_mm, "moment in a hinge", "N mm", crease) +
          largest(forces.ball_force_n, "force in a ball joint", "N", ball) +
          fmt::format(
-             "{} reactions of rank {}: {} round whole vertices are shared by their creases, "
-             "by least squares\n",
+             "{} reactions of rank {}: {} round whole vertices are shared by their creases, by "
+             "least squares\n",
              forces.reactions, forces.rank, forces.reactions - forces.rank);
 }
 

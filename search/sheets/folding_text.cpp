@@ -10,6 +10,7 @@
 #include "schema/files/text_table.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/sheets/springs_at_vertices.hpp"
+#include "search/terminal/screen.hpp"
 
 namespace misalign::search {
 namespace {
@@ -64,8 +65,7 @@ std::string summary(const schema::FoldingView& view, const FoldingTextOptions& o
       schema::closes_at_180(view.base.base, view.shifts_mm)) {
     text +=
         "\njudged up to the sample before 180 deg, where all creases close at once and rounding "
-        "would "
-        "decide";
+        "would decide";
   }
   const bool limit = view.history.path.end == solver::PathEnd::fold_limit;
   return fmt::format("{}\n{} {:.4f} deg; {} unknowns, {} equations\n", text,

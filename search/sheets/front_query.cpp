@@ -40,9 +40,9 @@ std::string front_sql(SQLite::Database& database, const std::vector<std::string>
       fmt::format("ORDER BY \"{}\" {}", words.front(),
                   less_is_better(schema::in_full(words.front())) ? "" : "DESC");
   return fmt::format(
-      "WITH found AS MATERIALIZED ({}), front AS MATERIALIZED (SELECT * FROM found {}) "
-      "SELECT * FROM front AS one WHERE {} AND NOT EXISTS (SELECT 1 FROM front AS other WHERE {} "
-      "AND ({})) {}, draw",
+      "WITH found AS MATERIALIZED ({}), front AS MATERIALIZED (SELECT * FROM found {}) SELECT * "
+      "FROM front AS one WHERE {} AND NOT EXISTS (SELECT 1 FROM front AS other WHERE {} AND ({})) "
+      "{}, draw",
       schema::costly_in_subqueries(found), order, fmt::join(known, " AND "),
       fmt::join(no_worse, " AND "), fmt::join(better, " OR "), order);
 }

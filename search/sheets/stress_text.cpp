@@ -35,8 +35,7 @@ std::string stress_summary(const schema::SimulatedSheet& sheet, const StressStud
     const std::string where =
         sheet.rest_deg > 0
             ? fmt::format(
-                  "springs are relaxed at {:g} deg: after {:.4f} s the pilot "
-                  "is at {:.3f} deg",
+                  "springs are relaxed at {:g} deg: after {:.4f} s the pilot is at {:.3f} deg",
                   sheet.rest_deg, last.time_s, last.pilot_deg)
             : fmt::format("not deployed: after {:.4f} s creases are within {:.2f} deg", last.time_s,
                           last.widest_deg);

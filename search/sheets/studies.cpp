@@ -41,17 +41,16 @@ constexpr Reason kReasons[] = {
 void check_freedom(const schema::Pattern& base, const std::string& path) {
   const solver::PerforatedSheet& sheet = base.base;
   if (sheet.holes.empty()) {
-    throw UserError(Cause::bad_input,
-                    path +
-                        ": there is no hole (what is constructed are holes whose diagonals "
-                        "change); name inner panels in \"holes\"");
+    throw UserError(Cause::bad_input, path +
+                                          ": there is no hole (what is constructed are holes whose "
+                                          "diagonals change); name inner panels in \"holes\"");
   }
   const auto mobility = solver::measured_mobility(sheet.sheet, sheet.holes, sheet.folding);
   if (mobility.degrees_of_freedom() == 1) return;
   throw UserError(
       Cause::bad_input,
-      fmt::format("{}: its holes leave {} degrees of freedom (the Jacobian has rank {} "
-                  "with {} unknowns); take out fewer panels",
+      fmt::format("{}: its holes leave {} degrees of freedom (the Jacobian has rank {} with {} "
+                  "unknowns); take out fewer panels",
                   path, mobility.degrees_of_freedom(), mobility.rank, mobility.unknowns));
 }
 
@@ -127,9 +126,9 @@ solver::ConstructStudy constructed(const schema::Pattern& base, const std::strin
   auto family = solver::ParallelFamily::of(
       base.base, rim ? solver::all_vertices(sheet) : solver::interior_vertices(sheet));
   if (const auto* none = std::get_if<solver::NoParallelFamily>(&family)) {
-    throw UserError(Cause::bad_input, path + ": " + none->why(sheet) +
-                                          ", so sheets of it are not constructed; search for "
-                                          "them: misalign search");
+    throw UserError(Cause::bad_input,
+                    path + ": " + none->why(sheet) +
+                        ", so sheets of it are not constructed; search for them: misalign search");
   }
   return value_or_throw(
       solver::construct(base.base, std::get<solver::ParallelFamily>(family), options), path,

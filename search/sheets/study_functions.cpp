@@ -34,26 +34,25 @@ struct Call {
 // One for all functions of a connection.
 class StudyFunctions {
  public:
-  StudyFunctions(SQLite::Database& database, std::string path)
-      : database_(database), path_(std::move(path)) {}
-  StudyFunctions(SQLite::Database& database, const schema::Campaign& campaign)
-      : database_(database), campaign_(&campaign) {}
+  // Without a campaign: by that of the catalogue.
+  StudyFunctions(SQLite::Database& database, std::string path, const schema::Campaign* campaign)
+      : database_(database), path_(std::move(path)), campaign_(campaign) {}
 
   // That of a connection; null: it has none.
   static StudyFunctions* of(sqlite3* connection) {
-    const std::lock_guard lock(mutex());
-    const auto found = all().find(connection);
-    return found == all().end() ? nullptr : found->second;
+    const std::lock_guard lock(mutex_);
+    const auto found = all_.find(connection);
+    return found == all_.end() ? nullptr : found->second;
   }
   void add() {
-    const std::lock_guard lock(mutex());
-    all()[database_.getHandle()] = this;
+    const std::lock_guard lock(mutex_);
+    all_[database_.getHandle()] = this;
     connection_ = database_.getHandle();
   }
   ~StudyFunctions() {
-    const std::lock_guard lock(mutex());
-    const auto found = all().find(connection_);
-    if (found != all().end() && found->second == this) all().erase(found);
+    const std::lock_guard lock(mutex_);
+    const auto found = all_.find(connection_);
+    if (found != all_.end() && found->second == this) all_.erase(found);
   }
   StudyFunctions(const StudyFunctions&) = delete;
   StudyFunctions& operator=(const StudyFunctions&) = delete;
@@ -99,15 +98,6 @@ class StudyFunctions {
     Eigen::Matrix2Xd shifts_mm;
     bool is_candidate;
   };
-
-  static std::mutex& mutex() {
-    static std::mutex mutex;
-    return mutex;
-  }
-  static std::map<sqlite3*, StudyFunctions*>& all() {
-    static std::map<sqlite3*, StudyFunctions*> all;
-    return all;
-  }
 
   void expect(std::size_t function, const Call& call) {
     const auto [at, is_new] = place_.try_emplace(call, expected_.size());
@@ -250,11 +240,14 @@ class StudyFunctions {
     return *campaign_;
   }
 
+  static inline std::mutex mutex_;
+  static inline std::map<sqlite3*, StudyFunctions*> all_;  // by their connections
+
   SQLite::Database& database_;
   sqlite3* connection_ = nullptr;
   const std::string path_;
   std::optional<schema::Campaign> own_campaign_;
-  const schema::Campaign* campaign_ = nullptr;
+  const schema::Campaign* campaign_;
   std::vector<std::unique_ptr<FoldingModel>> models_;  // one for each thread
   std::map<Call, StudyNumbers> answers_;
   bool is_looking_ahead_ = false;
@@ -295,7 +288,8 @@ void call(sqlite3_context* context, int count, sqlite3_value** values) {
 
 void forget(void* function) { delete static_cast<OneFunction*>(function); }
 
-void add(SQLite::Database& database, const std::shared_ptr<StudyFunctions>& functions) {
+void add(SQLite::Database& database, const std::string& path, const schema::Campaign* campaign) {
+  const auto functions = std::make_shared<StudyFunctions>(database, path, campaign);
   functions->add();
   for (std::size_t k = 0; k < kNumberCount; ++k) {
     for (const int count : {1, 2}) {
@@ -309,17 +303,16 @@ void add(SQLite::Database& database, const std::shared_ptr<StudyFunctions>& func
 }  // namespace
 
 void add_study_functions(SQLite::Database& database, const std::string& path) {
-  add(database, std::make_shared<StudyFunctions>(database, path));
+  add(database, path, nullptr);
 }
 
 void add_study_functions(SQLite::Database& database, const schema::Campaign& campaign) {
-  add(database, std::make_shared<StudyFunctions>(database, campaign));
+  add(database, "", &campaign);
 }
 
 void look_ahead(SQLite::Database& database, const std::string& sql) {
   StudyFunctions* const functions = StudyFunctions::of(database.getHandle());
-  if (!functions || !schema::calls_costly(sql)) return;
-  functions->look_ahead(sql, schema::has_limit(sql));
+  if (functions && schema::calls_costly(sql)) functions->look_ahead(sql, schema::has_limit(sql));
 }
 
 }  // namespace misalign::search

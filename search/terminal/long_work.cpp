@@ -13,8 +13,7 @@
 #include <utility>
 
 #include "search/terminal/duration.hpp"
-#include "search/terminal/progress.hpp"
-#include "search/terminal/terminal.hpp"
+#include "search/terminal/screen.hpp"
 
 namespace misalign::search {
 namespace {

@@ -78,8 +78,8 @@ std::string who_survives(const Survival& survival) {
   }
   if (shares.empty()) {
     return fmt::format(
-        "how deep the draws fold is not known yet: the fault sample has {}, one in 1024 or "
-        "fewer; more draws will tell",
+        "how deep the draws fold is not known yet: the fault sample has {}, one in 1024 or fewer; "
+        "more draws will tell",
         count_text(rows, "draw"));
   }
   return fmt::format("{}, the deepest seen {:.10g} deg ({} draws judged to the end of their paths)",
@@ -127,8 +127,7 @@ std::string what_to_try(const Survival& survival, const schema::CatalogueState& 
   }
   if (!sample || *sample <= 0 || *sample >= threshold_sample(survival, state)) {
     return "to find some: more draws (--draws), or a lower accept.deploys_from_deg in a copy of "
-           "the "
-           "campaign; " +
+           "the campaign; " +
            other;
   }
   return "to find some soon: accept.deploys_from_deg = " + shown_number(survival.deg(*sample)) +

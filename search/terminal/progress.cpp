@@ -2,16 +2,13 @@
 
 #include <unistd.h>
 
-#include <atomic>
 #include <cstdio>
 #include <string>
 
-#include "search/terminal/terminal.hpp"
+#include "search/terminal/screen.hpp"
 
 namespace misalign::search {
 namespace {
-
-std::atomic<bool> line_is_live = false;
 
 double first_s(ProgressStyle style) {
   switch (style) {
@@ -71,24 +68,7 @@ void Progress::finish(const ProgressCounts& counts) {
   ProgressReport last = report(counts);
   last.last = true;
   print(last);
-  if (line_is_live.exchange(false)) std::fputc('\n', stderr);
-}
-
-// Back to the start, the text, and what an older, longer one left is erased.
-void draw_live_line(const std::string& text) {
-  std::fputs(("\r" + text + "\x1b[K").c_str(), stderr);
-  std::fflush(stderr);
-  line_is_live = true;
-}
-
-void leave_live_line() {
-  if (line_is_live.exchange(false) && write(STDERR_FILENO, "\n", 1) < 0) return;  // gone, too
-}
-
-void erase_live_line() {
-  if (!line_is_live.exchange(false)) return;
-  std::fputs("\r\x1b[K", stderr);
-  std::fflush(stderr);
+  leave_live_line();
 }
 
 }  // namespace misalign::search

@@ -31,11 +31,4 @@ class Progress {
   double next_s_;
 };
 
-/// One line on standard error, in the place of the last one; no wider than the terminal.
-void draw_live_line(const std::string& text);
-/// Makes room for another message on standard error; the next show() draws the live line again.
-void erase_live_line();
-/// Safe in a signal handler that ends the program: what others print begins a line.
-void leave_live_line();
-
 }  // namespace misalign::search

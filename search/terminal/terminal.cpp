@@ -1,7 +1,6 @@
 #include "search/terminal/terminal.hpp"
 
 #include <poll.h>
-#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "search/terminal/long_work.hpp"
+#include "search/terminal/screen.hpp"
 #include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {
@@ -20,18 +20,13 @@ namespace {
 
 ColorMode color_mode = ColorMode::automatic;
 
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? value : "";
-}
-
-constexpr const char *kBold = "1", *kDim = "2", *kGood = "32", *kBad = "31", *kEnd = "0";
+constexpr const char *kBold = "1", *kGood = "32", *kBad = "31", *kEnd = "0";
 
 std::string mark(const char* code) { return std::string("\x1b[") + code + "m"; }
 
 // How many bytes of a mark of Paint begin here; 0 if none does.
 std::size_t mark_at(std::string_view text) {
-  for (const char* code : {kBold, kDim, kGood, kBad, kEnd}) {
+  for (const char* code : {kBold, kGood, kBad, kEnd}) {
     if (text.starts_with(mark(code))) return mark(code).size();
   }
   return 0;
@@ -61,35 +56,10 @@ void write_out(std::string_view text) {
 
 }  // namespace
 
-bool is_terminal(int file) { return isatty(file) == 1; }
-
-int terminal_width(int file) {
-  winsize size{};
-  if (ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-  const int columns = std::atoi(environment("COLUMNS").c_str());
-  return columns > 0 ? columns : 80;
-}
-
-bool terminal_is_able() {
-  const std::string name = environment("TERM");
-  return !name.empty() && name != "dumb";
-}
-
-bool locale_is_utf8() {
-  for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
-    std::string locale = environment(name);
-    if (locale.empty()) continue;  // the first that is set counts
-    std::erase(locale, '-');
-    std::transform(locale.begin(), locale.end(), locale.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return locale.find("utf8") != std::string::npos;
-  }
-  return false;
-}
-
 bool colors_wanted(ColorMode mode, bool to_terminal) {
   if (mode != ColorMode::automatic) return mode == ColorMode::always;
-  return to_terminal && terminal_is_able() && environment("NO_COLOR").empty();
+  const char* const no_color = std::getenv("NO_COLOR");
+  return to_terminal && terminal_is_able() && !(no_color && *no_color);
 }
 
 std::string Paint::marked(const char* code, const std::string& text) const {
@@ -97,7 +67,6 @@ std::string Paint::marked(const char* code, const std::string& text) const {
 }
 
 std::string Paint::bold(const std::string& text) const { return marked(kBold, text); }
-std::string Paint::dim(const std::string& text) const { return marked(kDim, text); }
 std::string Paint::good(const std::string& text) const { return marked(kGood, text); }
 std::string Paint::bad(const std::string& text) const { return marked(kBad, text); }
 

@@ -1,4 +1,4 @@
-// The terminal: its width and colors, the pager, and everything that goes to standard output.
+// Colors, the pager, and everything that goes to standard output.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,14 +14,6 @@ namespace misalign::search {
 
 enum class ColorMode { automatic, always, never };
 
-bool is_terminal(int file);
-/// Columns of the terminal behind a file; 80 where there is none, or where it does not say.
-int terminal_width(int file);
-/// Whether TERM names a terminal that can go back within a line, erase and color.
-bool terminal_is_able();
-/// Whether the locale's characters are UTF-8.
-bool locale_is_utf8();
-
 /// As `mode` says; else only to an able terminal, and never with NO_COLOR set.
 bool colors_wanted(ColorMode mode, bool to_terminal);
 
@@ -31,7 +23,6 @@ class Paint {
   explicit Paint(bool on) : on_(on) {}
   bool is_on() const { return on_; }
   std::string bold(const std::string& text) const;
-  std::string dim(const std::string& text) const;
   std::string good(const std::string& text) const;
   std::string bad(const std::string& text) const;
 

@@ -11,11 +11,8 @@
 namespace misalign::search {
 namespace {
 
-struct ActuatorsCall {
-  std::string path;                   // a catalogue or a pattern file
-  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+struct ActuatorsCall : SheetCall {
   schema::Design design;
-  bool json = false;
 };
 
 void show_actuators(const ActuatorsCall& call) {
@@ -55,15 +52,11 @@ Action actuators_verb(CLI::App& verb) {
       "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --from 140 --stroke-limit 0.08\n"
       "  misalign actuators search/patterns/table1.json");
   auto call = std::make_shared<ActuatorsCall>();
-  add_catalogue_or_pattern(verb, call->path);
-  add_draw_of_catalogue(verb, call->draw);
+  add_sheet(verb, *call);
   add_from(verb, call->design.from_deg);
   add_springs(verb, call->design);
   verb.add_flag("--json", call->json, "as JSON, with all histories");
-  return [call] {
-    show_actuators(*call);
-    return 0;
-  };
+  return showing(call, show_actuators);
 }
 
 }  // namespace misalign::search

@@ -19,22 +19,20 @@ void refuse_backlash(const ToleranceCall& call, const ToleranceTargets& sheets,
   for (std::size_t k = 0; k < study.sheets().size(); ++k) {
     const std::string name = sheets.key(k).name();
     if (call.backlash.from_deg >= study.sheets()[k].own_deg) {
-      throw UserError(
-          schema::Cause::bad_request,
-          fmt::format("--backlash-from {}: must be below {} deg (from which {} deploys: "
-                      "the range is from the one to the other); try {}",
-                      schema::shown_number(call.backlash.from_deg),
-                      schema::shown_number(study.sheets()[k].own_deg), name,
-                      fmt::format("{:.2g}", 0.1 * study.sheets()[k].own_deg)));
+      throw UserError(schema::Cause::bad_request,
+                      fmt::format("--backlash-from {}: must be below {} deg (from which {} "
+                                  "deploys: the range is from the one to the other); try {}",
+                                  schema::shown_number(call.backlash.from_deg),
+                                  schema::shown_number(study.sheets()[k].own_deg), name,
+                                  fmt::format("{:.2g}", 0.1 * study.sheets()[k].own_deg)));
     }
     if (*call.backlash_mm >= study.most_mm(k)) {
       throw UserError(
           schema::Cause::bad_request,
-          fmt::format(
-              "--backlash {}: must be below {:.4g} mm (a tenth of the shortest crease of {}: "
-              "hinges looser than that have no direction); try {:.1g}",
-              schema::shown_number(*call.backlash_mm), study.most_mm(k), name,
-              study.most_mm(k) / 1000));
+          fmt::format("--backlash {}: must be below {:.4g} mm (a tenth of the shortest crease of "
+                      "{}: hinges looser than that have no direction); try {:.1g}",
+                      schema::shown_number(*call.backlash_mm), study.most_mm(k), name,
+                      study.most_mm(k) / 1000));
     }
   }
 }

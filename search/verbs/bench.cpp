@@ -221,20 +221,17 @@ Action bench_verb(CLI::App& verb) {
       "  misalign bench search/campaigns/ring-6x6.json --agree 2000 --json");
   auto call = std::make_shared<BenchCall>();
   verb.add_option("CAMPAIGN", call->campaign_path, "campaign file [the default campaign]");
-  verb.add_option("--seconds", call->seconds, "how long to run each solver, seconds [3]")
-      ->check(within(0.01, 1e6))
-      ->type_name("SECONDS");
+  add_value(verb, "--seconds", call->seconds, "how long to run each solver, seconds [3]",
+            within(0.01, 1e6), "SECONDS");
   auto* agree =
-      verb.add_option("--agree", call->agree_draws,
-                      "instead of speed: compare the verdicts of N draws with the reference's, at "
-                      "thresholds every 10 degrees, at the draw's own D and one sample above")
-          ->check(counted(1, 100000000))
-          ->type_name("N");
-  verb.add_option("--rejections", call->rejection_draws,
-                  "instead of speed: follow N draws on their full paths, and say whether a test "
-                  "turns one away that deploys from such a threshold, or the campaign's")
-      ->check(counted(1, 100000000))
-      ->type_name("N")
+      add_value(verb, "--agree", call->agree_draws,
+                "instead of speed: compare the verdicts of N draws with the reference's, at "
+                "thresholds every 10 degrees, at the draw's own D and one sample above",
+                counted(1, 100000000), "N");
+  add_value(verb, "--rejections", call->rejection_draws,
+            "instead of speed: follow N draws on their full paths, and say whether a test turns "
+            "one away that deploys from such a threshold, or the campaign's",
+            counted(1, 100000000), "N")
       ->excludes(agree);
   verb.add_flag("--json", call->json, "as JSON");
   return [call] { return bench(*call) ? 0 : exit_code_of(schema::Cause::check_failed); };

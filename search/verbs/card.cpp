@@ -17,14 +17,11 @@
 namespace misalign::search {
 namespace {
 
-struct CardCall {
-  std::string path;                   // a catalogue or a pattern file
-  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+struct CardCall : SheetCall {
   schema::Design design;
   std::string material_file, output;
   CardOptions options;
   std::optional<int> jobs;
-  bool json = false;
 };
 
 void show_card(CardCall call) {
@@ -48,8 +45,7 @@ Action card_verb(CLI::App& verb) {
       "contact up to the angle of use (the design's from_deg, or D), how thick plates may be, "
       "energy\n"
       "and static margins of panels that bend, pins, strokes and forces of the springs, stress, "
-      "how "
-      "fast\n"
+      "how fast\n"
       "it lands, miscut copies, play. Only what the design says is asked: a thickness, friction, "
       "a\n"
       "stroke limit, miscuts ...; \"wanted\" says by how much. With --output also a page to print, "
@@ -59,16 +55,13 @@ Action card_verb(CLI::App& verb) {
       "  misalign card search/patterns/table1.json --from 90 --thickness 1 --friction 0.0001");
   auto call = std::make_shared<CardCall>();
   schema::Design& design = call->design;
-  add_catalogue_or_pattern(verb, call->path);
-  add_draw_of_catalogue(verb, call->draw);
+  add_sheet(verb, *call);
   add_from(verb, design.from_deg);
   add_springs(verb, design);
   add_thickness(verb, design.thickness_mm);
   const auto number = [&](const char* name, std::optional<double>& value, const char* meaning,
                           const char* key, const char* unit) {
-    verb.add_option(name, value, std::string(meaning) + " [the design's]")
-        ->check(within(key))
-        ->type_name(unit);
+    add_value(verb, name, value, std::string(meaning) + " [the design's]", within(key), unit);
   };
   number("--friction", design.friction_n_mm_per_mm, "dry friction of creases, N mm per mm",
          "hinges.friction_n_mm_per_mm", "N");
@@ -79,21 +72,15 @@ Action card_verb(CLI::App& verb) {
   number("--play", design.play_mm, "radius of the ball in which each joint settles, mm", "play_mm",
          "MM");
   add_material(verb, call->material_file);
-  verb.add_option("--trials", call->options.trials,
-                  fmt::format("how many miscut copies, and how often loose joints settle [{}]",
-                              call->options.trials))
-      ->check(counted("card", "trials"))
-      ->type_name("N");
-  verb.add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
-      ->check(counted("", "jobs"))
-      ->type_name("N");
+  add_default(verb, "--trials", call->options.trials,
+              "how many miscut copies, and how often loose joints settle",
+              counted("card", "trials"), "N");
+  add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
+            counted("", "jobs"), "N");
   verb.add_option("--output", call->output, "write the page, HTML, to this file")
       ->type_name("FILE");
   verb.add_flag("--json", call->json, "as JSON");
-  return [call] {
-    show_card(*call);
-    return 0;
-  };
+  return showing(call, show_card);
 }
 
 }  // namespace misalign::search

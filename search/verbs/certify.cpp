@@ -98,8 +98,8 @@ int run_on_pattern(const CertifyCall& call) {
       const std::string file = shell_word(call.options.path);
       throw UserError(schema::Cause::bad_input,
                       call.options.path +
-                          ": it holds no certificate, so that there is nothing to check; make "
-                          "one: misalign certify " +
+                          ": it holds no certificate, so that there is nothing to check; make one: "
+                          "misalign certify " +
                           file + " --json > certified.json");
     }
     schema::CertificateCheck check;
@@ -208,13 +208,13 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
   for (CLI::Option* other : {to, contact, again}) check->excludes(other);
   verb.add_flag(
       "--closed-form", call->closed_form,
-      "of sheets whose shifts keep creases' directions (misalign construct, campaigns of "
-      "\"kind\": \"parallel\"): prove them in rational numbers, in no time and to 180 deg");
+      "of sheets whose shifts keep creases' directions (misalign construct, campaigns of \"kind\": "
+      "\"parallel\"): prove them in rational numbers, in no time and to 180 deg");
   add_ranks(verb, call->ranks);
   auto* ranks = verb.get_option("--ranks");
-  verb.add_flag("--json", call->json,
-                "as JSON; a list, unless one DRAW is named; a pattern as it is, with its "
-                "certificate");
+  verb.add_flag(
+      "--json", call->json,
+      "as JSON; a list, unless one DRAW is named; a pattern as it is, with its certificate");
   return [=] {
     if (!is_pattern_file(call->options.path)) {
       check_by(call->choice);

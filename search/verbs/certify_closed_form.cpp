@@ -36,8 +36,8 @@ Proven prove(const CertifyCall& call, const ChosenSheet& chosen, const solver::M
   if (off_mm > solver::kMemberWithin_mm) {
     throw UserError(schema::Cause::bad_input,
                     where +
-                        ": creases do not keep the base's directions, or holes are "
-                        "no parallelograms any more (" +
+                        ": creases do not keep the base's directions, or holes are no "
+                        "parallelograms any more (" +
                         schema::shown_number(off_mm) +
                         " mm off), so that there is no closed form; take --closed-form out");
   }
@@ -78,8 +78,8 @@ double deploys_from_deg(const solver::Sheet& sheet, const std::string& path) {
   throw UserError(
       schema::Cause::bad_input,
       path +
-          ": the sheet deploys from nothing (its D is 0), so that there is nothing to "
-          "certify; give an angle with --to, or see what is in the way: misalign fold " +
+          ": the sheet deploys from nothing (its D is 0), so that there is nothing to certify; "
+          "give an angle with --to, or see what is in the way: misalign fold " +
           shell_path(path));
 }
 

@@ -21,9 +21,8 @@ CLI::Validator a_condition() {
 
 ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
   ChoiceOptions options{};
-  options.best = group.add_option("--best", choice.best, "the K best")
-                     ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
-                     ->type_name("K");
+  options.best = add_value(group, "--best", choice.best, "the K best",
+                           counted(1, std::numeric_limits<std::int64_t>::max()), "K");
   options.diverse =
       group
           .add_option("--diverse", choice.diverse,
@@ -31,13 +30,12 @@ ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
           ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
           ->excludes(options.best)
           ->type_name("K");
-  options.where =
-      group
-          .add_option("--where", choice.where,
-                      "only those for which this SQL condition on columns and functions of sheets "
-                      "holds (misalign query --help)")
-          ->type_name("SQL")
-          ->check(a_condition());
+  options.where = group
+                      .add_option("--where", choice.where,
+                                  "only those for which this SQL condition on columns and "
+                                  "functions of sheets holds (misalign query --help)")
+                      ->type_name("SQL")
+                      ->check(a_condition());
   options.by = verb.add_option("--by", choice.by,
                                "column, or function of a sheet, that the best are sorted by, "
                                "largest first [as query `best` does]")
@@ -49,8 +47,7 @@ void check_by(const Choice& choice) {
   if (!choice.by || choice.best || choice.diverse) return;
   throw schema::UserError(
       schema::Cause::bad_request,
-      "--by has no meaning without --best or --diverse; take it out, or add one "
-      "of them");
+      "--by has no meaning without --best or --diverse; take it out, or add one of them");
 }
 
 }  // namespace misalign::search

@@ -43,10 +43,7 @@ Action config_verb(CLI::App& verb) {
   choice->add_option("--check", call->checked, "say what is wrong with a campaign file")
       ->type_name("CAMPAIGN");
   choice->require_option(1);
-  return [call] {
-    show_config(*call);
-    return 0;
-  };
+  return showing(call, show_config);
 }
 
 }  // namespace misalign::search

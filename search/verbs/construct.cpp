@@ -78,26 +78,19 @@ Action construct_verb(CLI::App& verb) {
   verb.add_option("PATTERN", call->pattern_path, "base pattern (JSON)")->required();
   verb.add_option("--output", call->output_path, "write the sheet to this pattern file")
       ->type_name("FILE");
-  verb.add_option("--amplitude", call->options.amplitude_mm,
-                  "shift no vertex by more in x or y, mm [0.4]")
-      ->check(within(1e-6, 1e6))
-      ->type_name("MM");
-  verb.add_option("--stroke", call->options.stroke,
-                  "least share of its length by which every diagonal changes [the most there is]")
-      ->check(a_share(1e-6, 1))
-      ->type_name("SHARE");
-  verb.add_option("--at", call->options.at_deg, "pilot angle of the stroke, degrees [179]")
-      ->check(within(1, 180))
-      ->type_name("DEG");
+  add_value(verb, "--amplitude", call->options.amplitude_mm,
+            "shift no vertex by more in x or y, mm [0.4]", within(1e-6, 1e6), "MM");
+  add_value(verb, "--stroke", call->options.stroke,
+            "least share of its length by which every diagonal changes [the most there is]",
+            a_share(1e-6, 1), "SHARE");
+  add_value(verb, "--at", call->options.at_deg, "pilot angle of the stroke, degrees [179]",
+            within(1, 180), "DEG");
   verb.add_option("--signs", call->signs,
                   "which way each hole changes, row by row [several are tried]")
       ->check(plus_or_minus());
   verb.add_flag("--rim", call->rim, "shift the rim's vertices, too");
   verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");
-  return [call] {
-    construct_sheet(*call);
-    return 0;
-  };
+  return showing(call, construct_sheet);
 }
 
 }  // namespace misalign::search

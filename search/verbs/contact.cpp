@@ -11,12 +11,9 @@
 namespace misalign::search {
 namespace {
 
-struct ContactCall {
-  std::string path;                   // a catalogue or a pattern file
-  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+struct ContactCall : SheetCall {
   schema::Design design;
   std::optional<double> trim_mm;
-  bool json = false;
 };
 
 void show_contact(const ContactCall& call) {
@@ -48,15 +45,11 @@ Action contact_verb(CLI::App& verb) {
       "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --from 140 --trim 8\n"
       "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --json");
   auto call = std::make_shared<ContactCall>();
-  add_catalogue_or_pattern(verb, call->path);
-  add_draw_of_catalogue(verb, call->draw);
+  add_sheet(verb, *call);
   add_from(verb, call->design.from_deg);
   add_trim(verb, call->trim_mm);
   verb.add_flag("--json", call->json, "as JSON");
-  return [call] {
-    show_contact(*call);
-    return 0;
-  };
+  return showing(call, show_contact);
 }
 
 }  // namespace misalign::search

@@ -19,14 +19,11 @@ namespace {
 enum class Forces { in_motion, held };
 enum class PanelKind { rigid, bend };
 
-struct DeployCall {
-  std::string path;                   // a catalogue or a pattern file
-  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+struct DeployCall : SheetCall {
   DeployInput input;
   std::optional<Forces> forces;
   std::optional<PanelKind> panels;  // none: they bend where a material is named
   std::string material_file;
-  bool json = false;
 };
 
 void show_deployment(DeployCall call) {
@@ -67,8 +64,7 @@ Action deploy_verb(CLI::App& verb) {
       "Forces act on the panel right of a crease (seen walking along its name), or on the\n"
       "second of a ball joint; moments are about the crease's midpoint, square to it.\n"
       "Panels that bend (--panels bend, or where a material is named): each into a saddle, creases "
-      "straight, "
-      "with\n"
+      "straight, with\n"
       "springs and panels in balance at every angle. Its numbers come first; all that follows, "
       "the\n"
       "motion too, is of rigid panels, an upper bound: a sudden release also shakes panels\n"
@@ -82,29 +78,24 @@ Action deploy_verb(CLI::App& verb) {
       "  misalign deploy search/patterns/table1.json --rest-deg 60 --from 120 --damping 0.05\n"
       "  misalign deploy search/patterns/table1.json --panels bend --thickness 4 --preload 3");
   auto call = std::make_shared<DeployCall>();
-  add_catalogue_or_pattern(verb, call->path);
-  add_draw_of_catalogue(verb, call->draw);
+  add_sheet(verb, *call);
   add_deployment(verb, call->input);
-  verb.add_option("--panels", call->panels,
-                  "rigid, or as plates that bend [bend where the design or --material names a "
-                  "material]")
+  verb.add_option(
+          "--panels", call->panels,
+          "rigid, or as plates that bend [bend where the design or --material names a material]")
       ->transform(one_of<PanelKind>({{"rigid", PanelKind::rigid}, {"bend", PanelKind::bend}}));
   add_material(verb, call->material_file);
-  verb.add_option("--margin-to", call->input.design.margin_to_deg,
-                  fmt::format("the angle down to which margins of panels that bend, and pins, are "
-                              "asked [the design's, or {:g}]",
-                              solver::BentPanelsOptions{}.to_deg))
-      ->check(within("wanted.margin_to_deg"))
-      ->type_name("DEG");
+  add_value(verb, "--margin-to", call->input.design.margin_to_deg,
+            fmt::format("the angle down to which margins of panels that bend, and pins, are asked "
+                        "[the design's, or {:g}]",
+                        solver::BentPanelsOptions{}.to_deg),
+            within("wanted.margin_to_deg"), "DEG");
   verb.add_option("--forces", call->forces,
                   "also what hinges and ball joints carry: in the motion, or with the sheet held "
                   "at each angle by its pilot crease [none]")
       ->transform(one_of<Forces>({{"motion", Forces::in_motion}, {"held", Forces::held}}));
   verb.add_flag("--json", call->json, "as JSON, with the whole motion");
-  return [call] {
-    show_deployment(*call);
-    return 0;
-  };
+  return showing(call, show_deployment);
 }
 
 }  // namespace misalign::search

@@ -7,14 +7,6 @@
 namespace misalign::search {
 namespace {
 
-CLI::Option* add_number(CLI::App& verb, const std::string& name, double& value,
-                        const std::string& meaning, double least, double most,
-                        const std::string& unit) {
-  return verb.add_option(name, value, fmt::format("{} [{:g}]", meaning, value))
-      ->check(within(least, most))
-      ->type_name(unit);
-}
-
 constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
 
 // How it ends, and when.
@@ -23,23 +15,18 @@ void add_motion(CLI::App& verb, DeployInput& input) {
   auto* latch =
       verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
   constexpr double kMostRestitution = 0.99;
-  verb.add_option("--stop", options.restitution,
-                  "a stop at flat that gives back this share of the speed: 0, it rests there")
-      ->check(within(0, kMostRestitution))
-      ->type_name("SHARE")
+  add_value(verb, "--stop", options.restitution,
+            "a stop at flat that gives back this share of the speed: 0, it rests there",
+            within(0, kMostRestitution), "SHARE")
       ->excludes(latch);
   verb.add_flag(
       "--least-damping", input.options.seeks_damping,
-      "also the least damping of creases with which it comes to rest flat without passing "
-      "through");
-  verb.add_option("--swings", options.swings,
-                  fmt::format("pass flat, or turn round without losses, this often before the end "
-                              "[{}]",
-                              options.swings))
-      ->check(counted(0, 10000))
-      ->type_name("N");
-  add_number(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s", 1e-9,
-             1e6, "S");
+      "also the least damping of creases with which it comes to rest flat without passing through");
+  add_default(verb, "--swings", options.swings,
+              "pass flat, or turn round without losses, this often before the end",
+              counted(0, 10000), "N");
+  add_default(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s",
+              within(1e-9, 1e6), "S");
 }
 
 }  // namespace
@@ -50,21 +37,18 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
   add_release_from(verb, design.from_deg, kLeastFrom_deg);
   add_stiffness(verb, design.stiffness_n_per_mm);
   add_thickness(verb, design.thickness_mm);
-  verb.add_option("--density", input.density_g_per_cm3,
-                  fmt::format("of the panels, g/cm^3 [the material's, or {:g}]",
-                              solver::Plates{}.density_g_per_cm3))
-      ->check(within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3))
-      ->type_name("G_PER_CM3");
+  add_value(verb, "--density", input.density_g_per_cm3,
+            fmt::format("of the panels, g/cm^3 [the material's, or {:g}]",
+                        solver::Plates{}.density_g_per_cm3),
+            within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3), "G_PER_CM3");
   solver::JointResistance& joints = input.options.sheet.joints;
   const auto resistance = [&](const char* name, double& value, const char* meaning,
                               const char* unit) {
-    add_number(verb, name, value, meaning, 0, kMostResistance, unit);
+    add_default(verb, name, value, meaning, within(0, kMostResistance), unit);
   };
   const auto hinge = [&](const char* name, std::optional<double>& value, const char* meaning,
                          const char* key) {
-    verb.add_option(name, value, std::string(meaning) + " [the design's, or 0]")
-        ->check(within(key))
-        ->type_name("N");
+    add_value(verb, name, value, std::string(meaning) + " [the design's, or 0]", within(key), "N");
   };
   hinge("--friction", design.friction_n_mm_per_mm, "dry friction of creases, N mm per mm",
         "hinges.friction_n_mm_per_mm");
@@ -74,16 +58,15 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
              "damping of creases, N mm per mm for each rad/s", "N_S");
   hinge("--hinge-stiffness", design.hinge_stiffness_n_mm_per_mm,
         "elastic creases, N mm per mm for each rad", "hinges.stiffness_n_mm_per_mm");
-  verb.add_option("--pin-friction", design.pin_friction_mm,
-                  "of hinges' pins and ball joints: friction coefficient times radius, mm; 0 asks "
-                  "how much they bear [the design's, or none]")
-      ->check(within("hinges.pin_friction_mm"))
-      ->type_name("MM");
-  add_number(verb, "--hinge-rest", joints.rest_deg, "pilot angle where elastic creases are relaxed",
-             0, kMostAngle_deg, "DEG");
+  add_value(verb, "--pin-friction", design.pin_friction_mm,
+            "of hinges' pins and ball joints: friction coefficient times radius, mm; 0 asks how "
+            "much they bear [the design's, or none]",
+            within("hinges.pin_friction_mm"), "MM");
+  add_default(verb, "--hinge-rest", joints.rest_deg,
+              "pilot angle where elastic creases are relaxed", within(0, kMostAngle_deg), "DEG");
   solver::Springs& springs = input.options.sheet.springs;
-  add_number(verb, "--rest-deg", springs.rest_deg, "pilot angle where the springs are relaxed", 0,
-             kMostAngle_deg, "DEG");
+  add_default(verb, "--rest-deg", springs.rest_deg, "pilot angle where the springs are relaxed",
+              within(0, kMostAngle_deg), "DEG");
   verb.add_option("--rest", input.other_rests,
                   "another such angle for one diagonal: A11-A17=60 (again: and that one)")
       ->expected(1)
@@ -94,13 +77,12 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
   verb.add_option("--hold", input.held,
                   "hold this panel [the design's, or none: free in space, without momentum]")
       ->type_name("ROW,COLUMN");
-  verb.add_option("--gravity", input.gravity,
-                  "weight of the panels, in standard gravities: x right, y along rising rows, z up "
-                  "from the held panel, as 0,0,-1 [the design's, or none]")
+  add_value(verb, "--gravity", input.gravity,
+            "weight of the panels, in standard gravities: x right, y along rising rows, z up from "
+            "the held panel, as 0,0,-1 [the design's, or none]",
+            within(-1e3, 1e3), "X,Y,Z")
       ->delimiter(',')
-      ->expected(3)
-      ->check(within(-1e3, 1e3))
-      ->type_name("X,Y,Z");
+      ->expected(3);
   add_motion(verb, input);
 }
 

@@ -54,11 +54,10 @@ void add_certificate(SQLite::Database& database, const schema::Pattern& base,
   if (!row) return;
   const auto fault = schema::certificate_fault(base, sheet.mechanism(), sheet.shifts_mm(), *row);
   if (fault) {
-    throw schema::UserError(
-        schema::Cause::bad_input,
-        fmt::format("{}: the certificate of draw {} is not as it was made ({}); `misalign certify` "
-                    "makes it anew",
-                    database.getFilename(), draw, *fault));
+    throw schema::UserError(schema::Cause::bad_input,
+                            fmt::format("{}: the certificate of draw {} is not as it was made "
+                                        "({}); `misalign certify` makes it anew",
+                                        database.getFilename(), draw, *fault));
   }
   origin["certificate"] = schema::certificate_json(*row);
 }
@@ -205,9 +204,8 @@ constexpr const char* kExportFooter =
     "  inp   the same for CalculiX: elastic panels\n"
     "mat needs a program built with matio, dxf with dxflib (misalign --version).\n"
     "Where two holes meet, the panels between them touch in a point. The sheet needs a ball\n"
-    "joint there, which is in the files of mjcf and inp alone. Files are named after the "
-    "campaign and the draw, or "
-    "after the\n"
+    "joint there, which is in the files of mjcf and inp alone. Files are named after the campaign "
+    "and the draw, or after the\n"
     "pattern file.\n\n"
     "A kit to cut (svg and dxf, --kit; NAME-kit, with --bed NAME-kit-1, NAME-kit-2, ...):\n"
     "  Panels that creases join are one part; those that ball joints alone hold lie beside it.\n"
@@ -261,25 +259,22 @@ Action export_verb(CLI::App& verb) {
                                         {"stl", ExportFormat::stl},
                                         {"mjcf", ExportFormat::mjcf},
                                         {"inp", ExportFormat::inp}}));
-  verb.add_option("--step", files.step_deg,
-                  "fold, obj and stl: degrees of the pilot from state to state [10]")
-      ->check(within(0.01, 180))
-      ->type_name("DEG");
+  add_value(verb, "--step", files.step_deg,
+            "fold, obj and stl: degrees of the pilot from state to state [10]", within(0.01, 180),
+            "DEG");
   verb.add_flag("--joined", files.joined,
                 "fold: with triangles that stand for ball joints by hinges, see above");
   verb.add_flag("--creases", files.creases, "with csv: also NAME-creases.csv, of fold angles");
-  verb.add_option("--every", files.every_deg,
-                  "csv: only samples that are multiples of this, flat and D [every sample]")
-      ->check(within(0.01, 180))
-      ->type_name("DEG");
+  add_value(verb, "--every", files.every_deg,
+            "csv: only samples that are multiples of this, flat and D [every sample]",
+            within(0.01, 180), "DEG");
   add_trim(verb, files.trim_mm);
   add_springs(verb, call->release.design);
   add_release(verb, call->release);
-  verb.add_option("--friction", call->friction_n_mm_per_mm,
-                  "mjcf: dry friction of the hinges in the tree, N mm per mm of crease [the "
-                  "design's, or 0]")
-      ->check(within(0, 1e6))
-      ->type_name("N");
+  add_value(
+      verb, "--friction", call->friction_n_mm_per_mm,
+      "mjcf: dry friction of the hinges in the tree, N mm per mm of crease [the design's, or 0]",
+      within(0, 1e6), "N");
   add_deck(verb, call->deck);
   verb.add_flag("--only-cut", files.only_cut,
                 "svg and dxf: without the layers that are not to be cut, for programs that follow "

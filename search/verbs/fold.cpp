@@ -53,20 +53,15 @@ Action fold_verb(CLI::App& verb) {
   verb.add_option("PATTERN", call->pattern_path,
                   "pattern file (JSON), exported candidate, FOLD file, or flat mesh in OBJ")
       ->required();
-  verb.add_option("--to", call->to_deg,
-                  "follow the path to this pilot angle, degrees [180, or the campaign's]")
-      ->check(within(1, 180))
-      ->type_name("DEG");
-  verb.add_option("--step", call->step_deg, "also look at every multiple of this angle, degrees")
-      ->check(within(0.01, 180))
-      ->type_name("DEG");
+  add_value(verb, "--to", call->to_deg,
+            "follow the path to this pilot angle, degrees [180, or the campaign's]", within(1, 180),
+            "DEG");
+  add_value(verb, "--step", call->step_deg, "also look at every multiple of this angle, degrees",
+            within(0.01, 180), "DEG");
   verb.add_flag("--table", call->table,
                 "print the lengths every 10 degrees even where they are too wide for the terminal");
   verb.add_flag("--json", call->json, "as JSON");
-  return [call] {
-    fold(*call);
-    return 0;
-  };
+  return showing(call, fold);
 }
 
 }  // namespace misalign::search

@@ -26,7 +26,7 @@ CLI::Validator a_bed() {
 void add_kit(CLI::App& verb, KitCall& call) {
   schema::KitOptions& kit = call.options;
   const auto add_mm = [&](const char* name, auto& value, const std::string& meaning, double least) {
-    verb.add_option(name, value, meaning)->check(within(least, kMost_mm))->type_name("MM");
+    add_value(verb, name, value, meaning, within(least, kMost_mm), "MM");
   };
   verb.add_flag("--kit", call.wanted, "svg and dxf: numbered parts to cut, see above");
   verb.add_flag("--guide", kit.guide,
@@ -73,11 +73,10 @@ void add_kit(CLI::App& verb, KitCall& call) {
                      kit.bore_edge_mm),
          0);
   add_mm("--gap", kit.gap_mm, fmt::format("with --kit: between parts [{:g}]", kit.gap_mm), 0);
-  verb.add_option("--bed", call.bed,
-                  "with --kit: width and height of the machine's bed, mm; a file for each, larger "
-                  "parts cut along creases [one sheet for all]")
-      ->check(a_bed())
-      ->type_name("WxH");
+  add_value(verb, "--bed", call.bed,
+            "with --kit: width and height of the machine's bed, mm; a file for each, larger "
+            "parts cut along creases [one sheet for all]",
+            a_bed(), "WxH");
   add_mm("--margin", kit.margin_mm,
          fmt::format("with --kit: round all parts [{:g}]", kit.margin_mm), 0);
 }

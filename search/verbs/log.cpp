@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "search/terminal/progress.hpp"
+#include "search/terminal/screen.hpp"
 
 namespace misalign::search {
 namespace {

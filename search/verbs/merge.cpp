@@ -30,8 +30,7 @@ int merge_catalogues(MergeOptions options) {
   if (report.faulty_certificates > 0) {
     spdlog::warn(
         "{} not taken over (no more as made; `misalign verify` names each, `misalign certify` "
-        "makes "
-        "it anew)",
+        "makes it anew)",
         count_text(report.faulty_certificates, "certificate"));
   }
   const auto merged = schema::open_for_reading(options.output);

@@ -15,14 +15,12 @@
 namespace misalign::search {
 namespace {
 
-struct OptimiseCall {
-  std::string path;                   // a catalogue or a pattern file
-  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+struct OptimiseCall : SheetCall {
   schema::Design design;
   std::string material_file, output;
   std::vector<std::string> subject_to;
   OptimiseInput input;
-  bool with_card = false, json = false;
+  bool with_card = false;
 };
 
 // Before and after.
@@ -76,20 +74,15 @@ void add_goal_and_limits(CLI::App& verb, OptimiseCall& call) {
                   "what every step keeps, again for each: \"stroke_max <= 0.06\", "
                   "\"largest_force_n <= 20\", or a goal as in \"miscut_margin_mm >= 0.1\"")
       ->type_name("LIMIT");
-  verb.add_option("--deploys-from", input.deploys_from_deg,
-                  "it still deploys from this pilot angle [the campaign's, or its own D]")
-      ->check(within("optimise", "deploys_from_deg"))
-      ->type_name("DEG");
-  verb.add_option("--least-slope", input.least_slope_mm_per_deg,
-                  fmt::format("what free shifts leave every diagonal, mm per degree at 90 deg and "
-                              "less by the sine elsewhere: against miscuts [{}]",
-                              input.least_slope_mm_per_deg))
-      ->check(within("optimise", "least_slope_mm_per_deg"))
-      ->type_name("MM_PER_DEG");
-  verb.add_option("--steps", input.most_steps,
-                  fmt::format("end after so many [{}]", input.most_steps))
-      ->check(counted("optimise", "steps"))
-      ->type_name("N");
+  add_value(verb, "--deploys-from", input.deploys_from_deg,
+            "it still deploys from this pilot angle [the campaign's, or its own D]",
+            within("optimise", "deploys_from_deg"), "DEG");
+  add_default(verb, "--least-slope", input.least_slope_mm_per_deg,
+              "what free shifts leave every diagonal, mm per degree at 90 deg and less by the sine "
+              "elsewhere: against miscuts",
+              within("optimise", "least_slope_mm_per_deg"), "MM_PER_DEG");
+  add_default(verb, "--steps", input.most_steps, "end after so many", counted("optimise", "steps"),
+              "N");
 }
 
 // What of the springs may be chosen, and how copies are miscut.
@@ -105,34 +98,27 @@ void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
             "choose the springs' rate, too, N/mm: from the design's, within these");
   add_range("--preload-within", input.preload_n,
             "choose what all springs are left with at flat, too, N: within these");
-  verb.add_option("--rest-deg", input.rest_deg,
-                  "pilot angle where the springs are relaxed: a stop for "
-                  "rest_stiffness_n_mm_per_rad [flat]")
-      ->check(within("optimise", "rest_deg"))
-      ->type_name("DEG");
-  verb.add_option("--miscut", input.miscut_mm,
-                  fmt::format("copies whose yield is asked are cut off by up to this, mm [{:g}]",
-                              input.miscut_mm))
-      ->check(within("optimise", "miscut_mm"))
-      ->type_name("MM");
-  verb.add_option("--trials", input.trials, fmt::format("so many copies [{}]", input.trials))
-      ->check(counted("optimise", "trials"))
-      ->type_name("N");
+  add_value(
+      verb, "--rest-deg", input.rest_deg,
+      "pilot angle where the springs are relaxed: a stop for rest_stiffness_n_mm_per_rad [flat]",
+      within("optimise", "rest_deg"), "DEG");
+  add_default(verb, "--miscut", input.miscut_mm,
+              "copies whose yield is asked are cut off by up to this, mm",
+              within("optimise", "miscut_mm"), "MM");
+  add_default(verb, "--trials", input.trials, "so many copies", counted("optimise", "trials"), "N");
 }
 
 // How far vertices may be shifted, and by what.
 void add_shifts(CLI::App& verb, OptimiseInput& input) {
-  verb.add_option("--amplitude", input.amplitude_mm,
-                  "shift no vertex by more in x or y, mm [the campaign's, or the largest of its "
-                  "own shifts]")
-      ->check(within("optimise", "amplitude_mm"))
-      ->type_name("MM");
+  add_value(
+      verb, "--amplitude", input.amplitude_mm,
+      "shift no vertex by more in x or y, mm [the campaign's, or the largest of its own shifts]",
+      within("optimise", "amplitude_mm"), "MM");
   verb.add_flag("--ternary", input.ternary, "shift by nothing or the amplitude only");
-  verb.add_option("--grid", input.grid_mm,
-                  "shift by whole multiples of this only, mm: a cutter's steps")
-      ->check(within("optimise", "grid_mm"))
-      ->excludes("--ternary")
-      ->type_name("MM");
+  add_value(verb, "--grid", input.grid_mm,
+            "shift by whole multiples of this only, mm: a cutter's steps",
+            within("optimise", "grid_mm"), "MM")
+      ->excludes("--ternary");
   verb.add_flag("--within-family", input.within_family,
                 "only among members of the base's parallel family, which fold to 180 deg")
       ->excludes("--ternary")
@@ -160,28 +146,23 @@ Action optimise_verb(CLI::App& verb) {
       "  misalign optimise search/patterns/table1.json --goal deploys_from_deg");
   auto call = std::make_shared<OptimiseCall>();
   schema::Design& design = call->design;
-  add_catalogue_or_pattern(verb, call->path);
-  add_draw_of_catalogue(verb, call->draw);
+  add_sheet(verb, *call);
   add_goal_and_limits(verb, *call);
   add_shifts(verb, call->input);
   add_springs_and_copies(verb, call->input);
   add_release_from(verb, design.from_deg, 0.01);
   add_springs(verb, design);
   add_thickness(verb, design.thickness_mm);
-  verb.add_option("--friction", design.friction_n_mm_per_mm,
-                  "dry friction of creases, N mm per mm [the design's, or 0]")
-      ->check(within("hinges.friction_n_mm_per_mm"))
-      ->type_name("N");
+  add_value(verb, "--friction", design.friction_n_mm_per_mm,
+            "dry friction of creases, N mm per mm [the design's, or 0]",
+            within("hinges.friction_n_mm_per_mm"), "N");
   add_material(verb, call->material_file);
   verb.add_option("--output", call->output, "write the sheet to this pattern file")
       ->type_name("FILE");
   verb.add_flag("--card", call->with_card,
                 "also what the design asks of both sheets and what was found, side by side");
   verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");
-  return [call] {
-    show_optimised(*call);
-    return 0;
-  };
+  return showing(call, show_optimised);
 }
 
 }  // namespace misalign::search

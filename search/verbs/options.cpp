@@ -15,41 +15,37 @@ void add_catalogue_or_pattern(CLI::App& verb, std::string& path) {
       ->required();
 }
 
-void add_draw_of_catalogue(CLI::App& verb, std::optional<std::uint64_t>& draw) {
-  verb.add_option("DRAW", draw, "number of the draw, of a catalogue")->check(a_draw());
+void add_sheet(CLI::App& verb, SheetCall& call) {
+  add_catalogue_or_pattern(verb, call.path);
+  verb.add_option("DRAW", call.draw, "number of the draw, of a catalogue")->check(a_draw());
 }
 
 CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws,
                        const std::string& what) {
-  return group.add_option("--draw", draws, what + " (again: and that one)")
-      ->check(a_draw())
+  return add_value(group, "--draw", draws, what + " (again: and that one)", a_draw(), "N")
       ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->type_name("N");
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm) {
-  verb.add_option("--stiffness", stiffness_n_per_mm, "of each spring, N/mm [the design's]")
-      ->check(within("springs.stiffness_n_per_mm"))
-      ->type_name("N/MM");
+  add_value(verb, "--stiffness", stiffness_n_per_mm, "of each spring, N/mm [the design's]",
+            within("springs.stiffness_n_per_mm"), "N/MM");
 }
 
 void add_preload(CLI::App& verb, std::optional<double>& preload_n) {
-  verb.add_option("--preload", preload_n,
-                  "force of each spring at flat, N: pulling where diagonals lengthen as it folds, "
-                  "pushing where they shorten [the design's, or 0]")
-      ->check(within("springs.preload_n"))
-      ->type_name("N");
+  add_value(verb, "--preload", preload_n,
+            "force of each spring at flat, N: pulling where diagonals lengthen as it folds, "
+            "pushing where they shorten [the design's, or 0]",
+            within("springs.preload_n"), "N");
 }
 
 void add_springs(CLI::App& verb, schema::Design& design) {
   const auto [least, most] = schema::design_bounds("springs.stroke_limit");
   add_stiffness(verb, design.stiffness_n_per_mm);
   add_preload(verb, design.preload_n);
-  verb.add_option("--stroke-limit", design.stroke_limit,
-                  "largest elongation of an actuator: 0.08, 8 %, for Ti-Ni wires [the design's]")
-      ->check(a_share(least, most))
-      ->type_name("SHARE");
+  add_value(verb, "--stroke-limit", design.stroke_limit,
+            "largest elongation of an actuator: 0.08, 8 %, for Ti-Ni wires [the design's]",
+            a_share(least, most), "SHARE");
 }
 
 CLI::Option* add_from(CLI::App& verb, std::optional<double>& from_deg,
@@ -62,20 +58,17 @@ CLI::Option* add_from(CLI::App& verb, std::optional<double>& from_deg,
 }
 
 void add_release_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg) {
-  verb.add_option("--from", from_deg,
-                  fmt::format("the sheet is used between this pilot angle, at which it is let go "
-                              "at rest, and flat [the design's, or {:g}, or D where that is less]",
-                              solver::kDeployFrom_deg))
-      ->check(within(least_deg, 180))
-      ->type_name("DEG");
+  add_value(verb, "--from", from_deg,
+            fmt::format("the sheet is used between this pilot angle, at which it is let go at "
+                        "rest, and flat [the design's, or {:g}, or D where that is less]",
+                        solver::kDeployFrom_deg),
+            within(least_deg, 180), "DEG");
 }
 
 void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm) {
-  verb.add_option(
-          "--thickness", thickness_mm,
-          fmt::format("of the panels, mm [the design's, or {:g}]", solver::Plates{}.thickness_mm))
-      ->check(within("thickness_mm"))
-      ->type_name("MM");
+  add_value(verb, "--thickness", thickness_mm,
+            fmt::format("of the panels, mm [the design's, or {:g}]", solver::Plates{}.thickness_mm),
+            within("thickness_mm"), "MM");
 }
 
 SimulationStart ReleaseCall::of(const schema::Design& whole) const {
@@ -87,16 +80,13 @@ SimulationStart ReleaseCall::of(const schema::Design& whole) const {
 void add_release(CLI::App& verb, ReleaseCall& call) {
   constexpr double kLeast_deg = 1;  // closer to flat loops hardly say which way the sheet folds
   add_release_from(verb, call.design.from_deg, kLeast_deg);
-  verb.add_option("--rest-deg", call.rest_deg,
-                  fmt::format("pilot angle where the springs are relaxed [{:g}]", call.rest_deg))
-      ->check(within(0, 180))
-      ->type_name("DEG");
+  add_default(verb, "--rest-deg", call.rest_deg, "pilot angle where the springs are relaxed",
+              within(0, 180), "DEG");
   add_thickness(verb, call.design.thickness_mm);
-  verb.add_option("--density", call.density_g_per_cm3,
-                  fmt::format("of the panels, g/cm^3 [{:g}, or the material's]",
-                              solver::Plates{}.density_g_per_cm3))
-      ->check(within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3))
-      ->type_name("G_PER_CM3");
+  add_value(verb, "--density", call.density_g_per_cm3,
+            fmt::format("of the panels, g/cm^3 [{:g}, or the material's]",
+                        solver::Plates{}.density_g_per_cm3),
+            within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3), "G_PER_CM3");
 }
 
 schema::DeckOptions DeckCall::of(const schema::Design& whole) const {
@@ -106,19 +96,16 @@ schema::DeckOptions DeckCall::of(const schema::Design& whole) const {
 }
 
 void add_deck(CLI::App& verb, DeckCall& call) {
-  verb.add_option("--mesh", call.deck.elements,
-                  fmt::format("elements along a panel's side [{}]", call.deck.elements))
-      ->check(counted(2, 40))
-      ->type_name("N");
+  add_default(verb, "--mesh", call.deck.elements, "elements along a panel's side", counted(2, 40),
+              "N");
   add_material(verb, call.material_file);
 }
 
 void add_material(CLI::App& verb, std::string& file) {
-  verb.add_option(
-          "--material", file,
-          fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3, strength_mpa "
-                      "[the design's, or {}]",
-                      schema::Material{}.name))
+  verb.add_option("--material", file,
+                  fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3, "
+                              "strength_mpa [the design's, or {}]",
+                              schema::Material{}.name))
       ->type_name("FILE");
 }
 
@@ -127,11 +114,10 @@ void read_material(const std::string& file, schema::Design& design) {
 }
 
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm) {
-  verb.add_option("--trim", trim_mm,
-                  fmt::format("how far corners of plates are trimmed, mm [{:g} of the panel width]",
-                              solver::kTrimPart))
-      ->check(within("", "trim_mm"))
-      ->type_name("MM");
+  add_value(verb, "--trim", trim_mm,
+            fmt::format("how far corners of plates are trimmed, mm [{:g} of the panel width]",
+                        solver::kTrimPart),
+            within("", "trim_mm"), "MM");
 }
 
 std::string first_given(const CLI::App& group) {

@@ -12,9 +12,16 @@
 
 namespace misalign::search {
 
-/// The first argument of verbs that look at one sheet, and the second that some of them take.
+/// The first argument of verbs that look at sheets.
 void add_catalogue_or_pattern(CLI::App& verb, std::string& path);
-void add_draw_of_catalogue(CLI::App& verb, std::optional<std::uint64_t>& draw);
+
+/// What verbs that study one sheet are asked, each with more of its own.
+struct SheetCall {
+  std::string path;                   ///< a catalogue or a pattern file
+  std::optional<std::uint64_t> draw;  ///< of a catalogue's campaign, accepted or not
+  bool json = false;
+};
+void add_sheet(CLI::App& verb, SheetCall& call);
 
 /// --draw, as often as there are draws.
 CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws, const std::string& what);

@@ -109,10 +109,9 @@ void list_perforations(const PerforationsCall& call) {
     print_sets(one);
     put("{} of {} sets of {} leave one way to fold on the base's path{}\n", one.size(),
         one.size() + others.size(), holes,
-        holes < usual
-            ? "; with more equations than unknowns only shifts such as those of `misalign "
-              "construct` fold"
-            : "");
+        holes < usual ? "; with more equations than unknowns only shifts such as those of "
+                        "`misalign construct` fold"
+                      : "");
   }
 }
 
@@ -130,14 +129,10 @@ Action perforations_verb(CLI::App& verb) {
       "  misalign perforations search/patterns/table1.json --holes 2");
   auto call = std::make_shared<PerforationsCall>();
   verb.add_option("PATTERN", call->pattern_path, "pattern file (JSON)")->required();
-  verb.add_option("--holes", call->holes, "sets of so many holes [that count to one freedom]")
-      ->check(counted(1, 1000000))
-      ->type_name("N");
+  add_value(verb, "--holes", call->holes, "sets of so many holes [that count to one freedom]",
+            counted(1, 1000000), "N");
   verb.add_flag("--json", call->json, "as JSON");
-  return [call] {
-    list_perforations(*call);
-    return 0;
-  };
+  return showing(call, list_perforations);
 }
 
 }  // namespace misalign::search

@@ -53,8 +53,7 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
   std::fflush(stdout);
   if (!name.empty() && schema::leaves_rows_out(database, sql, rows)) {
     spdlog::info(
-        "the first {} rows; SQL of your own can ask for more, such as \"SELECT * FROM "
-        "candidates\"",
+        "the first {} rows; SQL of your own can ask for more, such as \"SELECT * FROM candidates\"",
         rows);
   }
 }
@@ -113,8 +112,7 @@ Action query_verb(CLI::App& verb, const Parts& parts) {
       "NAME(draw, from_deg) from another angle of use, or NAME alone:\n" +
       functions_text() +
       "D is deploys_from_deg. The same words are taken by every --where and --by.\nElongations and "
-      "strokes are shares of a "
-      "length: stroke_max < 0.08 is 8 %.\n"
+      "strokes are shares of a length: stroke_max < 0.08 is 8 %.\n"
       "On a terminal the rows go through $PAGER [less].\n\n"
       "Examples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
       "  misalign query results/miura-6x6-1a2b3c4d.db --front miscut_margin_mm,stroke_max\n"

@@ -43,10 +43,9 @@ Words words_of_a_rank(const Words& words, bool with_bar) {
 }  // namespace
 
 void add_ranks(CLI::App& verb, std::string& ranks) {
-  verb.add_option("--ranks", ranks,
-                  "how many ranks to start, one core each; all: one for every core [1]")
-      ->check(rank_count())
-      ->type_name("N|all");
+  add_value(verb, "--ranks", ranks,
+            "how many ranks to start, one core each; all: one for every core [1]", rank_count(),
+            "N|all");
 }
 
 int ranks_wanted(const std::string& ranks) {

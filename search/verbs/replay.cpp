@@ -46,10 +46,10 @@ Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& c
   }
   throw schema::UserError(
       schema::Cause::bad_request,
-      fmt::format("population {} meets no candidate for the first time at level {}, step {}, by "
-                  "particle {}, which is what the number {} means; take one that `misalign query` "
-                  "shows",
-                  origin.population, origin.level, origin.step, origin.particle, call.draw));
+      fmt::format(
+          "population {} meets no candidate for the first time at level {}, step {}, by particle "
+          "{}, which is what the number {} means; take one that `misalign query` shows",
+          origin.population, origin.level, origin.step, origin.particle, call.draw));
 }
 
 void replay(const ReplayCall& call) {
@@ -91,10 +91,7 @@ Action replay_verb(CLI::App& verb) {
                 "of a splitting campaign: make its population again, of an optimising one its way "
                 "from the draw, instead of showing what is stored");
   verb.add_flag("--json", call->json, "as JSON");
-  return [call] {
-    replay(*call);
-    return 0;
-  };
+  return showing(call, replay);
 }
 
 }  // namespace misalign::search

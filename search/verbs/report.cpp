@@ -126,15 +126,13 @@ Action report_verb(CLI::App& verb) {
   verb.add_flag("--json", *json, "instead of the page what it shows, as JSON");
   add_draws(verb, call->draws,
             "also this draw, accepted or not; of a splitting search only a stored one");
-  verb.add_option("--rows", call->rows,
-                  "how many candidates the table may hold, at most 250000 [10000]")
-      ->check(as_many_as_browsers_show())
-      ->type_name("N");
+  add_value(verb, "--rows", call->rows,
+            "how many candidates the table may hold, at most 250000 [10000]",
+            as_many_as_browsers_show(), "N");
   auto* details =
-      verb.add_option("--details", call->details,
-                      "how many of the best, or of those of --where, can be looked at closely [36]")
-          ->check(counted(0, kMostDetails))
-          ->type_name("N");
+      add_value(verb, "--details", call->details,
+                "how many of the best, or of those of --where, can be looked at closely [36]",
+                counted(0, kMostDetails), "N");
   auto* group = verb.add_option_group("choice", "which candidates can be looked at closely");
   const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
   for (CLI::Option* many : {chosen.best, chosen.diverse}) {

@@ -6,8 +6,8 @@
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/search_run.hpp"
+#include "search/terminal/screen.hpp"
 #include "search/terminal/shell_word.hpp"
-#include "search/terminal/terminal.hpp"
 #include "search/verbs/border.hpp"
 #include "search/verbs/help_format.hpp"
 #include "search/verbs/rank_options.hpp"
@@ -53,38 +53,27 @@ schema::DrawRange parse_range(const std::string& text) {
 void add_goals(CLI::App& verb, SearchCall& call) {
   SearchOptions& options = call.options;
   const auto draw_count = a_draw();
-  verb.add_option(
-          "--draws", options.draws,
-          "end after the first N draws (of --range, if given), those of earlier runs among them")
-      ->check(draw_count)
-      ->type_name("N");
-  verb.add_option("--populations", options.populations,
-                  "of a splitting search: end after the first N populations (of --range, if given)")
-      ->check(counted(0, schema::kEndOfPopulations))
-      ->type_name("N");
-  verb.add_option(
-          "--accepted", options.accepted,
-          "end when so many of them are accepted, those of earlier runs too; of a splitting "
-          "search: how many are kept at most")
-      ->check(draw_count)
-      ->type_name("K");
-  verb.add_option("--relative-error", options.relative_error,
-                  "end when the acceptance rate is known to within this share of itself")
-      ->check(a_share(1e-6, 1))
-      ->type_name("SHARE");
-  verb.add_option("--max-time", options.max_time_s,
-                  "end this run after so many seconds; the next one goes on")
-      ->check(within(0, 1e9))
-      ->type_name("SECONDS");
-  verb.add_option(
-          "--stopped-exit", call.stopped_exit,
-          "exit code where a signal or --max-time ends it and work remains; a scheduler may "
-          "have one that has it start again [0]")
-      ->check(counted(0, 255))
-      ->type_name("N");
-  verb.add_option("--seed", options.seed, "use this seed instead of the campaign's")
-      ->check(draw_count)
-      ->type_name("SEED");
+  add_value(verb, "--draws", options.draws,
+            "end after the first N draws (of --range, if given), those of earlier runs among them",
+            draw_count, "N");
+  add_value(verb, "--populations", options.populations,
+            "of a splitting search: end after the first N populations (of --range, if given)",
+            counted(0, schema::kEndOfPopulations), "N");
+  add_value(verb, "--accepted", options.accepted,
+            "end when so many of them are accepted, those of earlier runs too; of a splitting "
+            "search: how many are kept at most",
+            draw_count, "K");
+  add_value(verb, "--relative-error", options.relative_error,
+            "end when the acceptance rate is known to within this share of itself",
+            a_share(1e-6, 1), "SHARE");
+  add_value(verb, "--max-time", options.max_time_s,
+            "end this run after so many seconds; the next one goes on", within(0, 1e9), "SECONDS");
+  add_value(verb, "--stopped-exit", call.stopped_exit,
+            "exit code where a signal or --max-time ends it and work remains; a scheduler may have "
+            "one that has it start again [0]",
+            counted(0, 255), "N");
+  add_value(verb, "--seed", options.seed, "use this seed instead of the campaign's", draw_count,
+            "SEED");
 }
 
 // What would use every core; empty if this does, or if somebody else decides.
@@ -150,10 +139,8 @@ Action search_verb(CLI::App& verb, const Words& typed, const Parts& parts) {
   verb.add_option("--range", call->range, "only the draws, or populations, from LO to HI - 1")
       ->type_name("LO:HI");
   add_ranks(verb, call->ranks);
-  verb.add_option("--unit-draws", options.unit_draws,
-                  "draws in one unit of work [what takes about 5 s]")
-      ->check(counted(1, 1000000000))
-      ->type_name("N");
+  add_value(verb, "--unit-draws", options.unit_draws,
+            "draws in one unit of work [what takes about 5 s]", counted(1, 1000000000), "N");
   verb.add_option("--unit-bytes", options.unit_bytes)  // so that a test need not make gigabytes
       ->check(counted(1, kMostUnit_bytes))
       ->group(kHidden);

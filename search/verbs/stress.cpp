@@ -1,5 +1,6 @@
 // `misalign stress`: the deployment of elastic panels, by CalculiX.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,7 +19,8 @@
 #include "search/sheets/stress_text.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/terminal/duration.hpp"
-#include "search/terminal/progress.hpp"
+#include "search/terminal/screen.hpp"
+#include "search/terminal/stopwatch.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
@@ -29,14 +31,11 @@ namespace {
 
 using solver::ElasticRow;
 
-struct StressCall {
-  std::string path;                   // a catalogue or a pattern file
-  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+struct StressCall : SheetCall {
   ReleaseCall release;
   DeckCall deck;
   StressStudyOptions options;
   std::string directory;
-  bool json = false;
 };
 
 // "miura-6x6-1234", or a pattern file's name, as ccx takes it.
@@ -188,39 +187,26 @@ Action stress_verb(CLI::App& verb) {
   verb.description(schema::study_named("stress").about);
   verb.footer(kStressFooter);
   auto call = std::make_shared<StressCall>();
-  add_catalogue_or_pattern(verb, call->path);
-  add_draw_of_catalogue(verb, call->draw);
+  add_sheet(verb, *call);
   add_stiffness(verb, call->release.design.stiffness_n_per_mm);
   add_preload(verb, call->release.design.preload_n);
   add_release(verb, call->release);
   add_deck(verb, call->deck);
   StressStudyOptions& options = call->options;
-  verb.add_option("--time-limit", options.deck.end_s,
-                  fmt::format("end of the motion at the latest, s [{:g}]", options.deck.end_s))
-      ->check(within(1e-6, 1e6))
-      ->type_name("S");
-  verb.add_option("--time-step", options.deck.time_step_s,
-                  fmt::format("longest increment, s [{:g}]", options.deck.time_step_s))
-      ->check(within(1e-9, 1))
-      ->type_name("S");
-  verb.add_option(
-          "--damping", options.deck.damping_per_s,
-          fmt::format("force against the velocity of all mass, per unit of both, 1/s [{:g}]",
-                      options.deck.damping_per_s))
-      ->check(within(0, 1e6))
-      ->type_name("PER_S");
-  verb.add_option("--disc", options.stress.disc_mm,
-                  fmt::format("radius of the discs, mm [{:g}]", options.stress.disc_mm))
-      ->check(within(0, 1e6))
-      ->type_name("MM");
+  add_default(verb, "--time-limit", options.deck.end_s, "end of the motion at the latest, s",
+              within(1e-6, 1e6), "S");
+  add_default(verb, "--time-step", options.deck.time_step_s, "longest increment, s",
+              within(1e-9, 1), "S");
+  add_default(verb, "--damping", options.deck.damping_per_s,
+              "force against the velocity of all mass, per unit of both, 1/s", within(0, 1e6),
+              "PER_S");
+  add_default(verb, "--disc", options.stress.disc_mm, "radius of the discs, mm", within(0, 1e6),
+              "MM");
   verb.add_option("--output", call->directory, "directory, made if it is not there")
       ->required()
       ->type_name("DIR");
   verb.add_flag("--json", call->json, "as JSON, with all histories");
-  return [call] {
-    show_stress(*call);
-    return 0;
-  };
+  return showing(call, show_stress);
 }
 
 }  // namespace misalign::search

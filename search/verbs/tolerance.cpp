@@ -35,8 +35,8 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
     if (gone.empty()) return "";
     return call.path + ": " + std::to_string(gone.size()) + " of " + std::to_string(yields.size()) +
            " candidates are not in it any more, draw " + std::to_string(gone.front()) +
-           " among them (another catalogue took its place); put the former one back, then the "
-           "same command again";
+           " among them (another catalogue took its place); put the former one back, then the same "
+           "command again";
   } catch (const UserError& error) {
     return error.sentence(option_of);
   }
@@ -108,9 +108,9 @@ void take_subject(const schema::Design& design, ToleranceCall& call) {
   }
   if (!call.amplitude_mm && !call.backlash_mm) {
     throw UserError(schema::Cause::bad_request,
-                    "tolerance: against what? (neither is named, nor does the design say "
-                    "miscut_mm or play_mm); add --amplitude MM for vertices off their places, or "
-                    "--backlash MM for joints with play");
+                    "tolerance: against what? (neither is named, nor does the design say miscut_mm "
+                    "or play_mm); add --amplitude MM for vertices off their places, or --backlash "
+                    "MM for joints with play");
   }
   if (call.backlash_mm) check_backlash(call);
 }
@@ -135,28 +135,23 @@ int run(ToleranceCall call) {
 }
 
 void add_subject(CLI::App& verb, ToleranceCall& call) {
-  auto* amplitude = verb.add_option("--amplitude", call.amplitude_mm,
-                                    "largest error of a vertex, mm [the design's miscut_mm]")
-                        ->check(within("miscut_mm"))
-                        ->type_name("MM");
+  auto* amplitude = add_value(verb, "--amplitude", call.amplitude_mm,
+                              "largest error of a vertex, mm [the design's miscut_mm]",
+                              within("miscut_mm"), "MM");
   auto* vertices =
       verb.add_flag("--vertices", call.study.vertices,
                     "also move each vertex alone, in " + std::to_string(kMostTrialsOfOneVertex) +
                         " copies at most: which ones matter most");
-  auto* backlash =
-      verb.add_option("--backlash", call.backlash_mm,
-                      "radius of the ball in which each joint settles, mm, instead of miscuts [the "
-                      "design's play_mm, where it says no miscut_mm]")
-          ->check(within("play_mm"))
-          ->type_name("MM")
-          ->excludes(amplitude)
-          ->excludes(vertices);
-  verb.add_option(
-          "--backlash-from", call.backlash.from_deg,
-          fmt::format("pilot angle from which on a loose sheet must move one way, deg [{:g}]",
-                      solver::BacklashOptions{}.from_deg))
-      ->check(within(0.1, 180))
-      ->type_name("DEG")
+  auto* backlash = add_value(verb, "--backlash", call.backlash_mm,
+                             "radius of the ball in which each joint settles, mm, instead of "
+                             "miscuts [the design's play_mm, where it says no miscut_mm]",
+                             within("play_mm"), "MM")
+                       ->excludes(amplitude)
+                       ->excludes(vertices);
+  add_value(verb, "--backlash-from", call.backlash.from_deg,
+            fmt::format("pilot angle from which on a loose sheet must move one way, deg [{:g}]",
+                        solver::BacklashOptions{}.from_deg),
+            within(0.1, 180), "DEG")
       ->needs(backlash);
 }
 
@@ -200,13 +195,11 @@ Action tolerance_verb(CLI::App& verb) {
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);
   add_subject(verb, *call);
   add_from(verb, call->from_deg, "[the design's, or the campaign's threshold, or a pattern's D]");
-  verb.add_option("--trials", study.trials,
-                  "how many copies, or how often the joints settle anew [1000]")
-      ->check(counted("tolerance", "trials"))
-      ->type_name("N");
-  verb.add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
-      ->check(counted("", "jobs"))
-      ->type_name("N");
+  add_value(verb, "--trials", study.trials,
+            "how many copies, or how often the joints settle anew [1000]",
+            counted("tolerance", "trials"), "N");
+  add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
+            counted("", "jobs"), "N");
   verb.add_flag("!--no-keep", call->keep, "do not write the yields into the catalogue");
   verb.add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");
   return [call, draws, chosen] {

@@ -38,8 +38,8 @@ ToleranceTargets chosen_sheet(const ToleranceCall& call, const ChosenSheet& chos
     throw UserError(schema::Cause::bad_input,
                     call.path +
                         ": the sheet deploys from nothing (its D is 0), so that there is nothing "
-                        "that miscut copies could lose; shift its vertices by displacements_mm, "
-                        "or see what is in the way: misalign fold " +
+                        "that miscut copies could lose; shift its vertices by displacements_mm, or "
+                        "see what is in the way: misalign fold " +
                         shell_path(call.path));
   }
   campaign.threshold_deg = own_sample * campaign.sample_deg;

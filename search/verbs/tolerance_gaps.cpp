@@ -36,12 +36,12 @@ void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets) {
   if (call.backlash_mm) refuse(call, "--backlash", "its loops close by their shapes alone");
   if (call.study.vertices) refuse(call, "--vertices", "no copy folds, so none deploys");
   if (sheets.shifts_mm.size() != 1) {
-    throw schema::UserError(
-        schema::Cause::bad_request,
-        call.path +
-            ": tolerance of which sheet? (copies of sheets with few holes are put "
-            "together one sheet at a time, and " +
-            std::to_string(sheets.shifts_mm.size()) + " are chosen); name one draw");
+    throw schema::UserError(schema::Cause::bad_request,
+                            call.path +
+                                ": tolerance of which sheet? (copies of sheets with few holes are "
+                                "put together one sheet at a time, and " +
+                                std::to_string(sheets.shifts_mm.size()) +
+                                " are chosen); name one draw");
   }
   if (call.study.trials > kMostCopies) {
     throw schema::UserError(
@@ -56,13 +56,11 @@ void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets) {
   FoldingModel model(campaign.pattern, campaign.sampling(), sheets.design);
   const solver::Sheet sheet = model.sheet(shifts_mm, sheets.key(0).name());
   if (sheet.panels().facets.size() > kMostPanels) {
-    throw schema::UserError(schema::Cause::bad_request,
-                            call.path +
-                                ": too large (copies of a sheet with few holes are put together "
-                                "of at most " +
-                                std::to_string(kMostPanels) + " panels, and this one has " +
-                                std::to_string(sheet.panels().facets.size()) +
-                                "); take a part of it");
+    throw schema::UserError(
+        schema::Cause::bad_request,
+        call.path + ": too large (copies of a sheet with few holes are put together of at most " +
+            std::to_string(kMostPanels) + " panels, and this one has " +
+            std::to_string(sheet.panels().facets.size()) + "); take a part of it");
   }
   const auto from_deg = call.from_deg ? call.from_deg : sheets.design.from_deg;
   const double up_to_deg = from_deg.value_or(sheet.deploys_from_deg());

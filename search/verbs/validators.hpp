@@ -1,10 +1,13 @@
 // Validators of options: which values an option takes, and the sentence about any other.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,5 +46,22 @@ CLI::Validator one_of(const Names<Enum>& names, const std::string& where = "") {
 
 /// One of the words, of which the nearest is suggested for any other: "x is no verb".
 CLI::Validator known_word(const std::string& kind, const std::vector<std::string>& known);
+
+/// Adds an option whose value, of this unit, the validator takes.
+template <class Value>
+CLI::Option* add_value(CLI::App& verb, const std::string& name, Value& value,
+                       const std::string& meaning, CLI::Validator check, const std::string& unit) {
+  return verb.add_option(name, value, meaning)->check(std::move(check))->type_name(unit);
+}
+
+/// The same, with the value that it has to begin with behind its meaning: "how many [1000]".
+template <class Value>
+CLI::Option* add_default(CLI::App& verb, const std::string& name, Value& value,
+                         const std::string& meaning, CLI::Validator check,
+                         const std::string& unit) {
+  constexpr const char* kFormat = std::is_floating_point_v<Value> ? "{} [{:g}]" : "{} [{}]";
+  return add_value(verb, name, value, fmt::format(fmt::runtime(kFormat), meaning, value),
+                   std::move(check), unit);
+}
 
 }  // namespace misalign::search

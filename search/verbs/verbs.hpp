@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,15 @@ namespace misalign::search {
 /// What a verb does once its options are read, which it owns: returns the exit code; throws
 /// UserError.
 using Action = std::function<int()>;
+
+/// What shows something of a call, and ends well.
+template <class Call, class Show>
+Action showing(const std::shared_ptr<Call>& call, Show show) {
+  return [call, show] {
+    show(*call);
+    return 0;
+  };
+}
 
 /// As typed, the program's name first.
 using Words = std::vector<std::string>;

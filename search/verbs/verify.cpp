@@ -61,10 +61,9 @@ Action verify_verb(CLI::App& verb) {
       "  misalign verify search/patterns/table1.json");
   auto call = std::make_shared<VerifyCall>();
   add_catalogue_or_pattern(verb, call->path);
-  auto* sample =
-      verb.add_option("--sample", call->options.sample,
-                      "how many candidates, spread evenly in the order of their draws, and how "
-                      "many fault samples [100]");
+  auto* sample = verb.add_option("--sample", call->options.sample,
+                                 "how many candidates, spread evenly in the order of their draws, "
+                                 "and how many fault samples [100]");
   sample->check(a_draw())->type_name("N");
   auto* all = verb.add_flag_callback(
       "--all", [call] { call->options.sample.reset(); }, "every candidate and fault sample");
@@ -73,11 +72,9 @@ Action verify_verb(CLI::App& verb) {
       verb.add_option("--units", call->options.units,
                       "how many units, chosen at random, all draws of which are made again [0]");
   units->check(a_draw())->type_name("N");
-  verb.add_option("--seed", call->seed,
-                  "seed of that choice, to choose the same units again [a random one]")
-      ->check(a_draw())
-      ->needs(units)
-      ->type_name("N");
+  add_value(verb, "--seed", call->seed,
+            "seed of that choice, to choose the same units again [a random one]", a_draw(), "N")
+      ->needs(units);
   verb.add_flag("--json", call->json, "as JSON");
   return [call, all, sample, units] {
     const bool is_pattern = is_pattern_file(call->path);

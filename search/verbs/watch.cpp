@@ -114,11 +114,10 @@ Action watch_verb(CLI::App& verb) {
       "  misalign watch results/miura-6x6-1a2b3c4d.db --port 8080");
   auto call = std::make_shared<WatchCall>();
   verb.add_option("CATALOGUE", call->path, "catalogue file, on a local disk")->required();
-  verb.add_option("--port", call->port,
-                  "TCP port; 0: any that is free [" + std::to_string(kUsualPort) +
-                      ", or any if that is taken]")
-      ->check(counted(0, 65535))
-      ->type_name("N");
+  add_value(
+      verb, "--port", call->port,
+      "TCP port; 0: any that is free [" + std::to_string(kUsualPort) + ", or any if that is taken]",
+      counted(0, 65535), "N");
   verb.add_option("--address", call->address, "loopback address to listen on [127.0.0.1]")
       ->type_name("ADDRESS");
   return [call] {

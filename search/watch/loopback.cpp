@@ -45,9 +45,9 @@ std::string loopback_address(const std::string& asked, int port) {
   throw schema::UserError(solver::OptionFault{
       "address", asked,
       "is no loopback address (whoever reaches another one could read the catalogue)",
-      fmt::format("leave it out, and look from another machine through ssh -L {}:127.0.0.1:{} "
-                  "THIS_MACHINE",
-                  port, port)});
+      fmt::format(
+          "leave it out, and look from another machine through ssh -L {}:127.0.0.1:{} THIS_MACHINE",
+          port, port)});
 }
 
 std::string url_of(const std::string& address, int port) {

@@ -92,9 +92,9 @@ WatchedCatalogue::WatchedCatalogue(const std::string& path, schema::NameParamete
   const auto directory = std::filesystem::absolute(path).parent_path();
   std::error_code ignored;
   if (!std::filesystem::is_directory(directory, ignored)) {
-    throw schema::UserError(schema::Cause::bad_input, path +
-                                                          ": there is no such directory; name a "
-                                                          "catalogue that is, or will be, there");
+    throw schema::UserError(
+        schema::Cause::bad_input,
+        path + ": there is no such directory; name a catalogue that is, or will be, there");
   }
 }
 

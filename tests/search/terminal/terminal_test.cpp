@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "search/terminal/screen.hpp"
+
 namespace misalign::search {
 namespace {
 

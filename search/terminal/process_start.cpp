@@ -1,4 +1,4 @@
-#include "search/ranks/process_start.hpp"
+#include "search/terminal/process_start.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
