@@ -125,7 +125,7 @@ std::vector<ThicknessChange> thickness_changes(const Sheet& sheet, PathGradients
   std::vector<double> angles_deg{now.pilot_deg};
   for (int k = 1; k <= kAngles; ++k) angles_deg.push_back(study->reach_deg * k / kAngles);
   std::vector<ThicknessChange> changes;
-  const double part = now.clear_mm > 0 ? 1 - ThicknessOptions{}.slack : 0;
+  const double part = now.clear_mm > 0 ? 1 - kThicknessSlack : 0;
   for (const double angle_deg : angles_deg) {
     const auto folded = gradients.vertices(angle_deg);
     if (!folded) return {};
