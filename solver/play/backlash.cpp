@@ -22,13 +22,13 @@ std::vector<double> sorted(const std::vector<BacklashTrial>& trials, Value value
 
 }  // namespace
 
-const char* name_of(BranchEnd end) {
+const char* name_of(BacklashTrial::BranchEnd end) {
   switch (end) {
-    case BranchEnd::flat:
+    case BacklashTrial::BranchEnd::flat:
       return "flat";
-    case BranchEnd::turns:
+    case BacklashTrial::BranchEnd::turns:
       return "turns";
-    case BranchEnd::other_branch:
+    case BacklashTrial::BranchEnd::other_branch:
       return "other_branch";
     default:
       return "not_known";
@@ -50,7 +50,8 @@ std::uint64_t Backlash::one_way_to(double pilot_deg) const {
 
 std::vector<double> Backlash::lost_deg() const {
   return sorted(trials, [](const BacklashTrial& trial) {
-    return trial.lost == BranchEnd::not_known ? std::nullopt : std::optional(trial.lost_deg);
+    return trial.lost == BacklashTrial::BranchEnd::not_known ? std::nullopt
+                                                             : std::optional(trial.lost_deg);
   });
 }
 
