@@ -4,7 +4,7 @@ namespace misalign::schema {
 
 Json construct_json(const Pattern& base, const solver::ConstructStudy& study, double at_deg) {
   Json holes = Json::array(), binding = Json::array();
-  for (const solver::ConstructedHole& hole : study.holes) {
+  for (const solver::ConstructStudy::Hole& hole : study.holes) {
     holes.push_back({{"hole", facet_json(base, hole.facet)},
                      {"delta_mm", hole.delta_mm},
                      {"epsilon_mm", hole.epsilon_mm},

@@ -179,7 +179,7 @@ std::optional<OptionFault> signs_fault(const ParallelFamily& family,
 
 bool ConstructStudy::is_monotone() const {
   return std::all_of(holes.begin(), holes.end(),
-                     [](const ConstructedHole& hole) { return hole.direction != 0; });
+                     [](const ConstructStudy::Hole& hole) { return hole.direction != 0; });
 }
 
 StudyResult<ConstructStudy> construct(const PerforatedSheet& base, const ParallelFamily& family,

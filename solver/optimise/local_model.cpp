@@ -44,7 +44,7 @@ class Builder {
   }
 
  private:
-  AngleGradients at(double pilot_deg, bool with_folds = false) {
+  PathGradients::AtAngle at(double pilot_deg, bool with_folds = false) {
     return changes_.at(pilot_deg, with_folds);
   }
 
@@ -64,13 +64,13 @@ class Builder {
       for (const double side : {-1.0, 1.0}) {
         VectorXd row = VectorXd::Zero(model_.coordinates);
         row.head(shifts) = -side * options_.moves.row(k);
-        model_.rows.push_back({LocalRow::Kind::amplitude, static_cast<int>(k), 0,
+        model_.rows.push_back({LocalModel::Row::Kind::amplitude, static_cast<int>(k), 0,
                                options_.amplitude_mm - side * shift_mm, row});
       }
     }
   }
 
-  void add(LocalRow::Kind kind, Index where, double pilot_deg, double slack,
+  void add(LocalModel::Row::Kind kind, Index where, double pilot_deg, double slack,
            const Eigen::RowVectorXd& by_vertices) {
     model_.rows.push_back(
         {kind, static_cast<int>(where), pilot_deg, slack, changes_.variables.row(by_vertices)});
@@ -88,18 +88,18 @@ class Builder {
   }
 
   void add_directions() {
-    AngleGradients last = flat_;
+    PathGradients::AtAngle last = flat_;
     const double to_deg = sheet_.sample_deg(options_.deploys_from_sample);
-    const AngleGradients end = at(to_deg, to_deg >= kFoldedFar_deg);
+    const PathGradients::AtAngle end = at(to_deg, to_deg >= kFoldedFar_deg);
     const VectorXd longer_mm = end.length_mm - flat_.length_mm;
     for (const double pilot_deg : angles_of_directions(to_deg)) {
-      AngleGradients here = pilot_deg == to_deg ? end : at(pilot_deg);
+      PathGradients::AtAngle here = pilot_deg == to_deg ? end : at(pilot_deg);
       const double least_mm = options_.least_slope_mm_per_deg *
                               half_angle_of_deg(pilot_deg + last.pilot_deg).s *
                               (pilot_deg - last.pilot_deg);
       for (Index d = 0; d < here.length_mm.size(); ++d) {
         const double side = longer_mm(d) < 0 ? -1 : 1;
-        add(LocalRow::Kind::direction, d, pilot_deg,
+        add(LocalModel::Row::Kind::direction, d, pilot_deg,
             side * (here.length_mm(d) - last.length_mm(d)) - least_mm,
             side * (here.length_by_mm.row(d) - last.length_by_mm.row(d)));
       }
@@ -113,7 +113,7 @@ class Builder {
 
   // As what a diagonal goes on in a degree there.
   void add_low_slopes(double to_deg) {
-    std::map<double, std::optional<SlopeGradients>> at_deg;
+    std::map<double, std::optional<PathGradients::Slopes>> at_deg;
     for (const LowSlope& low : low_slopes(sheet_, to_deg)) {
       const double least = options_.least_slope_mm_per_deg, a_deg = low.pilot_deg;
       if (low.mm_per_deg >= kLowSlopes * least) continue;
@@ -122,32 +122,33 @@ class Builder {
       if (!slopes) continue;  // it ends there
       const double sine = std::sin(a_deg * kRadPerDeg);
       const double side = slopes->slope_mm_per_rad(low.diagonal) * low.mm_per_deg < 0 ? -1 : 1;
-      add(LocalRow::Kind::direction, low.diagonal, a_deg,
+      add(LocalModel::Row::Kind::direction, low.diagonal, a_deg,
           (low.mm_per_deg - (1 + kAboveLeast) * least) * sine,
           side * kRadPerDeg * slopes->slope_by_mm.row(low.diagonal));
     }
   }
 
-  void add_folds(const AngleGradients& here) {
+  void add_folds(const PathGradients::AtAngle& here) {
     for (Index c = 0; c < here.fold_deg.size(); ++c) {
       if (static_cast<int>(c) == sheet_.mechanism().pilot) continue;
       const double side = here.fold_deg(c) < 0 ? -1 : 1;
-      add(LocalRow::Kind::fold_angle, c, here.pilot_deg,
+      add(LocalModel::Row::Kind::fold_angle, c, here.pilot_deg,
           180 - kBeforeFlat_deg - side * here.fold_deg(c), -side * here.fold_by_mm.row(c));
     }
     if (const auto limit = changes_.gradients.fold_limit()) {
-      add(LocalRow::Kind::fold_limit, 0, limit->fold_limit_deg,
+      add(LocalModel::Row::Kind::fold_limit, 0, limit->fold_limit_deg,
           limit->fold_limit_deg - here.pilot_deg - kBeforeLimit_deg, limit->by_mm);
     }
   }
 
   // Diagonals go one way up to D: at an angle they have not been longer or shorter before.
   void add_strokes(double limit) {
-    const AngleGradients here = at(sheet_.deploys_from_deg());
+    const PathGradients::AtAngle here = at(sheet_.deploys_from_deg());
     for (Index d = 0; d < here.length_mm.size(); ++d) {
       const double longer_mm = here.length_mm(d) - flat_.length_mm(d);
       const double side = longer_mm < 0 ? -1 : 1;
-      add(LocalRow::Kind::stroke, d, here.pilot_deg, limit * flat_.length_mm(d) - side * longer_mm,
+      add(LocalModel::Row::Kind::stroke, d, here.pilot_deg,
+          limit * flat_.length_mm(d) - side * longer_mm,
           limit * flat_.length_by_mm.row(d) -
               side * (here.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
     }
@@ -155,12 +156,12 @@ class Builder {
 
   void add_forces(double most_n) {
     const SpringChanges springs(changes_);
-    const AngleGradients here = at(*options_.deploying.from_deg);
+    const PathGradients::AtAngle here = at(*options_.deploying.from_deg);
     const VectorXd forces_n = springs.forces_n(here);
     for (Index d = 0; d < forces_n.size(); ++d) {
       const double side = forces_n(d) < 0 ? -1 : 1;
       const VectorXd row = springs.forces_row(here, side * VectorXd::Unit(forces_n.size(), d));
-      model_.rows.push_back({LocalRow::Kind::force, static_cast<int>(d), here.pilot_deg,
+      model_.rows.push_back({LocalModel::Row::Kind::force, static_cast<int>(d), here.pilot_deg,
                              most_n - side * forces_n(d), -row});
     }
   }
@@ -171,7 +172,7 @@ class Builder {
       const auto& [goal, least] = options_.floors[floor];
       if (!goal->is_exact) continue;  // whether it is kept is seen of each sheet
       for (const LocalGoal& one : linearization_of(*goal, changes_)) {
-        model_.rows.push_back({LocalRow::Kind::floor, static_cast<int>(floor), 0,
+        model_.rows.push_back({LocalModel::Row::Kind::floor, static_cast<int>(floor), 0,
                                one.amount / one.over - least, one.row / one.over});
       }
     }
@@ -180,7 +181,7 @@ class Builder {
   const Sheet& sheet_;
   const OptimiseOptions& options_;
   SheetChanges changes_;
-  const AngleGradients& flat_;
+  const PathGradients::AtAngle& flat_;
   LocalModel model_;
 };
 

@@ -110,13 +110,14 @@ std::optional<VectorXd> PathGradients::folds_deg(double pilot_deg) {
   return workspace_->folds_deg();
 }
 
-std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_folds) {
+std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool with_folds) {
   Workspace& with = *workspace_;
   const Mechanism& mechanism = with.mechanism;
   const FoldingWay& way = *sheet_.way();
   const Index diagonals = mechanism.diagonal_count(), creases = std::ssize(mechanism.creases);
-  AngleGradients found{pilot_deg, way.flat_mm(), MatrixXd::Zero(diagonals, with.coordinates()),
-                       VectorXd::Zero(creases), MatrixXd::Zero(creases, with.coordinates())};
+  PathGradients::AtAngle found{
+      pilot_deg, way.flat_mm(), MatrixXd::Zero(diagonals, with.coordinates()),
+      VectorXd::Zero(creases), MatrixXd::Zero(creases, with.coordinates())};
   if (pilot_deg == 0) {
     for (Index d = 0; d < diagonals; ++d) {
       VectorXd row = VectorXd::Zero(with.coordinates());
@@ -155,8 +156,8 @@ std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_fold
   return found;
 }
 
-std::optional<SlopeGradients> PathGradients::slopes(double pilot_deg) {
-  SlopeGradients found{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
+std::optional<PathGradients::Slopes> PathGradients::slopes(double pilot_deg) {
+  PathGradients::Slopes found{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
   found.slope_by_mm.setZero(found.slope_mm_per_rad.size(), workspace_->coordinates());
   constexpr struct {
     int steps;
@@ -177,7 +178,7 @@ std::optional<SlopeGradients> PathGradients::slopes(double pilot_deg) {
 
 // How the unknowns follow each coordinate, column by column of the identity; and with that shapes
 // on either side.
-std::optional<VertexGradients> PathGradients::vertices(double pilot_deg) {
+std::optional<PathGradients::Shape> PathGradients::vertices(double pilot_deg) {
   if (!solve_at(pilot_deg)) return {};
   Workspace& with = *workspace_;
   const Mechanism& mechanism = with.mechanism;
@@ -210,7 +211,7 @@ std::optional<VertexGradients> PathGradients::vertices(double pilot_deg) {
     advance(mechanism, step.data(), state);
     return shape.vertices_mm(geometry, state);
   };
-  VertexGradients found{shape.vertices_mm(with.geometry, with.state), {}};
+  PathGradients::Shape found{shape.vertices_mm(with.geometry, with.state), {}};
   found.by_mm.resize(found.at_mm.size(), coordinates);
   for (Index k = 0; k < coordinates; ++k) {
     const Eigen::Matrix3Xd by_mm =
@@ -220,7 +221,7 @@ std::optional<VertexGradients> PathGradients::vertices(double pilot_deg) {
   return found;
 }
 
-std::optional<LimitGradient> PathGradients::fold_limit() {
+std::optional<PathGradients::AtLimit> PathGradients::fold_limit() {
   Workspace& with = *workspace_;
   const FoldingWay& way = *sheet_.way();
   if (!way.ends_at_limit()) return {};
@@ -234,7 +235,7 @@ std::optional<LimitGradient> PathGradients::fold_limit() {
   with.gradient.add_closure(null.data(), row.data());
   const double by_pilot = null.dot(with.system.jacobian().col(equations));
   const double per_mm = 1 / (kRadPerDeg * with.mechanism.panel_width_mm);
-  return LimitGradient{way.end_deg(), -per_mm / by_pilot * row.transpose()};
+  return PathGradients::AtLimit{way.end_deg(), -per_mm / by_pilot * row.transpose()};
 }
 
 }  // namespace misalign::solver

@@ -15,7 +15,7 @@ struct SheetChanges {
       : sheet(of), options(asked), variables(asked), gradients(of), flat(at(0)) {}
 
   /// Where they are not found it is not known, and the flat sheet's stand in their place.
-  AngleGradients at(double pilot_deg, bool with_folds = false) {
+  PathGradients::AtAngle at(double pilot_deg, bool with_folds = false) {
     options.watch();
     auto found = gradients.at(pilot_deg, with_folds);
     if (found) return std::move(*found);
@@ -28,7 +28,7 @@ struct SheetChanges {
   const Coordinates variables;
   bool is_known = true;
   PathGradients gradients;
-  const AngleGradients flat;
+  const PathGradients::AtAngle flat;
 };
 
 }  // namespace misalign::solver

@@ -17,12 +17,14 @@ class SpringChanges {
   const EnergyModel& rigid() const { return rigid_; }
   double n_per_mm() const { return springs().stiffness_n_per_mm; }
   /// Forces with panels rigid, N.
-  Eigen::VectorXd forces_n(const AngleGradients& here) const;
+  Eigen::VectorXd forces_n(const PathGradients::AtAngle& here) const;
   /// A row of their changes: by the coordinates, `weights` one per spring.
-  Eigen::VectorXd forces_row(const AngleGradients& here, const Eigen::VectorXd& weights) const;
+  Eigen::VectorXd forces_row(const PathGradients::AtAngle& here,
+                             const Eigen::VectorXd& weights) const;
   /// Of the energy of springs with these forces, panels where they are: in equilibrium that changes
   /// nothing to first order (the envelope theorem).
-  Eigen::VectorXd energy_row(const AngleGradients& here, const Eigen::VectorXd& forces_n) const;
+  Eigen::VectorXd energy_row(const PathGradients::AtAngle& here,
+                             const Eigen::VectorXd& forces_n) const;
 
  private:
   const Springs& springs() const { return changes_.options.deploying.sheet.springs; }

@@ -77,8 +77,8 @@ struct PlacedPanel {
 };
 
 // Of the tapers, by differences: fold angles at the end follow the vertices.
-RowVectorXd taper_by_mm(const Sheet& sheet, const AngleGradients& end, const PlateThickness& now,
-                        double trim_mm) {
+RowVectorXd taper_by_mm(const Sheet& sheet, const PathGradients::AtAngle& end,
+                        const PlateThickness& now, double trim_mm) {
   const FlatVertices& from_a1_mm = sheet.way()->from_a1_mm();
   const Eigen::VectorXd side = end.fold_deg.cwiseSign();
   RowVectorXd by_mm(2 * from_a1_mm.cols());
@@ -102,9 +102,9 @@ RowVectorXd taper_by_mm(const Sheet& sheet, const AngleGradients& end, const Pla
 
 }  // namespace
 
-DistanceGradient distance_gradient(const Sheet& sheet, const VertexGradients& folded, int panel_a,
-                                   int panel_b, const PolygonCorners& flat_a_mm,
-                                   const PolygonCorners& flat_b_mm) {
+LengthGradient distance_gradient(const Sheet& sheet, const PathGradients::Shape& folded,
+                                 int panel_a, int panel_b, const PolygonCorners& flat_a_mm,
+                                 const PolygonCorners& flat_b_mm) {
   const auto placed = [&](int panel, const PolygonCorners& flat_mm) {
     return PlacedPanel(sheet.panels().corners[static_cast<std::size_t>(panel)], sheet.vertices_mm(),
                        folded.at_mm, flat_mm);
@@ -116,24 +116,24 @@ DistanceGradient distance_gradient(const Sheet& sheet, const VertexGradients& fo
                                 a.moves_along(between.direction, between.on_a, folded.by_mm)};
 }
 
-std::vector<ThicknessChange> thickness_changes(const Sheet& sheet, PathGradients& gradients,
-                                               std::optional<double> from_deg) {
+std::vector<LengthGradient> thickness_changes(const Sheet& sheet, PathGradients& gradients,
+                                              std::optional<double> from_deg) {
   const auto study = contact(sheet, {{}, from_deg});
   if (!study || !study->thickness || study->thickness->thickness_mm <= 0) return {};
   const PlateThickness& now = *study->thickness;
   const auto trimmed = trimmed_panels(sheet.panels(), sheet.way()->from_a1_mm(), study->trim_mm);
   std::vector<double> angles_deg{now.pilot_deg};
   for (int k = 1; k <= kAngles; ++k) angles_deg.push_back(study->reach_deg * k / kAngles);
-  std::vector<ThicknessChange> changes;
+  std::vector<LengthGradient> changes;
   const double part = now.clear_mm > 0 ? 1 - kThicknessSlack : 0;
   for (const double angle_deg : angles_deg) {
     const auto folded = gradients.vertices(angle_deg);
     if (!folded) return {};
     for (const PanelPair& pair : pairs_of(sheet.panels())) {
       if (pair.kind == ContactKind::crease) continue;
-      const DistanceGradient found = distance_gradient(sheet, *folded, pair.a, pair.b,
-                                                       trimmed[static_cast<std::size_t>(pair.a)],
-                                                       trimmed[static_cast<std::size_t>(pair.b)]);
+      const LengthGradient found = distance_gradient(sheet, *folded, pair.a, pair.b,
+                                                     trimmed[static_cast<std::size_t>(pair.a)],
+                                                     trimmed[static_cast<std::size_t>(pair.b)]);
       if (part * found.mm > kClose * now.thickness_mm) continue;
       changes.push_back({part * found.mm, part * found.by_mm});
     }
