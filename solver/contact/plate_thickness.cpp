@@ -24,9 +24,7 @@ std::vector<std::array<bool, 4>> trimmed_corners(const Panels& panels) {
   for (const PanelPair& pair : pairs_of(panels)) {
     if (pair.kind != ContactKind::vertex) continue;
     for (const int panel : {pair.a, pair.b}) {
-      const auto& corners = panels.corners[static_cast<std::size_t>(panel)];
-      const auto at = std::find(corners.begin(), corners.end(), pair.joint) - corners.begin();
-      trimmed[static_cast<std::size_t>(panel)][static_cast<std::size_t>(at)] = true;
+      trimmed[panel][corner_of(panels.corners[panel], pair.joint)] = true;
     }
   }
   return trimmed;
