@@ -132,6 +132,14 @@ inline ArbNumber operator/(const ArbNumber& a, const ArbNumber& b) {
 }
 /// For certain: false where the balls overlap, and where a number is undefined.
 inline bool operator<(const ArbNumber& a, const ArbNumber& b) { return arb_lt(a[0], b[0]); }
+inline bool operator<=(const ArbNumber& a, const ArbNumber& b) { return arb_le(a[0], b[0]); }
+/// The middle of its ball, rounded: a guess.
+inline double as_double(const ArbNumber& x) { return arf_get_d(arb_midref(x[0]), ARF_RND_NEAR); }
+inline ArbNumber root_of(const ArbNumber& x) {
+  ArbNumber root;
+  arb_sqrt(root[0], x[0], kArbBits);
+  return root;
+}
 inline ArbNumber size_of(const ArbNumber& a) {
   ArbNumber result;
   arb_abs(result[0], a[0]);
@@ -156,7 +164,7 @@ ArbModel<Degree> scaled(const ArbNumber& k, const ArbModel<Degree>& f) {
 /// 1 / f; undefined where f is not known to stay away from zero. With any polynomial g and e = 1 -
 /// f g: 1 / f = g + g e / (1 - e).
 template <int Degree>
-ArbModel<Degree> inverse_of(const ArbModel<Degree>& f) {
+ArbModel<Degree> reciprocal(const ArbModel<Degree>& f) {
   ArbModel<Degree> g, middle;
   for (int k = 0; k <= Degree; ++k) arb_get_mid_arb(middle[k], f[k]);
   _arb_poly_inv_series(g[0], middle[0], Degree + 1, Degree + 1, kArbBits);
@@ -192,11 +200,8 @@ Proof is_positive(const ArbModel<Degree>& f, double middle = 0, double half = 1)
       arb_addmul(shifted[k], shifted[k + 1], by[0], kArbBits);
     }
   }
-  const ArbNumber at_middle = [&] {
-    ArbNumber number;
-    arb_set(number[0], shifted[0]);
-    return number;
-  }();
+  ArbNumber at_middle;
+  arb_set(at_middle[0], shifted[0]);
   if (at_middle < ArbNumber(0.0)) return Proof::fails;
   ArbNumber rest, power(1.0);
   for (int k = 1; k <= Degree; ++k) {

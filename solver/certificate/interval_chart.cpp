@@ -25,6 +25,16 @@ Ball squared_tangent_of(double angle_deg) {
   return tangent * tangent;
 }
 
+// A ball joint's quaternion at its unknowns.
+GradedQuaternion<double> quaternion_at(const Chart::Ball& at, const double* turns) {
+  GradedQuaternion<double> q = at.middle;
+  for (int k = 0; k < 3; ++k) {
+    q = {q.w + turns[k] * at.rate[k].w, q.x + turns[k] * at.rate[k].x,
+         q.y + turns[k] * at.rate[k].y, q.z + turns[k] * at.rate[k].z};
+  }
+  return q;
+}
+
 Chart::Ball turned_from(const Quaternion<double>& q) {
   return {{q.w, q.x, q.y, q.z},
           {{{-q.x, q.w, -q.z, q.y}, {-q.y, q.z, q.w, -q.x}, {-q.z, -q.y, q.x, q.w}}}};
@@ -164,12 +174,7 @@ void IntervalChart::recentre(const double* x) {
   }
   for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
     Chart::Ball& at = joints_.balls[i];
-    GradedQuaternion<double> q = at.middle;
-    for (int k = 0; k < 3; ++k) {
-      const double turn = x[mechanism_->balls[i].column + k];
-      q = {q.w + turn * at.rate[k].w, q.x + turn * at.rate[k].x, q.y + turn * at.rate[k].y,
-           q.z + turn * at.rate[k].z};
-    }
+    const GradedQuaternion<double> q = quaternion_at(at, x + mechanism_->balls[i].column);
     at.middle = q;
     if (!is_graded()) at = turned_from({q.w, q.x, q.y, q.z});
   }
@@ -189,12 +194,8 @@ FoldState<double> IntervalChart::state_at(const double* x, double s) const {
   }
   for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
     const Chart::Ball& at = joints_.balls[i];
-    GradedQuaternion<double> q = at.middle;
-    for (int k = 0; x != nullptr && k < 3; ++k) {
-      const double turn = x[mechanism_->balls[i].column + k];
-      q = {q.w + turn * at.rate[k].w, q.x + turn * at.rate[k].x, q.y + turn * at.rate[k].y,
-           q.z + turn * at.rate[k].z};
-    }
+    const GradedQuaternion<double> q =
+        x == nullptr ? at.middle : quaternion_at(at, x + mechanism_->balls[i].column);
     state.balls.push_back(Quaternion<double>{q.w, tau * q.x, tau * q.y, sigma * q.z}.normalized());
   }
   return state;
