@@ -95,10 +95,10 @@ HeldStiffness::Step HeldStiffness::solve_unstable(const MatrixXd& a, const Vecto
   bordered.topLeftCorner(n, n) = a;
   bordered.col(n).head(n) = g;
   bordered.row(n).head(n) = g.transpose();
-  VectorXd wanted(n + 1);
-  wanted << r, c;
-  const VectorXd found = bordered.partialPivLu().solve(wanted);
-  return {found.head(n), found(n)};
+  VectorXd right(n + 1);
+  right << r, c;
+  const VectorXd solution = bordered.partialPivLu().solve(right);
+  return {solution.head(n), solution(n)};
 }
 
 BentFollower::BentFollower(const ElasticSheet& sheet, const Matrix3Xd& folded_mm, double n_per_mm)

@@ -186,9 +186,9 @@ class Checker {
     }
     const std::vector<ArbNumber> kept =
         prover_.unknowns(interval, places, tau_at(interval, interval.middle));
-    const std::vector<ArbNumber> found = interval.unknowns_at(interval.middle);
+    const std::vector<ArbNumber> proven = interval.unknowns_at(interval.middle);
     for (std::size_t j = 0; j < kept.size(); ++j) {
-      if (!(size_of(kept[j] - found[j]) < ArbNumber(kMiddleBox))) return false;
+      if (!(size_of(kept[j] - proven[j]) < ArbNumber(kMiddleBox))) return false;
     }
     return true;
   }

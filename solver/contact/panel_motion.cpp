@@ -69,7 +69,7 @@ PanelMotion::PanelMotion(const Model& model, const FoldingWay& way, const Panels
     }
     corners_mm_.push_back(polygon);
   }
-  found_.assign(corners_mm_.size(), {-1, {}});
+  cached_.assign(corners_mm_.size(), {-1, {}});
   place_at_stations();
 }
 
@@ -144,12 +144,12 @@ PanelMotion::Pose PanelMotion::pose(double x, int panel) const {
     solve(x);
     return solved_[static_cast<std::size_t>(panel)];
   }
-  FoundPose& found = found_[static_cast<std::size_t>(panel)];
-  if (x != found.x) {
+  CachedPose& cached = cached_[static_cast<std::size_t>(panel)];
+  if (x != cached.x) {
     poses_.front().find(x, kPerPose * panel, kPerPose, values_, slopes_);
-    found = {x, {Eigen::Map<const Matrix3d>(values_.data()), values_.tail<3>()}};
+    cached = {x, {Eigen::Map<const Matrix3d>(values_.data()), values_.tail<3>()}};
   }
-  return found.pose;
+  return cached.pose;
 }
 
 double PanelMotion::crease_rad(double x, int crease) const {

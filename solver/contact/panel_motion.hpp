@@ -77,11 +77,11 @@ class PanelMotion {
   mutable SparseLu<double> lu_;
   mutable std::vector<double> residual_, work_, turn_;
   // By the polynomials: of each panel and of all creases the last that was found, and where.
-  struct FoundPose {
+  struct CachedPose {
     double x;
     Pose pose;
   };
-  mutable std::vector<FoundPose> found_;
+  mutable std::vector<CachedPose> cached_;
   mutable double creases_at_ = -1;
   mutable Eigen::VectorXd creases_rad_;
   mutable Eigen::VectorXd values_, slopes_;

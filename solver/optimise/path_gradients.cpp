@@ -115,7 +115,7 @@ std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool w
   const Mechanism& mechanism = with.mechanism;
   const FoldingWay& way = *sheet_.way();
   const Index diagonals = mechanism.diagonal_count(), creases = std::ssize(mechanism.creases);
-  PathGradients::AtAngle found{
+  PathGradients::AtAngle gradients{
       pilot_deg, way.flat_mm(), MatrixXd::Zero(diagonals, with.coordinates()),
       VectorXd::Zero(creases), MatrixXd::Zero(creases, with.coordinates())};
   if (pilot_deg == 0) {
@@ -123,9 +123,9 @@ std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool w
       VectorXd row = VectorXd::Zero(with.coordinates());
       add_flat_length(mechanism, with.geometry, mechanism.diagonals[static_cast<std::size_t>(d)],
                       1.0, row.data());
-      found.length_by_mm.row(d) = row.transpose();
+      gradients.length_by_mm.row(d) = row.transpose();
     }
-    return found;
+    return gradients;
   }
   if (!solve_at(pilot_deg)) return {};
   with.system.evaluate(with.geometry, with.state);
@@ -134,15 +134,15 @@ std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool w
   VectorXd row(with.coordinates());
   for (Index d = 0; d < diagonals; ++d) {
     const int diagonal = static_cast<int>(d);
-    found.length_mm(d) = with.gradient.length(diagonal) * mechanism.panel_width_mm;
+    gradients.length_mm(d) = with.gradient.length(diagonal) * mechanism.panel_width_mm;
     with.gradient.of_unknowns(diagonal, with.rates.data());
     row.setZero();
     with.gradient.add_length(diagonal, row.data());
     with.hold_closed(row);
-    found.length_by_mm.row(d) = row.transpose();
+    gradients.length_by_mm.row(d) = row.transpose();
   }
-  if (!with_folds) return found;
-  found.fold_deg = with.folds_deg();
+  if (!with_folds) return gradients;
+  gradients.fold_deg = with.folds_deg();
   const double deg_per_mm = 1 / (kRadPerDeg * mechanism.panel_width_mm);
   for (Index c = 0; c < creases; ++c) {
     const auto crease = static_cast<std::size_t>(c);
@@ -151,14 +151,14 @@ std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool w
     with.rates(mechanism.creases[crease].column) = mechanism.side * deg_per_mm;
     row.setZero();
     with.hold_closed(row);
-    found.fold_by_mm.row(c) = row.transpose();
+    gradients.fold_by_mm.row(c) = row.transpose();
   }
-  return found;
+  return gradients;
 }
 
 std::optional<PathGradients::Slopes> PathGradients::slopes(double pilot_deg) {
-  PathGradients::Slopes found{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
-  found.slope_by_mm.setZero(found.slope_mm_per_rad.size(), workspace_->coordinates());
+  PathGradients::Slopes gradients{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
+  gradients.slope_by_mm.setZero(gradients.slope_mm_per_rad.size(), workspace_->coordinates());
   constexpr struct {
     int steps;
     double weight;
@@ -170,10 +170,10 @@ std::optional<PathGradients::Slopes> PathGradients::slopes(double pilot_deg) {
                        (there_deg >= 0 || sheet_.mechanism().springs.in_mid_plane());
     const auto there = is_on ? at(std::abs(there_deg), false) : std::nullopt;
     if (!there) return {};
-    found.slope_mm_per_rad += weight / (12 * kSlopeStep_rad) * there->length_mm;
-    found.slope_by_mm += weight / (12 * kSlopeStep_rad) * there->length_by_mm;
+    gradients.slope_mm_per_rad += weight / (12 * kSlopeStep_rad) * there->length_mm;
+    gradients.slope_by_mm += weight / (12 * kSlopeStep_rad) * there->length_by_mm;
   }
-  return found;
+  return gradients;
 }
 
 // How the unknowns follow each coordinate, column by column of the identity; and with that shapes
@@ -211,14 +211,14 @@ std::optional<PathGradients::Shape> PathGradients::vertices(double pilot_deg) {
     advance(mechanism, step.data(), state);
     return shape.vertices_mm(geometry, state);
   };
-  PathGradients::Shape found{shape.vertices_mm(with.geometry, with.state), {}};
-  found.by_mm.resize(found.at_mm.size(), coordinates);
+  PathGradients::Shape folded{shape.vertices_mm(with.geometry, with.state), {}};
+  folded.by_mm.resize(folded.at_mm.size(), coordinates);
   for (Index k = 0; k < coordinates; ++k) {
     const Eigen::Matrix3Xd by_mm =
         (shape_mm(k, kNextShape_mm) - shape_mm(k, -kNextShape_mm)) / (2 * kNextShape_mm);
-    found.by_mm.col(k) = by_mm.reshaped();
+    folded.by_mm.col(k) = by_mm.reshaped();
   }
-  return found;
+  return folded;
 }
 
 std::optional<PathGradients::AtLimit> PathGradients::fold_limit() {

@@ -17,8 +17,8 @@ struct SheetChanges {
   /// Where they are not found it is not known, and the flat sheet's stand in their place.
   PathGradients::AtAngle at(double pilot_deg, bool with_folds = false) {
     options.watch();
-    auto found = gradients.at(pilot_deg, with_folds);
-    if (found) return std::move(*found);
+    auto there = gradients.at(pilot_deg, with_folds);
+    if (there) return std::move(*there);
     is_known = false;
     return flat;
   }

@@ -131,11 +131,11 @@ std::vector<LengthGradient> thickness_changes(const Sheet& sheet, PathGradients&
     if (!folded) return {};
     for (const PanelPair& pair : pairs_of(sheet.panels())) {
       if (pair.kind == ContactKind::crease) continue;
-      const LengthGradient found = distance_gradient(sheet, *folded, pair.a, pair.b,
-                                                     trimmed[static_cast<std::size_t>(pair.a)],
-                                                     trimmed[static_cast<std::size_t>(pair.b)]);
-      if (part * found.mm > kClose * now.thickness_mm) continue;
-      changes.push_back({part * found.mm, part * found.by_mm});
+      const LengthGradient distance = distance_gradient(sheet, *folded, pair.a, pair.b,
+                                                        trimmed[static_cast<std::size_t>(pair.a)],
+                                                        trimmed[static_cast<std::size_t>(pair.b)]);
+      if (part * distance.mm > kClose * now.thickness_mm) continue;
+      changes.push_back({part * distance.mm, part * distance.by_mm});
     }
   }
   if (now.taper_mm <= kClose * now.thickness_mm) {
