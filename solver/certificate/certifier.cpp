@@ -161,8 +161,7 @@ class TubeContinuation {
     const double s = place.c[0];
     std::vector<double> x(mechanism_.unknowns, 0.0);
     for (int j = 0; j < mechanism_.equations; ++j) {
-      const auto& c = last_.path[j].c;
-      for (int k = s < 2 ? kPathDegree : 3; k >= 0; --k) x[j] = x[j] * s + c[k];
+      x[j] = guess_at(last_.path[j], s, s < 2 ? kPathDegree : 3);
     }
     return last_.chart.state_at(x.data(), s);
   }

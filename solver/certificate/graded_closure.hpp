@@ -70,9 +70,6 @@ class GradedClosure {
     }
   }
 
-  const std::vector<Joint>& creases() const { return creases_; }
-  const std::vector<Joint>& balls() const { return balls_; }
-
   /// How far the loops are open, one for each equation; and the Jacobian's structural nonzeros in
   /// the order of jacobian_entries, those of the pilot left out, unless `values` is null.
   void evaluate(T* residual, std::vector<T>* values) const {

@@ -13,12 +13,7 @@ using Eigen::Vector3d;
 using Corners = std::array<GradedVector<JacobianModel>, 4>;
 
 Vector3d middle_at(const GradedVector<JacobianModel>& point, double s) {
-  const auto value = [s](const JacobianModel& f) {
-    double sum = 0;
-    for (int k = kJacobianDegree; k >= 0; --k) sum = sum * s + f.c[k];
-    return sum;
-  };
-  return {value(point.x), value(point.y), value(point.z)};
+  return {guess_at(point.x, s), guess_at(point.y, s), guess_at(point.z, s)};
 }
 
 // Encloses direction . point while s goes from `from` to `to`.

@@ -174,6 +174,14 @@ Ball polynomial_at(TaylorModel<Degree> f, const Ball& s) {
   return value_at(f, s);
 }
 
+/// Without any radius, and with powers up to `degree` only: a guess.
+template <int Degree>
+double guess_at(const TaylorModel<Degree>& f, double s, int degree = Degree) {
+  double sum = 0;
+  for (int k = degree; k >= 0; --k) sum = sum * s + f.c[k];
+  return sum;
+}
+
 /// Square root of a positive number: of infinite radius where it is not known to be one. The
 /// correctly rounded root of the middle is off by u of itself; |sqrt(m + d) - sqrt(m)| <= |d| /
 /// sqrt(m).

@@ -96,17 +96,12 @@ bool TubeProver::solve_middle(IntervalChart& chart) {
 
 // The parabola through J^-1 near both ends and in the middle.
 void TubeProver::find_inverse(const PathTube& tube) {
-  std::array<Eigen::MatrixXd, 2> at_ends;
-  std::vector<double> x(mechanism_.unknowns);
-  for (int end = 0; end < 2; ++end) {
-    const double s = end == 0 ? -kInverseAt : kInverseAt;
-    for (int j = 0; j < mechanism_.unknowns; ++j) {
-      x[j] = 0;
-      for (int k = kPathDegree; k >= 0; --k) x[j] = x[j] * s + tube.path[j].c[k];
-    }
-    at_ends[end] = inverse_at(tube.chart, x, s);
-  }
-  krawczyk_.set_ends(at_ends[0], at_ends[1], kInverseAt);
+  const auto inverse_near = [&](double s) {
+    std::vector<double> x(mechanism_.unknowns);
+    for (int j = 0; j < mechanism_.unknowns; ++j) x[j] = guess_at(tube.path[j], s);
+    return inverse_at(tube.chart, x, s);
+  };
+  krawczyk_.set_ends(inverse_near(-kInverseAt), inverse_near(kInverseAt), kInverseAt);
 }
 
 // Newton's method with one inverse for polynomials: a power of s more with each step.

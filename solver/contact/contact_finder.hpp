@@ -39,7 +39,6 @@ class ContactFinder {
   /// crossing are said to meet.
   std::optional<Contact> first(double end) const;
   Clearance clearance(double x) const;
-  const std::vector<PanelPair>& pairs() const { return pairs_; }
 
  private:
   double vertex_angle_rad(const PanelPair& pair, double x) const;

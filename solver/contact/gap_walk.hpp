@@ -72,8 +72,6 @@ class PolygonWalk : public GapWalk {
   double least_mm(double x) const;
   /// Where it was moved to last, in flat coordinates of panel a.
   const Separation& separation() const { return separation_; }
-  int a() const { return a_; }
-  int b() const { return b_; }
 
  protected:
   void find_rates(int node, PolygonCorners& rates) const override;

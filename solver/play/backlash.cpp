@@ -20,6 +20,12 @@ std::vector<double> sorted(const std::vector<BacklashTrial>& trials, Value value
   return values;
 }
 
+std::vector<double> known(const std::vector<BacklashTrial>& trials, double BacklashTrial::*angle) {
+  return sorted(trials, [angle](const BacklashTrial& trial) {
+    return trial.is_known ? std::optional(trial.*angle) : std::nullopt;
+  });
+}
+
 }  // namespace
 
 const char* name_of(BacklashTrial::BranchEnd end) {
@@ -56,15 +62,11 @@ std::vector<double> Backlash::lost_deg() const {
 }
 
 std::vector<double> Backlash::one_way_from_deg() const {
-  return sorted(trials, [](const BacklashTrial& trial) {
-    return trial.is_known ? std::optional(trial.one_way_from_deg) : std::nullopt;
-  });
+  return known(trials, &BacklashTrial::one_way_from_deg);
 }
 
 std::vector<double> Backlash::one_way_to_deg() const {
-  return sorted(trials, [](const BacklashTrial& trial) {
-    return trial.is_known ? std::optional(trial.one_way_to_deg) : std::nullopt;
-  });
+  return known(trials, &BacklashTrial::one_way_to_deg);
 }
 
 std::vector<double> Backlash::left_over() const {
