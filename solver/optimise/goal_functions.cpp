@@ -34,8 +34,7 @@ std::optional<BentFriction> bent_friction(const Sheet& sheet, const OptimiseOpti
 }
 
 Value bent_critical_friction(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto friction = bent_friction(sheet, options);
-  return friction ? friction->critical_n_mm_per_mm : std::nullopt;
+  return member_of(bent_friction(sheet, options), &BentFriction::critical_n_mm_per_mm);
 }
 
 Value static_friction(const Sheet& sheet, const OptimiseOptions& options) {

@@ -9,7 +9,6 @@
 #include "solver/contact/contact.hpp"
 #include "solver/optimise/deployed_angle.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
-#include "solver/optimise/spring_changes.hpp"
 #include "solver/optimise/thickness_changes.hpp"
 
 namespace misalign::solver {

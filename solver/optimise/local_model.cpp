@@ -8,7 +8,6 @@
 
 #include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
-#include "solver/optimise/spring_changes.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -44,10 +43,6 @@ class Builder {
   }
 
  private:
-  PathGradients::AtAngle at(double pilot_deg, bool with_folds = false) {
-    return changes_.at(pilot_deg, with_folds);
-  }
-
   void add_room() {
     const Eigen::ArrayXd own_mm =
         changes_.variables.of(point_of(sheet_.shifts_mm(), options_)).array();
@@ -90,10 +85,10 @@ class Builder {
   void add_directions() {
     PathGradients::AtAngle last = flat_;
     const double to_deg = sheet_.sample_deg(options_.deploys_from_sample);
-    const PathGradients::AtAngle end = at(to_deg, to_deg >= kFoldedFar_deg);
+    const PathGradients::AtAngle end = changes_.at(to_deg, to_deg >= kFoldedFar_deg);
     const VectorXd longer_mm = end.length_mm - flat_.length_mm;
     for (const double pilot_deg : angles_of_directions(to_deg)) {
-      PathGradients::AtAngle here = pilot_deg == to_deg ? end : at(pilot_deg);
+      PathGradients::AtAngle here = pilot_deg == to_deg ? end : changes_.at(pilot_deg);
       const double least_mm = options_.least_slope_mm_per_deg *
                               half_angle_of_deg(pilot_deg + last.pilot_deg).s *
                               (pilot_deg - last.pilot_deg);
@@ -143,7 +138,7 @@ class Builder {
 
   // Diagonals go one way up to D: at an angle they have not been longer or shorter before.
   void add_strokes(double limit) {
-    const PathGradients::AtAngle here = at(sheet_.deploys_from_deg());
+    const PathGradients::AtAngle here = changes_.at(sheet_.deploys_from_deg());
     for (Index d = 0; d < here.length_mm.size(); ++d) {
       const double longer_mm = here.length_mm(d) - flat_.length_mm(d);
       const double side = longer_mm < 0 ? -1 : 1;
@@ -156,7 +151,7 @@ class Builder {
 
   void add_forces(double most_n) {
     const SpringChanges springs(changes_);
-    const PathGradients::AtAngle here = at(*options_.deploying.from_deg);
+    const PathGradients::AtAngle here = changes_.at(*options_.deploying.from_deg);
     const VectorXd forces_n = springs.forces_n(here);
     for (Index d = 0; d < forces_n.size(); ++d) {
       const double side = forces_n(d) < 0 ? -1 : 1;

@@ -54,8 +54,8 @@ struct OptimiseOptions {
 struct Optimised {
   enum class StopReason { no_step_is_better, most_steps };
 
-  /// What keeps it from doing better, at the end: by how much the goal would grow with a little
-  /// more room (to first order; 0: it does not limit).
+  /// The limits of a better end: by how much the goal would grow with a little more room (to first
+  /// order; 0: it does not limit).
   struct Limits {
     double per_share_of_stroke = 0;  ///< for each 1 of the stroke limit
     double per_n_of_force = 0;       ///< for each N of the largest force

@@ -1,4 +1,4 @@
-#include "solver/optimise/spring_changes.hpp"
+#include "solver/optimise/sheet_changes.hpp"
 
 namespace misalign::solver {
 
