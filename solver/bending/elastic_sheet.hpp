@@ -55,7 +55,7 @@ class ElasticSheet {
   Eigen::MatrixXd saddle_slopes(const Eigen::Matrix3Xd& at_mm) const;
   /// K of each panel, N/mm.
   const Eigen::VectorXd& saddle_n_per_mm() const { return saddle_n_per_mm_; }
-  /// Of each panel; some ms for a sheet.
+  /// Each panel's; some ms for a sheet.
   Eigen::VectorXd stress_mpa_per_mm() const;
 
   /// Sum over the creases of length times |fold angle| (mm): dry friction of so much for each mm of

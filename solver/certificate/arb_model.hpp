@@ -63,15 +63,6 @@ class ArbModel {
   arb_ptr operator[](int k) { return &c_[k]; }
   arb_srcptr operator[](int k) const { return &c_[k]; }
 
-  /// At least |f(s)| for every s.
-  void bound(ArbBound& most) const {
-    ArbBound size;
-    mag_zero(most.get());
-    for (const arb_struct& k : c_) {
-      arb_get_mag(size.get(), &k);
-      mag_add(most.get(), most.get(), size.get());
-    }
-  }
   void widen(const ArbBound& error) { arb_add_error_mag(&c_[0], error.get()); }
 
   MISALIGN_CALL ArbModel operator-() const {
@@ -145,10 +136,14 @@ inline ArbNumber size_of(const ArbNumber& a) {
   arb_abs(result[0], a[0]);
   return result;
 }
+/// At least |f(s)| for every s.
 template <int Degree>
 ArbNumber most_of(const ArbModel<Degree>& f) {
-  ArbBound most;
-  f.bound(most);
+  ArbBound most, size;
+  for (int k = 0; k <= Degree; ++k) {
+    arb_get_mag(size.get(), f[k]);
+    mag_add(most.get(), most.get(), size.get());
+  }
   ArbNumber result;
   arf_set_mag(arb_midref(result[0]), most.get());
   return result;

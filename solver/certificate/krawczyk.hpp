@@ -21,7 +21,7 @@ class Krawczyk {
 
   explicit Krawczyk(const Mechanism& mechanism);
 
-  /// Of every unknown but the pilot's.
+  /// The columns of every unknown but the pilot's.
   const std::vector<Column>& columns() const { return columns_; }
   Eigen::MatrixXd inverse_of(const std::vector<double>& jacobian) const;
 
@@ -36,11 +36,11 @@ class Krawczyk {
   /// Radii that the deviation makes smaller, the largest 1: its eigenvector, but for small entries.
   Eigen::VectorXd find_weights() const;
 
-  /// At least |C F|.
+  /// Bounds |C F| from above.
   Eigen::VectorXd bound_product(const std::vector<PathModel>& residual) const;
-  /// At least |I - C J| times these radii.
+  /// Bounds |I - C J| times these radii.
   Eigen::VectorXd times_deviation(const Eigen::VectorXd& radii) const;
-  /// At least |e| for every e with |e| <= most + |I - C J| |e|, on a tube that is proven.
+  /// Bounds |e| for every e with |e| <= most + |I - C J| |e|, on a tube that is proven.
   Eigen::VectorXd bound_solution(const PathTube& tube, const Eigen::VectorXd& most) const;
 
  private:

@@ -229,19 +229,15 @@ class PoseClosure {
     m.d = k * m.d;
   }
 
-  Motion<T> turn_of_ball(const BallValue& ball) const {
-    Motion<T> m = quaternion_form(ball.q, ball.q);
-    scale(ball.inverse, m);
-    return m;
-  }
-
   Motion<T> motion(const Loop& loop, const Passage& passage) const {
     return motion(loop.passages[0].vertex, passage);
   }
   Motion<T> motion(int origin, const Passage& passage) const {
     Motion<T> m;
     if (passage.ball) {
-      m = turn_of_ball(balls_[passage.joint]);
+      const BallValue& ball = balls_[passage.joint];
+      m = quaternion_form(ball.q, ball.q);
+      scale(ball.inverse, m);
       if (passage.sense < 0) m = m.transposed();
     } else {
       const CreaseValue& at = creases_[passage.joint];

@@ -174,7 +174,7 @@ Ball polynomial_at(TaylorModel<Degree> f, const Ball& s) {
   return value_at(f, s);
 }
 
-/// Without any radius, and with powers up to `degree` only: a guess.
+/// The powers up to `degree` of its polynomial at one s, rounded: a guess.
 template <int Degree>
 double guess_at(const TaylorModel<Degree>& f, double s, int degree = Degree) {
   double sum = 0;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/certificate/interval_length.hpp"
-
 namespace misalign::solver {
 namespace {
 
@@ -23,6 +21,21 @@ constexpr double kLargestContraction = 0.9;
 /// So well is the path to be known that rates of change are, and that it joins the smallest boxes.
 constexpr double kLargestError = 2e-9;
 
+// No interval is made shorter or longer by more at once.
+constexpr double kMuchShorter = 0.3;
+
+// The root of this degree, but between kMuchShorter and its inverse.
+double limited_root(double power, int degree) {
+  double low = kMuchShorter, high = 1 / kMuchShorter;
+  for (int step = 0; step < 20; ++step) {
+    const double middle = 0.5 * (low + high);
+    double product = 1;
+    for (int k = 0; k < degree; ++k) product *= middle;
+    (product <= power ? low : high) = middle;
+  }
+  return low;
+}
+
 // The derivative of a polynomial, by s.
 PathModel derivative(const PathModel& p) {
   PathModel rate;
@@ -33,8 +46,14 @@ PathModel derivative(const PathModel& p) {
 
 }  // namespace
 
+// Error and contraction grow with a power of the length. By multiplication alone, so that intervals
+// have the same ends on every machine.
 double TubeProver::better_length() const {
-  return misalign::solver::better_length(error_, kPathDegree + 1, contraction_, kInversePowers);
+  constexpr double kTargetError = 1e-10, kTargetContraction = 0.5;
+  if (!(error_ < 1)) return kMuchShorter;
+  const double by_error = limited_root(kTargetError / error_, kPathDegree + 1);
+  if (!(contraction_ < 1e3)) return by_error;
+  return std::min(by_error, limited_root(kTargetContraction / contraction_, kInversePowers));
 }
 
 TubeProver::TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm)

@@ -26,7 +26,7 @@ std::vector<PolygonCorners> trimmed_panels(const Panels& panels, const FlatVerti
 /// The largest trim that leaves something of every edge, mm.
 double largest_trim_mm(const Panels& panels, const FlatVertices& vertices_mm);
 
-/// How far below the least distance of the mid-planes the thickness stays, as a share.
+/// The share by which the thickness stays below the least distance of the mid-planes.
 inline constexpr double kThicknessSlack = 1e-3;
 
 struct PlateThickness {
