@@ -11,8 +11,8 @@
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/optimised_draw.hpp"
 #include "solver/model/miscut_margin.hpp"
-#include "solver/optimise/fitted_start.hpp"
 #include "solver/optimise/objective.hpp"
+#include "solver/optimise/optimise.hpp"
 
 namespace misalign::search {
 using schema::Json;

@@ -6,7 +6,7 @@
 #include "schema/exchange/optimise_json.hpp"
 #include "search/sheets/better_sheet.hpp"
 #include "solver/optimise/ascent.hpp"
-#include "solver/optimise/fitted_start.hpp"
+#include "solver/optimise/optimise.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {

@@ -193,7 +193,9 @@ TubeProver::End TubeProver::prove(const PathInterval& interval, double box, Path
   tube.path = find_path(tube.chart);
   const std::vector<PathModel> residual =
       residual_of(tube.chart, path_sheet_, tube.path, PathModel::line(0, 1));
-  error_ = estimate_error(residual);
+  Eigen::VectorXd sizes(mechanism_.equations);
+  for (int i = 0; i < mechanism_.equations; ++i) sizes[i] = residual[i].bound();
+  error_ = (krawczyk_.middle().cwiseAbs() * sizes).maxCoeff();  // by C in the middle: no proof
   if (!(error_ < kLargestError)) return End::too_curved;
 
   find_inverse(tube);
@@ -208,13 +210,6 @@ TubeProver::End TubeProver::prove(const PathInterval& interval, double box, Path
   const Eigen::VectorXd errors = krawczyk_.bound_solution(tube, misfit);
   for (int j = 0; j < mechanism_.equations; ++j) tube.path[j].radius = errors[j];
   return End::proven;
-}
-
-// How far p is from the path, by C in the middle: no proof.
-double TubeProver::estimate_error(const std::vector<PathModel>& residual) const {
-  Eigen::VectorXd sizes(mechanism_.equations);
-  for (int i = 0; i < mechanism_.equations; ++i) sizes[i] = residual[i].bound();
-  return (krawczyk_.middle().cwiseAbs() * sizes).maxCoeff();
 }
 
 std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {

@@ -57,7 +57,6 @@ class TubeProver {
   bool solve_middle(IntervalChart& chart);
   void find_inverse(const PathTube& tube);
   std::vector<PathModel> find_path(const IntervalChart& chart) const;
-  double estimate_error(const std::vector<PathModel>& residual) const;
   std::vector<JacobianModel> unknowns(const PathTube& tube, double box) const;
   void find_deviation(const PathTube& tube, double box);
   template <int Degree>

@@ -13,7 +13,7 @@ namespace misalign::solver {
 
 class Ascent {
  public:
-  /// The sheet's model must outlive this object, the sheet need not.
+  /// Goes on from fitted_start(). The sheet's model must outlive this object, the sheet need not.
   Ascent(const Sheet& start, Optimised fitted);
   Ascent(const Ascent&) = delete;
   Ascent& operator=(const Ascent&) = delete;

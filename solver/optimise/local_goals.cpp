@@ -89,14 +89,6 @@ std::vector<LocalGoal> critical_frictions(const std::vector<LocalGoal>& energies
   return goals;
 }
 
-std::vector<LocalGoal> static_frictions(const std::vector<LocalGoal>& energies) {
-  std::vector<LocalGoal> goals;
-  for (std::size_t k = 1; k + 1 < energies.size(); ++k) {
-    goals.push_back(between(energies[k + 1], energies[k]));
-  }
-  return goals;
-}
-
 // How far a diagonal goes on in a section of the way, from the one angle to the other.
 struct Section {
   Index diagonal;
@@ -135,7 +127,12 @@ std::vector<LocalGoal> local_bent_critical_friction(SheetChanges& changes) {
 }
 
 std::vector<LocalGoal> local_static_friction(SheetChanges& changes) {
-  return static_frictions(bent_energies(changes));
+  const std::vector<LocalGoal> energies = bent_energies(changes);
+  std::vector<LocalGoal> goals;
+  for (std::size_t k = 1; k + 1 < energies.size(); ++k) {
+    goals.push_back(between(energies[k + 1], energies[k]));
+  }
+  return goals;
 }
 
 std::vector<LocalGoal> local_energy(SheetChanges& changes) {

@@ -23,4 +23,7 @@ namespace misalign::solver {
 /// value. Reasons: overconstrained, path_lost.
 StudyResult<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
 
+/// The same before its first step: the options as they fit the sheet, and the value of the goal.
+StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& options);
+
 }  // namespace misalign::solver
