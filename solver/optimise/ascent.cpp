@@ -22,8 +22,8 @@ constexpr double kLeastGain = 1e-4;
 constexpr double kForeseen = 0.5;
 // The limits at the end are those of a box of so many amplitudes.
 constexpr double kBoxOfLimits = 0.05;
-// What flips may seem to turn back and yet be looked at, of what they move: to first order slopes
-// are off by 7 % at 120 degrees, and by half at 150.
+// The share of what a flip moves by which it may seem to turn back and yet is evaluated: to first
+// order slopes are off by 7 % at 120 degrees, and by half at 150.
 constexpr double kEarlyDoubt = 0.15, kLateDoubt = 0.6, kLateFrom_deg = 120;
 
 }  // namespace
@@ -95,8 +95,8 @@ void Ascent::give_up_box() {
   begin_flips();
 }
 
-// Of one or two coordinates: those first that promise most. None of those that promise: before it
-// is given up, of single ones every one is looked at.
+// Flips of one or two coordinates are evaluated in the order of what they promise; where none does
+// better, every single one before the step is given up.
 void Ascent::begin_flips() {
   trying_ = Trying::promising_flips;
   next_flip_ = 0;

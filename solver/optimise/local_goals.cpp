@@ -19,12 +19,13 @@ using Eigen::Matrix2Xd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-// At which the goal of rigid panels is looked at, beside flat.
+// Number of angles at which the goal of rigid panels is evaluated, beside flat.
 constexpr int kGoalAngles = 6;
-// Of margins those within so much of the least are followed to second order, by sheets that are
-// shifted by so much: between rounding of gradients, 1e-9, and their curvature.
+// Margins within the factor kNearTheLeast of the least are followed to second order, by sheets that
+// are shifted by kAlong_mm: between rounding of gradients, 1e-9, and their curvature.
 constexpr double kNearTheLeast = 1.5, kAlong_mm = 1e-4;
-// How far beyond where a diagonal turns back they are looked at, and in what steps.
+// The range of angles beyond where a diagonal turns back in which they are evaluated, and its
+// steps.
 constexpr double kBeyond_deg = 4, kStep_deg = 1;
 // Number of angles at which moments are evaluated.
 constexpr Index kMomentAngles = 12;
@@ -160,7 +161,7 @@ std::vector<LocalGoal> local_margin(SheetChanges& changes) {
   std::vector<LocalGoal> all;
   for (const Section& one : sections) {
     RowVectorXd row = one.by_mm;
-    // What is divided by changes too; of the least ones that is looked at.
+    // The divisor changes too, which counts for the least ones.
     if (one.ratio() < kNearTheLeast * least) row -= one.ratio() * norm_by_mm(changes, one, solver);
     all.push_back({one.moved_mm, one.by_mm.norm(), changes.variables.row(row)});
   }

@@ -15,17 +15,18 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Directions are looked at in long steps up to so far below the angle asked for, then in short
-// ones, since near fold limits diagonals turn within degrees, and at last in one that shows which
-// still go on there.
+// Steps between directions: long ones up to kNearEnd_deg below the angle asked for, then short
+// ones, since near fold limits diagonals turn within degrees, and a last one that shows which still
+// go on there.
 constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24, kLast_deg = 0.02;
-// A fold limit stays so far beyond the angle asked for, and creases there so far from folded flat.
+// Distances that are kept: of the fold limit beyond the angle asked for, of creases there from
+// folded flat.
 constexpr double kBeforeLimit_deg = 0.05, kBeforeFlat_deg = 1e-3;
-// Fold angles are asked for from here on.
+// Angles asked for from which on fold angles are constrained.
 constexpr double kFoldedFar_deg = 150;
 
-// Slopes are looked at themselves where they are less than so many least ones, and kept this share
-// above it: less than what steps leave.
+// Slopes below kLowSlopes times the least one are constrained themselves, to stay above it by the
+// share kAboveLeast: less than what steps leave.
 constexpr double kLowSlopes = 10, kAboveLeast = 0.1;
 
 class Builder {

@@ -5,8 +5,8 @@
 // neighbouring angles, elongations, fold limit and fold angles change as their gradients say
 // (PathGradients), within a box that shrinks where that was wrong (a sequence of linear programs
 // with a trust region). With ternary shifts a step changes one coordinate or two: the same
-// gradients say which to look at first. Either way a sheet is taken only if it, folded itself, fits
-// and does better.
+// gradients say which to evaluate first. Either way a sheet is taken only if it, folded itself,
+// fits and does better.
 //
 // Where the goal is of rigid panels, every number that decides comes of additions, products,
 // quotients and roots: the same sheet at the same steps, to the last bit, on every processor.

@@ -14,11 +14,11 @@ using Eigen::RowVectorXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// At so many angles pairs are looked at; those whose distance is within so much of the least count,
-// and so do tapers.
+// Number of angles at which pairs are compared; those within the factor kClose of the least
+// distance count, and so do tapers.
 constexpr int kAngles = 12;
 constexpr double kClose = 1.3;
-// Tapers are looked at on either side of a sheet: they are halved down to rounding.
+// Tapers are differenced over two sheets beside one: they are halved down to rounding.
 constexpr double kNextTaper_mm = 1e-4;
 
 // So near the line between two corners, in their distance, a point lies on it.
