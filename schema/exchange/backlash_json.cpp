@@ -43,9 +43,10 @@ ShareOfTrials one_way_share(const solver::Backlash& backlash, double up_to_deg) 
 Json backlash_json(const solver::Backlash& backlash, std::optional<double> threshold_deg) {
   const std::vector<double> left = backlash.left_over();
   Json ends = Json::object();
-  for (const solver::BranchEnd end :
-       {solver::BranchEnd::flat, solver::BranchEnd::turns, solver::BranchEnd::other_branch,
-        solver::BranchEnd::not_known}) {
+  for (const solver::BacklashTrial::BranchEnd end :
+       {solver::BacklashTrial::BranchEnd::flat, solver::BacklashTrial::BranchEnd::turns,
+        solver::BacklashTrial::BranchEnd::other_branch,
+        solver::BacklashTrial::BranchEnd::not_known}) {
     ends[solver::name_of(end)] =
         std::count_if(backlash.trials.begin(), backlash.trials.end(),
                       [&](const solver::BacklashTrial& trial) { return trial.lost == end; });

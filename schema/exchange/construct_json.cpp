@@ -5,7 +5,7 @@
 namespace misalign::schema {
 
 Json construct_json(const Pattern& base, const solver::ConstructStudy& study, double at_deg) {
-  const Json holes = json_list(study.holes, [&](const solver::ConstructedHole& hole) {
+  const Json holes = json_list(study.holes, [&](const solver::ConstructStudy::Hole& hole) {
     return Json{{"hole", facet_json(base, hole.facet)},
                 {"delta_mm", hole.delta_mm},
                 {"epsilon_mm", hole.epsilon_mm},

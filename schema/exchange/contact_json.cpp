@@ -32,7 +32,7 @@ Json thickness_json(const Pattern& base, const solver::Panels& panels,
                     const solver::ContactStudy& study) {
   if (!study.thickness) return nullptr;
   const solver::PlateThickness& plates = *study.thickness;
-  const bool by_taper = plates.limit == solver::ThicknessLimit::taper;
+  const bool by_taper = plates.limit == solver::PlateThickness::Limit::taper;
   Json json = {{"largest_mm", finite_or_null(plates.thickness_mm)},
                {"reaches_deg", study.reach_deg},
                {"trim_mm", study.trim_mm},
@@ -68,7 +68,7 @@ Json contact_json(const Pattern& base, const solver::Panels& panels,
 Json contact_study_json(const Pattern& base, const solver::Panels& panels,
                         const solver::ContactStudy& study) {
   Json clearance = {{"pilot_deg", study.pilot_deg}};
-  for (const solver::Clearance& least : study.clearances) {
+  for (const solver::ContactFinder::Clearance& least : study.clearances) {
     clearance["apart_mm"].push_back(finite_or_null(least.apart_mm));
     clearance["vertex_deg"].push_back(least.vertex_deg);
     clearance["crease_deg"].push_back(least.crease_deg);

@@ -5,12 +5,12 @@
 
 namespace misalign::schema {
 
-const char* name_of(solver::StopReason reason) {
-  return reason == solver::StopReason::most_steps ? "most_steps" : "no_step_is_better";
+const char* name_of(solver::Optimised::StopReason reason) {
+  return reason == solver::Optimised::StopReason::most_steps ? "most_steps" : "no_step_is_better";
 }
 
 Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseOptions& options,
-                 const solver::OptimiseLimits& limits) {
+                 const solver::Optimised::Limits& limits) {
   Json turning = Json::array(), floors = Json::object();
   for (const auto& [diagonal, pilot_deg, per_mm] : limits.turning) {
     turning.push_back({{"diagonal", diagonal_label(mechanism, diagonal)},

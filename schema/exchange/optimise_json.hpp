@@ -8,12 +8,12 @@
 namespace misalign::schema {
 
 /// As keys and columns have it.
-const char* name_of(solver::StopReason reason);
+const char* name_of(solver::Optimised::StopReason reason);
 
 /// What limits an end: by how much the goal would grow with more room, and diagonals that would
 /// turn back.
 Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseOptions& options,
-                 const solver::OptimiseLimits& limits);
+                 const solver::Optimised::Limits& limits);
 
 /// `sheet`: the one that was found, proven up to `certified_deg`, and its pattern file.
 Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,

@@ -20,7 +20,7 @@ Json tolerance_json(const solver::Tolerance& t) {
     return Json{{"share", share}, {"deploys_from_deg", t.copies.quantile(share) * t.sample_deg}};
   });
   Json vertices = Json::array();
-  for (const solver::VertexTolerance& vertex : t.vertices) {
+  for (const solver::Tolerance::Vertex& vertex : t.vertices) {
     Json json = share_json(vertex.copies.from(t.threshold_sample), vertex.copies);
     json["vertex"] = solver::vertex_label(vertex.vertex);
     json["trials"] = vertex.copies.trials;

@@ -11,8 +11,8 @@
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/optimised_draw.hpp"
 #include "solver/model/miscut_margin.hpp"
-#include "solver/optimise/ascent.hpp"
 #include "solver/optimise/objective.hpp"
+#include "solver/optimise/optimise.hpp"
 
 namespace misalign::search {
 using schema::Json;
@@ -144,7 +144,7 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
             schema::displacements_json(start.shifts_mm()).dump());
   }
   const auto fitted = solver::fitted_start(start, *asked_);
-  const Json value = fitted ? Json(fitted->value) : Json();
+  const Json value = fitted ? Json(fitted->start().value) : Json();
   compare("start_value", value);
   if (is_as_drawn) compare("end_value", value);
 }

@@ -20,10 +20,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 struct Gradients {
-  std::vector<solver::AngleGradients> angles;
-  std::vector<solver::SlopeGradients> slopes;
-  std::vector<solver::VertexGradients> vertices;
-  std::optional<solver::LimitGradient> limit;
+  std::vector<solver::PathGradients::AtAngle> angles;
+  std::vector<solver::PathGradients::Slopes> slopes;
+  std::vector<solver::PathGradients::Shape> vertices;
+  std::optional<solver::PathGradients::AtLimit> limit;
 };
 
 Gradients gradients_of(const PatternSource& source, const std::vector<double>& stations_deg) {
@@ -54,13 +54,13 @@ Gradients gradients_of(const PatternSource& source, const std::vector<double>& s
     auto slopes = is_on ? gradients.slopes(pilot_deg) : std::nullopt;
     all.slopes.push_back(
         slopes ? std::move(*slopes)
-               : solver::SlopeGradients{Eigen::VectorXd::Constant(diagonals, none),
-                                        MatrixXd::Constant(diagonals, coordinates, none)});
+               : solver::PathGradients::Slopes{Eigen::VectorXd::Constant(diagonals, none),
+                                               MatrixXd::Constant(diagonals, coordinates, none)});
     auto vertices = is_on && pilot_deg > 0 ? gradients.vertices(pilot_deg) : std::nullopt;
-    all.vertices.push_back(
-        vertices ? std::move(*vertices)
-                 : solver::VertexGradients{Eigen::Matrix3Xd::Constant(3, coordinates / 2, none),
-                                           MatrixXd::Constant(heights, coordinates, none)});
+    all.vertices.push_back(vertices ? std::move(*vertices)
+                                    : solver::PathGradients::Shape{
+                                          Eigen::Matrix3Xd::Constant(3, coordinates / 2, none),
+                                          MatrixXd::Constant(heights, coordinates, none)});
   }
   return all;
 }
@@ -93,7 +93,7 @@ py::array_t<double> numbers(const std::vector<OfAngle>& angles, Eigen::VectorXd 
 }
 
 // [S, V, 3], and [S, V, 3, V, 2].
-py::array_t<double> places(const std::vector<solver::VertexGradients>& angles) {
+py::array_t<double> places(const std::vector<solver::PathGradients::Shape>& angles) {
   py::array_t<double> table({std::ssize(angles), angles.front().at_mm.cols(), Index{3}});
   auto cells = table.mutable_unchecked<3>();
   for (Index s = 0; s < cells.shape(0); ++s) {
@@ -114,16 +114,16 @@ py::dict gradient(const PatternSource& source, const py::object& stations) {
   const Gradients all = unlocked([&] { return gradients_of(source, *stations_deg); });
   py::dict found;
   found["pilot_deg"] = list_of(*stations_deg);
-  found["length_mm"] = numbers(all.angles, &solver::AngleGradients::length_mm);
-  found["length_by_mm"] = by_vertex(all.angles, &solver::AngleGradients::length_by_mm);
-  found["fold_deg"] = numbers(all.angles, &solver::AngleGradients::fold_deg);
-  found["fold_by_mm"] = by_vertex(all.angles, &solver::AngleGradients::fold_by_mm);
-  found["slope_mm_per_rad"] = numbers(all.slopes, &solver::SlopeGradients::slope_mm_per_rad);
-  found["slope_by_mm"] = by_vertex(all.slopes, &solver::SlopeGradients::slope_by_mm);
+  found["length_mm"] = numbers(all.angles, &solver::PathGradients::AtAngle::length_mm);
+  found["length_by_mm"] = by_vertex(all.angles, &solver::PathGradients::AtAngle::length_by_mm);
+  found["fold_deg"] = numbers(all.angles, &solver::PathGradients::AtAngle::fold_deg);
+  found["fold_by_mm"] = by_vertex(all.angles, &solver::PathGradients::AtAngle::fold_by_mm);
+  found["slope_mm_per_rad"] = numbers(all.slopes, &solver::PathGradients::Slopes::slope_mm_per_rad);
+  found["slope_by_mm"] = by_vertex(all.slopes, &solver::PathGradients::Slopes::slope_by_mm);
   found["folded_mm"] = places(all.vertices);
   const Index stations_n = std::ssize(*stations_deg),
               vertices_n = all.vertices.front().at_mm.cols();
-  found["folded_by_mm"] = by_vertex(all.vertices, &solver::VertexGradients::by_mm)
+  found["folded_by_mm"] = by_vertex(all.vertices, &solver::PathGradients::Shape::by_mm)
                               .reshape({stations_n, vertices_n, Index{3}, vertices_n, Index{2}});
   found["fold_limit_deg"] = py::none();
   found["fold_limit_by_mm"] = py::none();

@@ -17,7 +17,7 @@ std::string construct_text(const schema::Pattern& base, const solver::ConstructS
               : "diagonals    not all go one way to 180 deg; `misalign fold` says how far\n";
   text += fmt::format("family       {} coordinates\n\n", study.dimension);
   text += "hole       delta_mm  epsilon_mm  stroke_%  goes one way\n";
-  for (const solver::ConstructedHole& hole : study.holes) {
+  for (const solver::ConstructStudy::Hole& hole : study.holes) {
     text += fmt::format("{:<9} {:>9.5f} {:>11.5f} {:>9.3f}  {}\n",
                         schema::facet_json(base, hole.facet).dump(), hole.delta_mm, hole.epsilon_mm,
                         100 * hole.stroke, hole.direction != 0 ? "yes" : "no");

@@ -17,7 +17,7 @@ std::string thickness_text(const schema::Pattern& base, const solver::Panels& pa
   const std::string start =
       fmt::format("thickness    up to {:.4g} mm reaches {:.10g} deg (corners trimmed by {:g} mm): ",
                   plates.thickness_mm, study.reach_deg, study.trim_mm);
-  if (plates.limit == solver::ThicknessLimit::taper) {
+  if (plates.limit == solver::PlateThickness::Limit::taper) {
     return start + "there tapers leave nothing of panel " +
            schema::facet_json(base, panels.facets[static_cast<std::size_t>(plates.panel)]).dump() +
            " as thick\n";
@@ -49,7 +49,7 @@ std::string contact_text(const schema::Pattern& base, const solver::Panels& pane
   for (std::size_t k = 0; k < study.pilot_deg.size(); ++k) {
     const bool is_last = k + 1 == study.pilot_deg.size();
     if (!is_last && std::abs(std::remainder(study.pilot_deg[k], 10)) > 1e-9) continue;
-    const solver::Clearance& least = study.clearances[k];
+    const solver::ContactFinder::Clearance& least = study.clearances[k];
     text += fmt::format("{:>9g} {:>9.3f} {:>11.3f} {:>11.3f}\n", study.pilot_deg[k], least.apart_mm,
                         least.vertex_deg, least.crease_deg);
   }

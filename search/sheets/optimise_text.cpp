@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostNamed = 4;
 
 std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimised& found) {
-  const solver::OptimiseLimits& limits = *found.limits;
+  const solver::Optimised::Limits& limits = *found.limits;
   std::string text = "what limits it, to first order:\n";
   if (limits.per_share_of_stroke > 0) {
     text += fmt::format("  the stroke: a limit 1 % larger would give {:.3g} more\n",
@@ -89,7 +89,7 @@ std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
       "{}: {} {:.4g} {}, now {:.4g}: {} steps, {} sheets folded{}\n", subject.sheet.name(),
       goal_text(found), found.start().value, found.options.goal->unit_words, found.best().value,
       found.steps(), found.evaluations,
-      found.stop_reason == solver::StopReason::most_steps ? ", and it goes on" : "");
+      found.stop_reason == solver::Optimised::StopReason::most_steps ? ", and it goes on" : "");
   text +=
       fmt::format("deploys from {:g} deg{}; largest stroke {:.3g} %, shifts up to {:.4g} mm\n",
                   sheet.deploys_from_deg(),

@@ -6,6 +6,7 @@
 #include "schema/exchange/optimise_json.hpp"
 #include "search/sheets/better_sheet.hpp"
 #include "solver/optimise/ascent.hpp"
+#include "solver/optimise/optimise.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {
@@ -48,7 +49,7 @@ OptimisedDraw::OptimisedDraw(const solver::OptimiseOptions& asked, const solver:
 schema::Candidate OptimisedDraw::take() {
   assert(finished());
   if (ascent_) {
-    const solver::Optimised found = ascent_->take();
+    const solver::Optimised found = ascent_->release();
     candidate_.shifts_mm = found.best().shifts_mm;
     schema::AscentRecord& ascent = candidate_.ascent.emplace();
     ascent.start_value = found.start().value;

@@ -21,7 +21,7 @@ const solver::Model& with_loops_to_close(const solver::Model& model) {
 }  // namespace
 
 RowCertifier::RowCertifier(const schema::Pattern& base, const solver::Model& model, bool contact)
-    : base_(base), model_(model), certifier_(with_loops_to_close(model), {contact}) {}
+    : base_(base), model_(model), certifier_(with_loops_to_close(model), contact) {}
 
 schema::CertificateRecord RowCertifier::certify(std::uint64_t draw,
                                                 const Eigen::Matrix2Xd& shifts_mm,

@@ -129,7 +129,7 @@ class Study {
   }
 
   static void sort_by_harm(solver::Tolerance& tolerance) {
-    const auto harm = [&](const solver::VertexTolerance& vertex) {
+    const auto harm = [&](const solver::Tolerance::Vertex& vertex) {
       const std::uint64_t survivors = vertex.copies.from(tolerance.threshold_sample);
       return std::pair(
           -schema::share_of(survivors, vertex.copies.undecided, vertex.copies.trials).share,

@@ -20,7 +20,7 @@ std::string vertices_text(const solver::Tolerance& t) {
       "one vertex alone, {} copies each, the most harmful first\n"
       "vertex  still from {:g}  mean loss, deg\n",
       t.vertices.front().copies.trials, t.threshold_deg);
-  for (const solver::VertexTolerance& vertex : t.vertices) {
+  for (const solver::Tolerance::Vertex& vertex : t.vertices) {
     const std::uint64_t survivors = vertex.copies.from(t.threshold_sample);
     text += fmt::format("{:<6} {:>12.4g} % {:>15.4g}\n", solver::vertex_label(vertex.vertex),
                         100 * schema::share_of(survivors, vertex.copies).share,

@@ -1,5 +1,6 @@
 #include "solver/bending/bent_state.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,17 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// The last correction's largest displacement.
+constexpr double kLastStep_widths = 1e-10;
+// Corrections of one step, and all of them together as a share of the predicted displacement: a
+// thin panel that is stretched by the prediction first moves to and fro, so that single ones say
+// little.
+constexpr int kMostCorrectionsOfStep = 12;
+constexpr double kCloseness = 0.5;
+// Steps from one load to the other, and the shortest of them as a share of the way.
+constexpr int kMostBendSteps = 200;
+constexpr double kLeastBendStep = 1.0 / 512;
+
 std::vector<int> coordinates_but(Index count, const std::vector<int>& held) {
   std::vector<int> free;
   for (int i = 0; i < count; ++i) {
@@ -21,21 +33,35 @@ std::vector<int> coordinates_but(Index count, const std::vector<int>& held) {
   return free;
 }
 
-// The same where A is not positive: by elimination of all at once.
-HeldStiffness::Step unstable_step(const MatrixXd& a, const VectorXd& g, const VectorXd& r,
-                                  double c) {
-  const Index n = g.size();
-  MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
-  bordered.topLeftCorner(n, n) = a;
-  bordered.col(n).head(n) = g;
-  bordered.row(n).head(n) = g.transpose();
-  VectorXd wanted(n + 1);
-  wanted << r, c;
-  const VectorXd found = bordered.partialPivLu().solve(wanted);
-  return {found.head(n), found(n)};
-}
-
 }  // namespace
+
+// A u + lambda g = r, g . u = c, with A's null vector along which g changes: by A + beta g g^T,
+// which is positive where A is so on all u with g . u = 0.
+class HeldStiffness {
+ public:
+  HeldStiffness(const Eigen::MatrixXd& a, const Eigen::VectorXd& g);
+  bool is_positive() const { return is_positive_; }
+
+  // Columns of L^-1 r without what the held sum takes: their products are r^T A^-1 r.
+  Eigen::MatrixXd lower(const Eigen::MatrixXd& r) const;
+  Eigen::MatrixXd upper(const Eigen::MatrixXd& lower) const;
+
+  struct Step {
+    Eigen::VectorXd u;
+    double lambda;
+  };
+  Step solve(const Eigen::VectorXd& r, double c) const;
+  // The same where A is not positive: by elimination of all at once.
+  static Step solve_unstable(const Eigen::MatrixXd& a, const Eigen::VectorXd& g,
+                             const Eigen::VectorXd& r, double c);
+
+ private:
+  Eigen::VectorXd g_;
+  double beta_;
+  bool is_positive_;
+  Eigen::LLT<Eigen::MatrixXd> factors_;
+  Eigen::VectorXd lower_g_;
+};
 
 HeldStiffness::HeldStiffness(const MatrixXd& a, const VectorXd& g) : g_(g) {
   beta_ = a.diagonal().mean() / g.squaredNorm();
@@ -62,15 +88,28 @@ HeldStiffness::Step HeldStiffness::solve(const VectorXd& r, double c) const {
   return {factors_.matrixU().solve(lower - mu * lower_g_), mu + beta_ * c};
 }
 
-BentFollower::BentFollower(const ElasticSheet& sheet, const Matrix3Xd& folded_mm, double n_per_mm,
-                           const BendOptions& options)
+HeldStiffness::Step HeldStiffness::solve_unstable(const MatrixXd& a, const VectorXd& g,
+                                                  const VectorXd& r, double c) {
+  const Index n = g.size();
+  MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
+  bordered.topLeftCorner(n, n) = a;
+  bordered.col(n).head(n) = g;
+  bordered.row(n).head(n) = g.transpose();
+  VectorXd right(n + 1);
+  right << r, c;
+  const VectorXd solution = bordered.partialPivLu().solve(right);
+  return {solution.head(n), solution(n)};
+}
+
+BentFollower::BentFollower(const ElasticSheet& sheet, const Matrix3Xd& folded_mm, double n_per_mm)
     : sheet_(sheet),
       n_per_mm_(n_per_mm),
-      options_(options),
       free_(coordinates_but(sheet.coordinates(), sheet.supports(folded_mm))),
       load_{sheet.turned_mm(folded_mm), sheet.lengths_mm(folded_mm)} {
   state_.at_mm = folded_mm;
 }
+
+BentFollower::~BentFollower() = default;
 
 bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
   if (!held_ && !correct(load_, sheet_.panel_width_mm(), state_)) return false;
@@ -83,11 +122,11 @@ bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
         held_->solve(sheet_.length_slopes(state_.at_mm)(Eigen::all, free_).transpose() * pushed_n,
                      turned_mm - from.turned_mm);
     for (;; share /= 2) {
-      if (share < options_.least_step || ++steps > options_.most_steps) return false;
+      if (share < kLeastBendStep || ++steps > kMostBendSteps) return false;
       const double to = left > share ? 1 - left + share : 1;
       const Load load{from.turned_mm + to * (turned_mm - from.turned_mm),
                       from.relaxed_mm + to * (relaxed_mm - from.relaxed_mm)};
-      FarBentState next = state_;
+      State next = state_;
       next.moment_n -= share * rate.lambda;
       const double moved_mm = move(rate.u, share, next);
       if (!correct(load, moved_mm, next)) continue;
@@ -97,7 +136,7 @@ bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
       break;
     }
   }
-  ElasticEnergy energy = sheet_.panels_energy(state_.at_mm);
+  ElasticSheet::Energy energy = sheet_.panels_energy(state_.at_mm);
   sheet_.add_springs(state_.at_mm, n_per_mm_, relaxed_mm, energy);
   state_.n_mm = energy.n_mm;
   state_.forces_n = n_per_mm_ * (sheet_.lengths_mm(state_.at_mm) - relaxed_mm);
@@ -107,11 +146,11 @@ bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
 
 // Whether Newton's method gets to a stable state close to a prediction that moved nothing by more
 // than this.
-bool BentFollower::correct(const Load& load, double moved_mm, FarBentState& state) {
-  const double enough_mm = options_.step_widths * sheet_.panel_width_mm();
+bool BentFollower::correct(const Load& load, double moved_mm, State& state) {
+  const double enough_mm = kLastStep_widths * sheet_.panel_width_mm();
   const Matrix3Xd predicted_mm = state.at_mm;
-  for (int k = 0; k < options_.most_corrections; ++k) {
-    ElasticEnergy energy = sheet_.panels_energy(state.at_mm);
+  for (int k = 0; k < kMostCorrectionsOfStep; ++k) {
+    ElasticSheet::Energy energy = sheet_.panels_energy(state.at_mm);
     sheet_.add_springs(state.at_mm, n_per_mm_, load.relaxed_mm, energy);
     sheet_.add_turned_bend(state.at_mm, -state.moment_n, energy.bend);
     const MatrixXd bend = energy.bend(free_, free_);
@@ -120,23 +159,24 @@ bool BentFollower::correct(const Load& load, double moved_mm, FarBentState& stat
     const VectorXd push = -energy.slope(free_);
     const double short_mm = load.turned_mm - sheet_.turned_mm(state.at_mm);
     // Off its equilibrium a thin panel is compressed in its plane, and need not be stable.
-    const auto step = held.is_positive() ? held.solve(push, short_mm)
-                                         : unstable_step(bend, turned_slope, push, short_mm);
+    const auto step = held.is_positive()
+                          ? held.solve(push, short_mm)
+                          : HeldStiffness::solve_unstable(bend, turned_slope, push, short_mm);
     const double longest_mm = move(step.u, 1, state);
     state.moment_n = -step.lambda;
     if (!(longest_mm < sheet_.panel_width_mm())) return false;
     if (longest_mm >= enough_mm) continue;
     const double off_mm = (state.at_mm - predicted_mm).colwise().norm().maxCoeff();
-    if (!held.is_positive() || off_mm > std::max(options_.closeness * moved_mm, 100 * enough_mm)) {
+    if (!held.is_positive() || off_mm > std::max(kCloseness * moved_mm, 100 * enough_mm)) {
       return false;
     }
-    held_ = std::move(held);
+    held_ = std::make_unique<const HeldStiffness>(std::move(held));
     return true;
   }
   return false;
 }
 
-double BentFollower::move(const VectorXd& by, double share, FarBentState& state) const {
+double BentFollower::move(const VectorXd& by, double share, State& state) const {
   VectorXd moved = VectorXd::Zero(sheet_.coordinates());
   moved(free_) = share * by;
   const auto by_vertex = moved.reshaped(3, sheet_.vertices());
@@ -166,9 +206,9 @@ BentState bend(const Compliance& compliance, const DiagonalSprings& springs) {
   return state;
 }
 
-std::optional<FarBentState> bend_far(const ElasticSheet& sheet, const Matrix3Xd& folded_mm,
-                                     const DiagonalSprings& springs, const BendOptions& options) {
-  BentFollower follower(sheet, folded_mm, springs.n_per_mm, options);
+std::optional<BentFollower::State> bend_far(const ElasticSheet& sheet, const Matrix3Xd& folded_mm,
+                                            const DiagonalSprings& springs) {
+  BentFollower follower(sheet, folded_mm, springs.n_per_mm);
   if (!follower.follow(sheet.turned_mm(folded_mm), springs.relaxed_mm)) return {};
   return follower.state();
 }

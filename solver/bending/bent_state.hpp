@@ -6,7 +6,7 @@
 // is at 36.
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -41,46 +41,7 @@ struct BentState {
 /// To first order: f = (1/k + C)^-1 (L - L0), energy = f . (L - L0) / 2.
 BentState bend(const Compliance& compliance, const DiagonalSprings& springs);
 
-/// In equilibrium to the end, whatever the displacements.
-struct FarBentState : BentState {
-  double moment_n = 0;  ///< d energy / d sum: N mm per mm
-  Eigen::Matrix3Xd at_mm;
-};
-
-struct BendOptions {
-  double step_widths = 1e-10;  ///< the last correction's largest displacement
-  int most_corrections = 12;   ///< of one step
-  /// All corrections of a step together, of the predicted displacement: a thin panel that is
-  /// stretched by the prediction first moves to and fro, so that single ones say little.
-  double closeness = 0.5;
-  double least_step = 1.0 / 512;  ///< of the way from one load to the other
-  int most_steps = 200;
-};
-
-/// A u + lambda g = r, g . u = c, with A's null vector along which g changes: by A + beta g g^T,
-/// which is positive where A is so on all u with g . u = 0.
-class HeldStiffness {
- public:
-  HeldStiffness(const Eigen::MatrixXd& a, const Eigen::VectorXd& g);
-  bool is_positive() const { return is_positive_; }
-
-  /// Columns of L^-1 r without what the held sum takes: their products are r^T A^-1 r.
-  Eigen::MatrixXd lower(const Eigen::MatrixXd& r) const;
-  Eigen::MatrixXd upper(const Eigen::MatrixXd& lower) const;
-
-  struct Step {
-    Eigen::VectorXd u;
-    double lambda;
-  };
-  Step solve(const Eigen::VectorXd& r, double c) const;
-
- private:
-  Eigen::VectorXd g_;
-  double beta_;
-  bool is_positive_;
-  Eigen::LLT<Eigen::MatrixXd> factors_;
-  Eigen::VectorXd lower_g_;
-};
+class HeldStiffness;
 
 /// Follows an equilibrium by continuation while its load changes: a tangent as predictor, Newton's
 /// method with exact second derivatives as corrector, steps so short that it stays close, and each
@@ -88,35 +49,40 @@ class HeldStiffness {
 /// equilibria lie close by, most of all near flat.
 class BentFollower {
  public:
+  /// In equilibrium to the end, whatever the displacements.
+  struct State : BentState {
+    double moment_n = 0;  ///< d energy / d sum: N mm per mm
+    Eigen::Matrix3Xd at_mm;
+  };
+
   /// At the rigid sheet, which springs do not pull yet. `sheet` must outlive this object.
-  BentFollower(const ElasticSheet& sheet, const Eigen::Matrix3Xd& folded_mm, double n_per_mm,
-               const BendOptions& options = {});
+  BentFollower(const ElasticSheet& sheet, const Eigen::Matrix3Xd& folded_mm, double n_per_mm);
+  ~BentFollower();
 
   /// To another sum and other lengths of the springs without force, both in proportion. False where
   /// the equilibrium ends or loses its stability on the way: it then is lost.
   bool follow(double turned_mm, const Eigen::VectorXd& relaxed_mm);
-  const FarBentState& state() const { return state_; }
+  const State& state() const { return state_; }
 
  private:
   struct Load {
     double turned_mm;
     Eigen::VectorXd relaxed_mm;
   };
-  bool correct(const Load& load, double moved_mm, FarBentState& state);
-  double move(const Eigen::VectorXd& by, double share, FarBentState& state) const;
+  bool correct(const Load& load, double moved_mm, State& state);
+  double move(const Eigen::VectorXd& by, double share, State& state) const;
 
   const ElasticSheet& sheet_;
   const double n_per_mm_;
-  const BendOptions options_;
   const std::vector<int> free_;
   Load load_;
-  FarBentState state_;
-  std::optional<HeldStiffness> held_;  // of the last correction
+  State state_;
+  std::unique_ptr<const HeldStiffness> held_;  // of the last correction
 };
 
 /// From the rigid sheet, its springs stretched little by little to what they are.
-std::optional<FarBentState> bend_far(const ElasticSheet& sheet, const Eigen::Matrix3Xd& folded_mm,
-                                     const DiagonalSprings& springs,
-                                     const BendOptions& options = {});
+std::optional<BentFollower::State> bend_far(const ElasticSheet& sheet,
+                                            const Eigen::Matrix3Xd& folded_mm,
+                                            const DiagonalSprings& springs);
 
 }  // namespace misalign::solver

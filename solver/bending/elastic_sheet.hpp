@@ -15,36 +15,22 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "solver/bending/saddle_plate.hpp"
+#include "solver/bending/elastic_panel.hpp"
 #include "solver/kinematics/mechanism.hpp"
 #include "solver/model/panels.hpp"
 
 namespace misalign::solver {
 
-/// The paper's, section 5: aluminium.
-struct PanelMaterial {
-  double e_gpa = 70;
-  double poisson = 0.33;
-
-  double e_mpa() const { return 1e3 * e_gpa; }
-};
-
-/// Along a side a panel gives like a strip with this share of its width: forces enter at corners.
-/// Chosen on Table 1 (results/bending/README.md), tested on other sheets.
-inline constexpr double kEdgeShare = 0.12;
-/// What a plate that twists loses at each edge (Saint-Venant): 0.315 t of its width.
-inline constexpr double kFreeEdge = 0.315;
-
-/// Energy, its gradient and its second derivatives by all coordinates: those of vertex v from 3 v
-/// on.
-struct ElasticEnergy {
-  double n_mm = 0;
-  Eigen::VectorXd slope;
-  Eigen::MatrixXd bend;
-};
-
 class ElasticSheet {
  public:
+  /// Energy, its gradient and its second derivatives by all coordinates: those of vertex v from 3 v
+  /// on.
+  struct Energy {
+    double n_mm = 0;
+    Eigen::VectorXd slope;
+    Eigen::MatrixXd bend;
+  };
+
   /// `stiffer`: times the stiffness of panels in their planes, to come near panels that only bend.
   ElasticSheet(const FlatVertices& flat_mm, const Panels& panels,
                const std::vector<Diagonal>& diagonals, const PanelMaterial& material,
@@ -69,8 +55,7 @@ class ElasticSheet {
   Eigen::MatrixXd saddle_slopes(const Eigen::Matrix3Xd& at_mm) const;
   /// K of each panel, N/mm.
   const Eigen::VectorXd& saddle_n_per_mm() const { return saddle_n_per_mm_; }
-  /// The largest von Mises stress at each panel's faces for each mm of q, but next to its corners
-  /// (saddle_stress): some ms for a sheet.
+  /// Each panel's; some ms for a sheet.
   Eigen::VectorXd stress_mpa_per_mm() const;
 
   /// Sum over the creases of length times |fold angle| (mm): dry friction of so much for each mm of
@@ -82,48 +67,29 @@ class ElasticSheet {
   void add_turned_bend(const Eigen::Matrix3Xd& at_mm, double factor, Eigen::MatrixXd& bend) const;
 
   /// Of the panels; of springs that are this long when relaxed.
-  ElasticEnergy panels_energy(const Eigen::Matrix3Xd& at_mm) const;
+  Energy panels_energy(const Eigen::Matrix3Xd& at_mm) const;
   void add_springs(const Eigen::Matrix3Xd& at_mm, double n_per_mm,
-                   const Eigen::VectorXd& relaxed_mm, ElasticEnergy& energy) const;
+                   const Eigen::VectorXd& relaxed_mm, Energy& energy) const;
 
   /// Six coordinates of the first panel that hold it still in space, for a shape that lies like
   /// this; ascending.
   std::vector<int> supports(const Eigen::Matrix3Xd& at_mm) const;
 
  private:
-  struct Bar {  // between two corners of a panel
-    int from, to;
-    double flat_mm;
-  };
-  struct Plate {
-    std::array<Bar, 6> bars;  // four sides, two diagonals
-    std::array<double, 4> side_n_per_mm;
-    std::array<double, 6> shear;  // of each bar's square: the panel's shear angle
-    double shear_n_mm;
-    double area_mm2;
-    double stretch_n_per_mm3;
-  };
   struct Fold {
     int one, other;  // panels
     double length_mm;
   };
-  struct Outline {
-    std::array<Eigen::Vector2d, 4> corners_mm;
-    std::array<bool, 4> is_straight{};  // from each corner to the next
-  };
-  static Plate plate_of(const std::array<Eigen::Vector2d, 4>& corners_mm, double modulus_n_per_mm,
-                        double poisson);
-  void add_plate(std::size_t panel, const Eigen::Matrix3Xd& at_mm, ElasticEnergy& energy) const;
+  const ElasticPanel& plate(Eigen::Index panel) const {
+    return plates_[static_cast<std::size_t>(panel)];
+  }
   Eigen::Matrix<double, 3, 8> fold_slope(const Fold& fold, const Eigen::Matrix3Xd& at_mm) const;
 
   const FlatVertices flat_mm_;
   const std::vector<std::array<int, 4>> corners_;
   const std::vector<Diagonal> diagonals_;
-  const PanelMaterial material_;
-  const double thickness_mm_;
   double panel_width_mm_;
-  std::vector<Outline> outlines_;
-  std::vector<Plate> plates_;
+  std::vector<ElasticPanel> plates_;
   std::vector<Fold> folds_;
   Eigen::VectorXd flat_lengths_mm_, saddle_n_per_mm_;
 };

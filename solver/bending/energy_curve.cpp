@@ -9,7 +9,7 @@ namespace misalign::solver {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd ChebyshevSeries::points(double low, double high, int count) {
+VectorXd EnergyCurve::Series::points(double low, double high, int count) {
   VectorXd points(count);
   for (int k = 0; k < count; ++k) {
     points(k) = (low + high) / 2 - (high - low) / 2 * std::cos(kPi * k / (count - 1));
@@ -17,7 +17,7 @@ VectorXd ChebyshevSeries::points(double low, double high, int count) {
   return points;
 }
 
-ChebyshevSeries::ChebyshevSeries(double low, double high, const VectorXd& values)
+EnergyCurve::Series::Series(double low, double high, const VectorXd& values)
     : low_(low), high_(high), coefficients_(values.size()) {
   const Index last = values.size() - 1;
   const auto half = [&](Index k) { return k == 0 || k == last ? 0.5 : 1.0; };
@@ -33,7 +33,7 @@ ChebyshevSeries::ChebyshevSeries(double low, double high, const VectorXd& values
 }
 
 // T_j and their derivatives by recurrence.
-ChebyshevSeries::Value ChebyshevSeries::at(double place) const {
+EnergyCurve::Series::Value EnergyCurve::Series::at(double place) const {
   const double scale = 2 / (high_ - low_), s = (place - (low_ + high_) / 2) * scale;
   double t0 = 1, t1 = s, d0 = 0, d1 = 1;
   Value sum{0, 0};
@@ -56,7 +56,7 @@ EnergyCurve::EnergyCurve(double least_deg, double most_deg, const VectorXd& abov
 }
 
 VectorXd EnergyCurve::angles_deg(double least_deg, double most_deg, int count) {
-  return ChebyshevSeries::points(std::log(least_deg), std::log(most_deg), count).array().exp();
+  return Series::points(std::log(least_deg), std::log(most_deg), count).array().exp();
 }
 
 EnergyCurve::At EnergyCurve::at(double pilot_deg) const {

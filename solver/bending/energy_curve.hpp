@@ -5,25 +5,6 @@
 
 namespace misalign::solver {
 
-/// The polynomial through values at the extremes of Chebyshev's polynomial on an interval, both
-/// ends among them.
-class ChebyshevSeries {
- public:
-  static Eigen::VectorXd points(double low, double high, int count);
-
-  ChebyshevSeries() = default;
-  /// `values` at points(low, high, values.size()).
-  ChebyshevSeries(double low, double high, const Eigen::VectorXd& values);
-  struct Value {
-    double value, slope;
-  };
-  Value at(double place) const;
-
- private:
-  double low_ = -1, high_ = 1;
-  Eigen::VectorXd coefficients_;
-};
-
 /// Energies go from the fourth power of the angle to the second where panels take them, and begin
 /// with the second where springs are preloaded. So what is interpolated, over the angle's
 /// logarithm, is their share of a reference which does the same and is positive.
@@ -44,8 +25,27 @@ class EnergyCurve {
   At at(double pilot_deg) const;
 
  private:
+  // The polynomial through values at the extremes of Chebyshev's polynomial on an interval, both
+  // ends among them.
+  class Series {
+   public:
+    static Eigen::VectorXd points(double low, double high, int count);
+
+    Series() = default;
+    // `values` at points(low, high, values.size()).
+    Series(double low, double high, const Eigen::VectorXd& values);
+    struct Value {
+      double value, slope;
+    };
+    Value at(double place) const;
+
+   private:
+    double low_ = -1, high_ = 1;
+    Eigen::VectorXd coefficients_;
+  };
+
   double least_deg_, most_deg_;
-  ChebyshevSeries share_, log_reference_, log_turned_;
+  Series share_, log_reference_, log_turned_;
 };
 
 }  // namespace misalign::solver

@@ -29,7 +29,7 @@ Matrix3Xd settled_in_plane(const ElasticSheet& sheet, const DiagonalSprings& spr
     if (i % 3 != 2 && !std::binary_search(held.begin(), held.end(), i)) free.push_back(i);
   }
   for (int step = 0; step < 4; ++step) {
-    ElasticEnergy energy = sheet.panels_energy(at_mm);
+    ElasticSheet::Energy energy = sheet.panels_energy(at_mm);
     sheet.add_springs(at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
     const MatrixXd bend = energy.bend(free, free);
     const VectorXd slope = energy.slope(free), moved = bend.ldlt().solve(slope);
@@ -57,7 +57,7 @@ std::optional<PreloadAtFlat> preload_at_flat(const Sheet& sheet, const PanelMate
 
 FlatModes find_flat_modes(const ElasticSheet& sheet, const DiagonalSprings& springs) {
   const Matrix3Xd at_mm = settled_in_plane(sheet, springs);
-  ElasticEnergy energy = sheet.panels_energy(at_mm);
+  ElasticSheet::Energy energy = sheet.panels_energy(at_mm);
   sheet.add_springs(at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
   const Index count = sheet.vertices();
   MatrixXd across(count, count), saddles(sheet.panels(), count);

@@ -237,11 +237,6 @@ SaddlePlate bend_into_saddle(const std::array<Vector2d, 4>& corners_mm,
   return {plate.area(), plate.perimeter(), relax(plate, poisson).stiffness};
 }
 
-SaddlePlate bend_into_saddle(const std::array<Vector2d, 4>& corners_mm,
-                             const std::array<bool, 4>& is_straight, double poisson) {
-  return bend_into_saddle(corners_mm, is_straight, poisson, kRitzDegree);
-}
-
 double saddle_stress(const std::array<Vector2d, 4>& corners_mm,
                      const std::array<bool, 4>& is_straight, double poisson, int degree) {
   const Plate plate(corners_mm, is_straight, rule_of(degree));

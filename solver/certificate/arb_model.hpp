@@ -63,15 +63,6 @@ class ArbModel {
   arb_ptr operator[](int k) { return &c_[k]; }
   arb_srcptr operator[](int k) const { return &c_[k]; }
 
-  /// At least |f(s)| for every s.
-  void bound(ArbBound& most) const {
-    ArbBound size;
-    mag_zero(most.get());
-    for (const arb_struct& k : c_) {
-      arb_get_mag(size.get(), &k);
-      mag_add(most.get(), most.get(), size.get());
-    }
-  }
   void widen(const ArbBound& error) { arb_add_error_mag(&c_[0], error.get()); }
 
   MISALIGN_CALL ArbModel operator-() const {
@@ -132,15 +123,27 @@ inline ArbNumber operator/(const ArbNumber& a, const ArbNumber& b) {
 }
 /// For certain: false where the balls overlap, and where a number is undefined.
 inline bool operator<(const ArbNumber& a, const ArbNumber& b) { return arb_lt(a[0], b[0]); }
+inline bool operator<=(const ArbNumber& a, const ArbNumber& b) { return arb_le(a[0], b[0]); }
+/// The middle of its ball, rounded: a guess.
+inline double as_double(const ArbNumber& x) { return arf_get_d(arb_midref(x[0]), ARF_RND_NEAR); }
+inline ArbNumber root_of(const ArbNumber& x) {
+  ArbNumber root;
+  arb_sqrt(root[0], x[0], kArbBits);
+  return root;
+}
 inline ArbNumber size_of(const ArbNumber& a) {
   ArbNumber result;
   arb_abs(result[0], a[0]);
   return result;
 }
+/// At least |f(s)| for every s.
 template <int Degree>
 ArbNumber most_of(const ArbModel<Degree>& f) {
-  ArbBound most;
-  f.bound(most);
+  ArbBound most, size;
+  for (int k = 0; k <= Degree; ++k) {
+    arb_get_mag(size.get(), f[k]);
+    mag_add(most.get(), most.get(), size.get());
+  }
   ArbNumber result;
   arf_set_mag(arb_midref(result[0]), most.get());
   return result;
@@ -156,7 +159,7 @@ ArbModel<Degree> scaled(const ArbNumber& k, const ArbModel<Degree>& f) {
 /// 1 / f; undefined where f is not known to stay away from zero. With any polynomial g and e = 1 -
 /// f g: 1 / f = g + g e / (1 - e).
 template <int Degree>
-ArbModel<Degree> inverse_of(const ArbModel<Degree>& f) {
+ArbModel<Degree> reciprocal(const ArbModel<Degree>& f) {
   ArbModel<Degree> g, middle;
   for (int k = 0; k <= Degree; ++k) arb_get_mid_arb(middle[k], f[k]);
   _arb_poly_inv_series(g[0], middle[0], Degree + 1, Degree + 1, kArbBits);
@@ -192,11 +195,8 @@ Proof is_positive(const ArbModel<Degree>& f, double middle = 0, double half = 1)
       arb_addmul(shifted[k], shifted[k + 1], by[0], kArbBits);
     }
   }
-  const ArbNumber at_middle = [&] {
-    ArbNumber number;
-    arb_set(number[0], shifted[0]);
-    return number;
-  }();
+  ArbNumber at_middle;
+  arb_set(at_middle[0], shifted[0]);
   if (at_middle < ArbNumber(0.0)) return Proof::fails;
   ArbNumber rest, power(1.0);
   for (int k = 1; k <= Degree; ++k) {

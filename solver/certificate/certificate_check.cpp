@@ -119,7 +119,8 @@ class Checker {
 
   const char* check(const PathInterval& interval, const Claims& claims) {
     const char* unproven = "no curve of single states is proven within its box";
-    const auto question = [&](const ProvenInterval& whole, const ProvenSubinterval& subinterval) {
+    const auto question = [&](const ProvenInterval& whole,
+                              const ProvenInterval::Subinterval& subinterval) {
       const Proof folds = folds_rightly(subinterval, claims);
       if (folds != Proof::holds) {
         unproven = "a crease is not proven to keep its sign and to stay below 180 degrees";
@@ -142,7 +143,7 @@ class Checker {
     return nullptr;
   }
 
-  Proof folds_rightly(const ProvenSubinterval& subinterval, const Claims& claims) const {
+  Proof folds_rightly(const ProvenInterval::Subinterval& subinterval, const Claims& claims) const {
     Proof proof = Proof::holds;
     for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
       if (static_cast<int>(i) == mechanism_.pilot) continue;
@@ -155,7 +156,7 @@ class Checker {
     return proof;
   }
 
-  Proof keeps_slopes(const ProvenSubinterval& subinterval) {
+  Proof keeps_slopes(const ProvenInterval::Subinterval& subinterval) {
     if (signs_.empty()) {
       for (const CheckModel& slope : subinterval.slopes) {
         signs_.push_back(value_at(slope, ArbNumber(0.0)) < ArbNumber(0.0) ? -1 : 1);
@@ -170,11 +171,8 @@ class Checker {
 
   // tan of half the pilot's angle at s.
   static ArbNumber tau_at(const ProvenInterval& interval, const ArbNumber& s) {
-    ArbNumber tau(1.0);
-    if (!interval.interval.graded) return tau;
-    const ArbNumber sigma = ArbNumber(interval.sigma) + ArbNumber(interval.width) * s;
-    arb_sqrt(tau[0], sigma[0], kArbBits);
-    return tau;
+    if (!interval.interval.graded) return ArbNumber(1.0);
+    return root_of(ArbNumber(interval.sigma) + ArbNumber(interval.width) * s);
   }
 
   bool holds_middle(const ProvenInterval& interval) const {
@@ -188,18 +186,18 @@ class Checker {
     }
     const std::vector<ArbNumber> kept =
         prover_.unknowns(interval, places, tau_at(interval, interval.middle));
-    const std::vector<ArbNumber> found = interval.unknowns_at(interval.middle);
+    const std::vector<ArbNumber> proven = interval.unknowns_at(interval.middle);
     for (std::size_t j = 0; j < kept.size(); ++j) {
-      if (!(size_of(kept[j] - found[j]) < ArbNumber(kMiddleBox))) return false;
+      if (!(size_of(kept[j] - proven[j]) < ArbNumber(kMiddleBox))) return false;
     }
     return true;
   }
 
   // Whether a state lies where that subinterval has no other than its own.
-  static bool is_within(const ProvenSubinterval& subinterval, const ArbNumber& s,
+  static bool is_within(const ProvenInterval::Subinterval& subinterval, const ArbNumber& s,
                         const std::vector<ArbNumber>& unknowns) {
     const ArbNumber place = (s - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
-    if (!arb_le(size_of(place)[0], ArbNumber(1.0)[0])) return false;
+    if (!(size_of(place) <= ArbNumber(1.0))) return false;
     for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
       CheckModel guess;
       for (int k = 0; k <= kCheckDegree; ++k) arb_set_d(guess[k], subinterval.guess[j].c[k]);
@@ -211,7 +209,7 @@ class Checker {
 
   static bool subintervals_join(const ProvenInterval& interval) {
     for (std::size_t k = 1; k < interval.subintervals.size(); ++k) {
-      const ProvenSubinterval& next = interval.subintervals[k];
+      const ProvenInterval::Subinterval& next = interval.subintervals[k];
       const ArbNumber s(next.middle - next.half);
       if (!is_within(next, s, interval.unknowns_at(s))) return false;
     }
@@ -234,7 +232,7 @@ class Checker {
                         certificate_.where};
     if (const char* what = check(closing, claims)) return what;
     const auto where = static_cast<std::size_t>(certificate_.where);
-    const ProvenSubinterval& subinterval = last_.subintervals.back();
+    const ProvenInterval::Subinterval& subinterval = last_.subintervals.back();
     const ArbNumber place =
         (last_.to - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
     ArbNumber value;

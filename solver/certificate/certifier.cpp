@@ -31,16 +31,16 @@ constexpr double kClosingInterval_deg = 0.9 * kClosing_deg;
 }  // namespace
 
 struct Certifier::Workspace {
-  Workspace(const Model& m, const CertifyOptions& o)
+  Workspace(const Model& m, bool proves_contact)
       : model(m),
         panels(panels_of(m.base(), m.mechanism())),
         proof(m.shape(), panels),
-        options(o) {}
+        contact(proves_contact) {}
 
   const Model& model;
   const Panels panels;
   const PanelProof proof;
-  const CertifyOptions options;
+  const bool contact;
 };
 
 namespace {
@@ -161,8 +161,7 @@ class TubeContinuation {
     const double s = place.c[0];
     std::vector<double> x(mechanism_.unknowns, 0.0);
     for (int j = 0; j < mechanism_.equations; ++j) {
-      const auto& c = last_.path[j].c;
-      for (int k = s < 2 ? kPathDegree : 3; k >= 0; --k) x[j] = x[j] * s + c[k];
+      x[j] = guess_at(last_.path[j], s, s < 2 ? kPathDegree : 3);
     }
     return last_.chart.state_at(x.data(), s);
   }
@@ -180,7 +179,7 @@ class TubeContinuation {
     const double width = to - at_deg();
     const TubeProver::End end =
         prover_.prove(interval_to(to), kLargestBox * std::clamp(width, 0.01, 1.0), tube);
-    if (end == TubeProver::End::proven && join(last_, tube)) return look_at(std::move(tube));
+    if (end == TubeProver::End::proven && join(last_, tube)) return consider(std::move(tube));
     shorten(width,
             width * (end == TubeProver::End::proven ? kShorterInterval
                                                     : std::min(0.8, prover_.better_length())));
@@ -203,15 +202,15 @@ class TubeContinuation {
       first = {s, condition.broken, condition.where, is_negative_at_end(condition.value)};
     }
     if (panels_ == nullptr) return first;
-    const PanelProof::Apart apart = panels_->look(prover_, tube, resolution);
+    const PanelProof::Apart apart = panels_->prove(prover_, tube, resolution);
     if (apart.until < first.until) {
       first = {apart.until, CertificateEnd::contact, apart.pair, false};
     }
     return first;
   }
 
-  // A proven interval counts, or a shorter one is to be looked at, or the way ends here.
-  bool look_at(PathTube tube) {
+  // A proven interval counts, or a shorter one is to be tried, or the way ends here.
+  bool consider(PathTube tube) {
     const double from = at_deg(), width = tube.chart.interval().to_deg - from;
     const double resolution = std::min(0.01, 0.02 * kClosing_deg / width);
     const Obstacle first = first_obstacle(tube, prover_.find_slopes(tube), resolution);
@@ -278,8 +277,8 @@ class TubeContinuation {
 
 }  // namespace
 
-Certifier::Certifier(const Model& model, const CertifyOptions& options)
-    : workspace_(new Workspace(model, options)) {}
+Certifier::Certifier(const Model& model, bool contact)
+    : workspace_(new Workspace(model, contact)) {}
 Certifier::~Certifier() = default;
 
 Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg) {
@@ -288,9 +287,8 @@ Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg
     nothing.asked_deg = asked_deg;
     return nothing;
   }
-  return TubeContinuation(workspace_->model,
-                          workspace_->options.contact ? &workspace_->proof : nullptr, vertices_mm,
-                          asked_deg)
+  return TubeContinuation(workspace_->model, workspace_->contact ? &workspace_->proof : nullptr,
+                          vertices_mm, asked_deg)
       .run();
 }
 

@@ -8,14 +8,10 @@
 
 namespace misalign::solver {
 
-struct CertifyOptions {
-  bool contact = false;  ///< whether it proves that no panels meet, too
-};
-
 class Certifier {
  public:
-  /// `model` must outlive this object.
-  explicit Certifier(const Model& model, const CertifyOptions& options = {});
+  /// `contact`: whether it proves that no panels meet, too. `model` must outlive this object.
+  explicit Certifier(const Model& model, bool contact = false);
   ~Certifier();
 
   /// Of the sheet with these vertices, from flat to `asked_deg` (its D; at most 180) or as far as

@@ -8,9 +8,7 @@ namespace {
 // Whether f > 0 on [from, to]: by its value in the middle, and how far it can fall from there.
 bool is_positive(const PathModel& f, double steepest, double from, double to) {
   const Ball middle(0.5 * (from + to));
-  PathModel p = f;
-  p.radius = 0;
-  const Ball value = value_at(p, middle);
+  const Ball value = polynomial_at(f, middle);
   const double half = 0.5 * (to - from) + 4 * kUnit;
   return value.c[0] > kUp * (value.radius + f.radius + half * steepest);
 }
@@ -48,9 +46,7 @@ double positive_until(const PathModel& f, double resolution) {
 }
 
 bool is_negative_at_end(const PathModel& f) {
-  PathModel p = f;
-  p.radius = 0;
-  const Ball value = value_at(p, Ball(1.0));
+  const Ball value = polynomial_at(f, Ball(1.0));
   return value.c[0] < -(kUp * (value.radius + f.radius));
 }
 

@@ -22,9 +22,9 @@ std::vector<Condition> conditions_of(const Mechanism& mechanism, const PathTube&
                                      const std::vector<PathModel>& slopes,
                                      const std::vector<int>& directions);
 
-/// How far from s = -1 on something holds, up to `end`: `holds(from, to)` says it of a part. Parts
-/// are halved until they are no longer than `resolution`; where something all but fails for long,
-/// not all of them are looked at.
+/// The largest s, up to `end`, up to which something holds from s = -1 on: `holds(from, to)` says
+/// it of a part. Parts are halved until they are no longer than `resolution`; where something all
+/// but fails for long, not all of them are tried.
 template <class Holds>
 double holds_until(const Holds& holds, double end, double resolution) {
   constexpr int kMostParts = 100000;

@@ -3,6 +3,8 @@
 
 #include <type_traits>
 
+#include "solver/certificate/polynomial.hpp"
+
 namespace misalign::solver {
 
 /// A value and its derivative with respect to s.
@@ -30,7 +32,6 @@ struct Dual {
   Dual& operator+=(const Dual& b) { return *this = *this + b; }
 };
 
-inline double reciprocal(double x) { return 1 / x; }
 template <class T>
 Dual<T> reciprocal(const Dual<T>& x) {
   const T inverse = reciprocal(x.value);

@@ -35,14 +35,6 @@ struct Chart {
   std::vector<Ball> balls;
 };
 
-/// Where the values of a column of the Jacobian are among those that GradedClosure::evaluate gives,
-/// and in which rows they belong.
-struct JacobianColumn {
-  std::vector<int> rows, values;
-};
-/// Of every unknown but the pilot's.
-std::vector<JacobianColumn> columns_of(const Mechanism& mechanism);
-
 template <class T, class Sigma>
 class GradedClosure {
  public:
@@ -77,9 +69,6 @@ class GradedClosure {
       balls_.push_back({q, reciprocal(squared_norm(sigma, q))});
     }
   }
-
-  const std::vector<Joint>& creases() const { return creases_; }
-  const std::vector<Joint>& balls() const { return balls_; }
 
   /// How far the loops are open, one for each equation; and the Jacobian's structural nonzeros in
   /// the order of jacobian_entries, those of the pilot left out, unless `values` is null.
@@ -218,10 +207,9 @@ class GradedClosure {
   }
   template <class Frame>
   GradedVector<T> placed(const Frame& frame, int vertex) const {
-    const GradedVector<T> from = point(frame.vertex), to = point(vertex);
-    const GradedVector<T> way{to.x - from.x, to.y - from.y, T(0.0)};
-    const GradedVector<T> by = displacement_of_plane(sigma_, frame.turn, frame.inverse, way);
-    return plus(frame.at, moved(sigma_, way, by));
+    const GradedVector<T> flat = way(frame.vertex, vertex);
+    const GradedVector<T> by = displacement_of_plane(sigma_, frame.turn, frame.inverse, flat);
+    return plus(frame.at, moved(sigma_, flat, by));
   }
   GradedVector<T> axis(const Passage& passage) const {
     const int edge = mechanism_.creases[passage.joint].edge;
@@ -311,7 +299,8 @@ class GradedClosure {
       values.push_back(rate.y);
       values.push_back(rate.z);
       if (loop.rows == 3) continue;
-      const GradedVector<T> sides = sides_after(loop, walk, j), by = displaced_after(loop, walk, j);
+      const GradedVector<T> sides = sum_after(loop, j, [&](int k) { return side(loop, k); });
+      const GradedVector<T> by = sum_after(loop, j, [&](int k) { return walk.displaced[k]; });
       const T x = sides.x + sigma_(by.x), y = sides.y + sigma_(by.y);
       values.push_back(2.0 * (w.y * by.z - w.z * y));
       values.push_back(2.0 * (w.z * x - w.x * by.z));
@@ -319,18 +308,12 @@ class GradedClosure {
     }
   }
 
-  // The sides 0 to 2 whose facets come after a passage: flat, and by how much they are displaced.
-  GradedVector<T> sides_after(const Loop& loop, const Walk&, std::size_t j) const {
+  // The sum over those of the sides 0 to 2 whose facets come after a passage.
+  template <class Use>
+  GradedVector<T> sum_after(const Loop& loop, std::size_t passage, const Use& of_side) const {
     GradedVector<T> sum{T(0.0), T(0.0), T(0.0)};
     for (int k = 0; k < 3; ++k) {
-      if (end_of_corner(loop, k) > j) sum = plus(sum, side(loop, k));
-    }
-    return sum;
-  }
-  GradedVector<T> displaced_after(const Loop& loop, const Walk& walk, std::size_t j) const {
-    GradedVector<T> sum{T(0.0), T(0.0), T(0.0)};
-    for (int k = 0; k < 3; ++k) {
-      if (end_of_corner(loop, k) > j) sum = plus(sum, walk.displaced[k]);
+      if (end_of_corner(loop, k) > passage) sum = plus(sum, of_side(k));
     }
     return sum;
   }

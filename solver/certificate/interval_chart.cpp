@@ -25,31 +25,20 @@ Ball squared_tangent_of(double angle_deg) {
   return tangent * tangent;
 }
 
+// A ball joint's quaternion at its unknowns.
+GradedQuaternion<double> quaternion_at(const Chart::Ball& at, const double* turns) {
+  GradedQuaternion<double> q = at.middle;
+  for (int k = 0; k < 3; ++k) {
+    q = {q.w + turns[k] * at.rate[k].w, q.x + turns[k] * at.rate[k].x,
+         q.y + turns[k] * at.rate[k].y, q.z + turns[k] * at.rate[k].z};
+  }
+  return q;
+}
+
 Chart::Ball turned_from(const Quaternion<double>& q) {
   return {{q.w, q.x, q.y, q.z},
           {{{-q.x, q.w, -q.z, q.y}, {-q.y, q.z, q.w, -q.x}, {-q.z, -q.y, q.x, q.w}}}};
 }
-
-}  // namespace
-
-HalfAngle<Ball> half_angle_ball(double angle_deg) {
-  constexpr double kHalfDegree_rad = 0.0087266462599716478846;  // pi / 360, rounded
-  const Ball x = Ball(angle_deg) * Ball::number(kHalfDegree_rad, 2 * kUnit * kHalfDegree_rad);
-  const Ball xx = x * x;
-  // sin x = x (1 - xx / 6 (1 - xx / 20 (...))) and cos x likewise; |x| <= pi. Terms alternate and
-  // fall: what is left out is less than the first of them, x^38 / 38! < 2e-26.
-  constexpr int kTerms = 18;
-  Ball c(1.0), s(1.0);
-  for (int n = kTerms; n >= 1; --n) {
-    c = Ball(1.0) - quotient(xx * c, Ball(2.0 * n * (2 * n - 1)));
-    s = Ball(1.0) - quotient(xx * s, Ball(2.0 * n * (2 * n + 1)));
-  }
-  c.radius += 1e-25;
-  s.radius += 1e-25;
-  return {c, x * s};
-}
-
-namespace {
 
 struct FlatVector {
   Ball x, y;
@@ -57,10 +46,11 @@ struct FlatVector {
   FlatVector(const FlatVertices& vertices_mm, int from, int to)
       : x(Ball(vertices_mm(0, to)) - Ball(vertices_mm(0, from))),
         y(Ball(vertices_mm(1, to)) - Ball(vertices_mm(1, from))) {}
-  void scale_to(const Ball& length) {
-    const Ball norm = square_root(x * x + y * y);
-    x = quotient(x * length, norm);
-    y = quotient(y * length, norm);
+  Ball length() const { return square_root(x * x + y * y); }
+  void scale_to(const Ball& scaled) {
+    const Ball norm = length();
+    x = quotient(x * scaled, norm);
+    y = quotient(y * scaled, norm);
   }
 };
 
@@ -94,21 +84,36 @@ void add_spring_ends(const Mechanism& mechanism, const FlatVertices& vertices_mm
 
 }  // namespace
 
+HalfAngle<Ball> half_angle_ball(double angle_deg) {
+  constexpr double kHalfDegree_rad = 0.0087266462599716478846;  // pi / 360, rounded
+  const Ball x = Ball(angle_deg) * Ball::number(kHalfDegree_rad, 2 * kUnit * kHalfDegree_rad);
+  const Ball xx = x * x;
+  // sin x = x (1 - xx / 6 (1 - xx / 20 (...))) and cos x likewise; |x| <= pi. Terms alternate and
+  // fall: what is left out is less than the first of them, x^38 / 38! < 2e-26.
+  constexpr int kTerms = 18;
+  Ball c(1.0), s(1.0);
+  for (int n = kTerms; n >= 1; --n) {
+    c = Ball(1.0) - quotient(xx * c, Ball(2.0 * n * (2 * n - 1)));
+    s = Ball(1.0) - quotient(xx * s, Ball(2.0 * n * (2 * n + 1)));
+  }
+  c.radius += 1e-25;
+  s.radius += 1e-25;
+  return {c, x * s};
+}
+
 SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
   SheetGeometry<Ball> geometry;
-  const auto difference = [&](int row, Eigen::Index from, Eigen::Index to) {
-    return Ball(vertices_mm(row, to)) - Ball(vertices_mm(row, from));
-  };
   const Ball width(mechanism.panel_width_mm);
-  for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
-    geometry.x.push_back(quotient(difference(0, 0, v), width));
-    geometry.y.push_back(quotient(difference(1, 0, v), width));
+  for (int v = 0; v < vertices_mm.cols(); ++v) {
+    const FlatVector from_first(vertices_mm, 0, v);
+    geometry.x.push_back(quotient(from_first.x, width));
+    geometry.y.push_back(quotient(from_first.y, width));
   }
   for (const Edge& edge : mechanism.edges) {
-    const Ball dx = difference(0, edge.a, edge.b), dy = difference(1, edge.a, edge.b);
-    const Ball length = square_root(dx * dx + dy * dy);
-    geometry.axis_x.push_back(quotient(dx, length));
-    geometry.axis_y.push_back(quotient(dy, length));
+    const FlatVector along(vertices_mm, edge.a, edge.b);
+    const Ball length = along.length();
+    geometry.axis_x.push_back(quotient(along.x, length));
+    geometry.axis_y.push_back(quotient(along.y, length));
   }
   if (!mechanism.springs.at_vertices()) add_spring_ends(mechanism, vertices_mm, geometry);
   return geometry;
@@ -164,12 +169,7 @@ void IntervalChart::recentre(const double* x) {
   }
   for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
     Chart::Ball& at = joints_.balls[i];
-    GradedQuaternion<double> q = at.middle;
-    for (int k = 0; k < 3; ++k) {
-      const double turn = x[mechanism_->balls[i].column + k];
-      q = {q.w + turn * at.rate[k].w, q.x + turn * at.rate[k].x, q.y + turn * at.rate[k].y,
-           q.z + turn * at.rate[k].z};
-    }
+    const GradedQuaternion<double> q = quaternion_at(at, x + mechanism_->balls[i].column);
     at.middle = q;
     if (!is_graded()) at = turned_from({q.w, q.x, q.y, q.z});
   }
@@ -189,12 +189,8 @@ FoldState<double> IntervalChart::state_at(const double* x, double s) const {
   }
   for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
     const Chart::Ball& at = joints_.balls[i];
-    GradedQuaternion<double> q = at.middle;
-    for (int k = 0; x != nullptr && k < 3; ++k) {
-      const double turn = x[mechanism_->balls[i].column + k];
-      q = {q.w + turn * at.rate[k].w, q.x + turn * at.rate[k].x, q.y + turn * at.rate[k].y,
-           q.z + turn * at.rate[k].z};
-    }
+    const GradedQuaternion<double> q =
+        x == nullptr ? at.middle : quaternion_at(at, x + mechanism_->balls[i].column);
     state.balls.push_back(Quaternion<double>{q.w, tau * q.x, tau * q.y, sigma * q.z}.normalized());
   }
   return state;

@@ -16,18 +16,7 @@ HalfAngle<Ball> half_angle_ball(double angle_deg);
 /// of springs that are beside the vertices (spring_vertex).
 SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
-/// The same as Taylor models of any degree.
-template <class T>
-SheetGeometry<T> with_errors(const SheetGeometry<Ball>& sheet) {
-  const auto each = [](const std::vector<Ball>& from) {
-    std::vector<T> to;
-    for (const Ball& value : from) to.push_back(T::number(value.c[0], value.radius));
-    return to;
-  };
-  return {each(sheet.x), each(sheet.y), each(sheet.axis_x), each(sheet.axis_y)};
-}
-
-/// Coordinates in T of a sheet that is known in S.
+/// A sheet that is known in S, in T.
 template <class T, class S>
 SheetGeometry<T> convert(const SheetGeometry<S>& geometry) {
   const auto each = [](const std::vector<S>& from) {

@@ -9,8 +9,7 @@ PanelCorners corners_at(const Corners& corners, double s) {
   PanelCorners middle;
   for (int k = 0; k < 4; ++k) {
     for (int i = 0; i < 3; ++i) {
-      const ArbNumber value = value_at(corners[k][i], ArbNumber(s));
-      middle(i, k) = arf_get_d(arb_midref(value[0]), ARF_RND_NEAR);
+      middle(i, k) = as_double(value_at(corners[k][i], ArbNumber(s)));
     }
   }
   return middle;
@@ -75,7 +74,7 @@ PanelCheck::PanelCheck(const FoldedShape& shape, const Panels& panels)
       pairs_(static_cast<int>(pairs_of(panels).size())) {}
 
 Proof PanelCheck::are_apart(const IntervalProver& prover, const ProvenInterval& interval,
-                            const ProvenSubinterval& subinterval) const {
+                            const ProvenInterval::Subinterval& subinterval) const {
   const auto corners = prover.place_panels(interval, subinterval, shape_, panels_);
   for (const ComparedPanels& panels : compared_) {
     int parts = 0;

@@ -14,7 +14,7 @@ class PanelCheck {
 
   /// `holds` or `unclear`: a subinterval on which panels meet is never proven.
   Proof are_apart(const IntervalProver& prover, const ProvenInterval& interval,
-                  const ProvenSubinterval& subinterval) const;
+                  const ProvenInterval::Subinterval& subinterval) const;
   /// How many pairs of panels there are, those with a common crease too.
   int pairs() const { return pairs_; }
 

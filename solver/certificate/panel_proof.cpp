@@ -13,27 +13,20 @@ using Eigen::Vector3d;
 using Corners = std::array<GradedVector<JacobianModel>, 4>;
 
 Vector3d middle_at(const GradedVector<JacobianModel>& point, double s) {
-  const auto value = [s](const JacobianModel& f) {
-    double sum = 0;
-    for (int k = kJacobianDegree; k >= 0; --k) sum = sum * s + f.c[k];
-    return sum;
-  };
-  return {value(point.x), value(point.y), value(point.z)};
+  return {guess_at(point.x, s), guess_at(point.y, s), guess_at(point.z, s)};
 }
 
-// Bounds of direction . point while s goes from `from` to `to`.
-struct Bounds {
+// Encloses direction . point while s goes from `from` to `to`.
+struct Enclosure {
   double least, most;
 };
-Bounds bounds_of(const Vector3d& direction, const GradedVector<JacobianModel>& point, double from,
-                 double to) {
+Enclosure enclose(const Vector3d& direction, const GradedVector<JacobianModel>& point, double from,
+                  double to) {
   const JacobianModel f =
       direction.x() * point.x + direction.y() * point.y + direction.z() * point.z;
   double steepest = 0;
   for (int k = 1; k <= kJacobianDegree; ++k) steepest += k * std::abs(f.c[k]);
-  JacobianModel p = f;
-  p.radius = 0;
-  const Ball middle = value_at(p, Ball(0.5 * (from + to)));
+  const Ball middle = polynomial_at(f, Ball(0.5 * (from + to)));
   const double reach =
       kUp * (middle.radius + f.radius + (0.5 * (to - from) + 4 * kUnit) * steepest);
   return {middle.c[0] - kUp * reach, middle.c[0] + kUp * reach};
@@ -56,15 +49,15 @@ bool are_apart(const ComparedPanels& panels, const Vector3d& direction, const Co
   if (panels.kind == ContactKind::apart) {
     double most_of_a = -std::numeric_limits<double>::infinity(), least_of_b = -most_of_a;
     for (int k = 0; k < 4; ++k) {
-      most_of_a = std::max(most_of_a, bounds_of(direction, a[k], from, to).most);
-      least_of_b = std::min(least_of_b, bounds_of(direction, b[k], from, to).least);
+      most_of_a = std::max(most_of_a, enclose(direction, a[k], from, to).most);
+      least_of_b = std::min(least_of_b, enclose(direction, b[k], from, to).least);
     }
     return most_of_a < least_of_b;
   }
   const int at_a = panels.vertex_of_a, at_b = panels.vertex_of_b;
   for (int side = 1; side < 4; ++side) {
-    if (!(bounds_of(direction, arm(a, at_a, (at_a + side) % 4), from, to).most < 0)) return false;
-    if (!(bounds_of(direction, arm(b, at_b, (at_b + side) % 4), from, to).least > 0)) return false;
+    if (!(enclose(direction, arm(a, at_a, (at_a + side) % 4), from, to).most < 0)) return false;
+    if (!(enclose(direction, arm(b, at_b, (at_b + side) % 4), from, to).least > 0)) return false;
   }
   return true;
 }
@@ -74,8 +67,8 @@ bool are_apart(const ComparedPanels& panels, const Vector3d& direction, const Co
 PanelProof::PanelProof(const FoldedShape& shape, const Panels& panels)
     : shape_(shape), panels_(panels), compared_(compared_panels(panels)) {}
 
-PanelProof::Apart PanelProof::look(const TubeProver& prover, const PathTube& tube,
-                                   double resolution) const {
+PanelProof::Apart PanelProof::prove(const TubeProver& prover, const PathTube& tube,
+                                    double resolution) const {
   const std::vector<Corners> corners = prover.place_panels(tube, shape_, panels_);
   Apart apart;
   for (const ComparedPanels& panels : compared_) {

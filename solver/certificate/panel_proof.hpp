@@ -23,7 +23,7 @@ class PanelProof {
   };
   /// All over a tube, or up to where it is not shown, found to within `resolution`. Pairs are those
   /// of pairs_of(panels).
-  Apart look(const TubeProver& prover, const PathTube& tube, double resolution) const;
+  Apart prove(const TubeProver& prover, const PathTube& tube, double resolution) const;
 
  private:
   const FoldedShape& shape_;

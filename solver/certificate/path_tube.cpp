@@ -19,9 +19,7 @@ bool join(const PathTube& before, const PathTube& after) {
   for (std::size_t j = 0; j < x.size(); ++j) x[j] = value_at(before.path[j], s);
   const std::vector<Ball> same = after.chart.unknowns(before.chart.plain(x, at_deg), at_deg);
   for (std::size_t j = 0; j < x.size(); ++j) {
-    PathModel p = after.path[j];
-    p.radius = 0;
-    const double apart = (same[j] - value_at(p, s_after)).bound();
+    const double apart = (same[j] - polynomial_at(after.path[j], s_after)).bound();
     if (!(apart < after.radii[static_cast<Eigen::Index>(j)])) return false;
   }
   return true;

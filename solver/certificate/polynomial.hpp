@@ -44,6 +44,7 @@ struct Polynomial {
   Polynomial& operator+=(const Polynomial& b) { return *this = *this + b; }
 };
 
+inline double reciprocal(double x) { return 1 / x; }
 template <int Degree>
 Polynomial<Degree> reciprocal(const Polynomial<Degree>& f) {
   Polynomial<Degree> result(1 / f.c[0]);

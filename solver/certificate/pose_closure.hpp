@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solver/certificate/graded_motion.hpp"
+#include "solver/certificate/polynomial.hpp"
 #include "solver/certificate/spring_vertex.hpp"
 #include "solver/kinematics/folded_shape.hpp"
 
@@ -31,18 +32,17 @@ struct JointLines {
   std::vector<Ball> balls;
 };
 
-/// A model in T has coordinates of the sheet in NumberOf<T>, and `scaled` for products of both.
-template <class T>
-struct NumberOf {
-  using Type = double;
-};
 inline double scaled(double k, double x) { return k * x; }
-inline double inverse_of(double x) { return 1 / x; }
+template <int Degree>
+Polynomial<Degree> scaled(double k, const Polynomial<Degree>& f) {
+  return k * f;
+}
 
-template <class T>
+/// Models in T of a sheet whose coordinates are known in Number, with `scaled` for products of
+/// both.
+template <class T, class Number = double>
 class PoseClosure {
  public:
-  using Number = typename NumberOf<T>::Type;
   struct Entry {
     int row, column;
     T value;
@@ -56,7 +56,7 @@ class PoseClosure {
       const JointLines::Crease& line = lines.creases[i];
       const T& turn = x[mechanism.creases[i].column];
       const T c = T(line.c) + scaled(line.c_rate, turn), s = T(line.s) + scaled(line.s_rate, turn);
-      creases_.push_back({c, s, inverse_of(c * c + sigma(s * s))});
+      creases_.push_back({c, s, reciprocal(c * c + sigma(s * s))});
     }
     for (std::size_t i = 0; i < lines.balls.size(); ++i) {
       std::array<T, 4> q;
@@ -68,7 +68,7 @@ class PoseClosure {
         }
       }
       const T inverse =
-          inverse_of(q[0] * q[0] + sigma(q[1] * q[1] + q[2] * q[2]) + sigma(sigma(q[3] * q[3])));
+          reciprocal(q[0] * q[0] + sigma(q[1] * q[1] + q[2] * q[2]) + sigma(sigma(q[3] * q[3])));
       balls_.push_back({q, inverse});
     }
   }
@@ -229,19 +229,15 @@ class PoseClosure {
     m.d = k * m.d;
   }
 
-  Motion<T> turn_of_ball(const BallValue& ball) const {
-    Motion<T> m = quaternion_form(ball.q, ball.q);
-    scale(ball.inverse, m);
-    return m;
-  }
-
   Motion<T> motion(const Loop& loop, const Passage& passage) const {
     return motion(loop.passages[0].vertex, passage);
   }
   Motion<T> motion(int origin, const Passage& passage) const {
     Motion<T> m;
     if (passage.ball) {
-      m = turn_of_ball(balls_[passage.joint]);
+      const BallValue& ball = balls_[passage.joint];
+      m = quaternion_form(ball.q, ball.q);
+      scale(ball.inverse, m);
       if (passage.sense < 0) m = m.transposed();
     } else {
       const CreaseValue& at = creases_[passage.joint];

@@ -6,14 +6,6 @@
 namespace misalign::solver {
 namespace {
 
-double as_double(const ArbNumber& x) { return arf_get_d(arb_midref(x[0]), ARF_RND_NEAR); }
-
-ArbNumber root_of(const ArbNumber& x) {
-  ArbNumber root;
-  arb_sqrt(root[0], x[0], kArbBits);
-  return root;
-}
-
 // Ends of springs beside the vertices, behind these: the corner's unit vectors added up.
 void add_ends(const Mechanism& mechanism, SheetGeometry<ArbNumber>& geometry) {
   const ArbNumber width(mechanism.panel_width_mm);
@@ -214,7 +206,7 @@ Proof IntervalProver::prove(const PathInterval& interval, const Question& questi
   proven.interval = interval;
   begin(proven);
   for (const ArbNumber* end : {&proven.from, &proven.to}) {
-    if (!arb_le(size_of(*end)[0], ArbNumber(1.0)[0])) return Proof::unclear;
+    if (!(size_of(*end) <= ArbNumber(1.0))) return Proof::unclear;
   }
   const Eigen::VectorXd start = Eigen::VectorXd::Zero(mechanism_.equations);
   return cover(proven, -1, 1, start, 0, question);
@@ -225,7 +217,7 @@ Proof IntervalProver::cover(ProvenInterval& interval, double low, double high,
   constexpr int kMostCuts = 10;
   // Uneven, so that neither an interval's middle nor any place that is asked for is between two.
   constexpr double kCut = 0.4375;
-  ProvenSubinterval subinterval{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}};
+  Subinterval subinterval{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}};
   Proof proof = Proof::unclear;
   if (prove_subinterval(interval, start, subinterval)) proof = question(interval, subinterval);
   if (proof == Proof::holds) {
@@ -238,8 +230,7 @@ Proof IntervalProver::cover(ProvenInterval& interval, double low, double high,
     const double s = (0.5 * (a + b) - subinterval.middle) / subinterval.half;
     Eigen::VectorXd x = start;
     for (Eigen::Index j = 0; j < x.size(); ++j) {
-      x[j] = subinterval.guess[static_cast<std::size_t>(j)].c[0] +
-             s * subinterval.guess[static_cast<std::size_t>(j)].c[1];
+      x[j] = subinterval.guess[j].c[0] + s * subinterval.guess[j].c[1];
     }
     return x;
   };

@@ -13,7 +13,8 @@
 #include <functional>
 #include <vector>
 
-#include "solver/certificate/witness_polynomial.hpp"
+#include "solver/certificate/arb_model.hpp"
+#include "solver/certificate/pose_closure.hpp"
 #include "solver/model/panels.hpp"
 #include "solver/records/certificate.hpp"
 
@@ -21,34 +22,37 @@ namespace misalign::solver {
 
 inline constexpr int kCheckDegree = 8, kCheckJacobianDegree = 3;
 using CheckModel = ArbModel<kCheckDegree>;
-
-/// s from middle - half to middle + half.
-struct ProvenSubinterval {
-  double middle, half;
-  std::vector<WitnessPolynomial<kCheckDegree>> guess;  ///< of the unknowns but the pilot's
-  Eigen::VectorXd radius;  ///< of the tube in which states are single, unknown by unknown
-  Eigen::VectorXd error;   ///< how far the path is from the guess at most
-  std::vector<CheckModel> cosines, sines;  ///< of half of each crease's angle, times what is > 0
-  std::vector<CheckModel> slopes;  ///< of each diagonal's squared length along s, times what is > 0
-};
+/// A path before it is proven: without any claim.
+using CheckGuess = Polynomial<kCheckDegree>;
 
 struct ProvenInterval {
+  /// s from middle - half to middle + half.
+  struct Subinterval {
+    double middle, half;
+    std::vector<CheckGuess> guess;  ///< of the unknowns but the pilot's
+    Eigen::VectorXd radius;         ///< of the tube in which states are single, unknown by unknown
+    Eigen::VectorXd error;          ///< how far the path is from the guess at most
+    std::vector<CheckModel> cosines, sines;  ///< of half of each crease's angle, times what is > 0
+    std::vector<CheckModel>
+        slopes;  ///< of each diagonal's squared length along s, times what is > 0
+  };
+
   PathInterval interval;
   JointLines lines;
   double sigma, width;         ///< the pilot at s: sigma + width s, or the tangent width s
   ArbNumber from, middle, to;  ///< in s; within [-1, 1]
-  std::vector<ProvenSubinterval>
-      subintervals;  ///< ascending, each beginning where the one before ends
+  std::vector<Subinterval> subintervals;  ///< ascending, each from the end of the one before
 
   /// The unknowns at a place, the pilot's last; undefined where that is not within a subinterval.
   std::vector<ArbNumber> unknowns_at(const ArbNumber& s) const;
 };
 
-/// tan(angle / 4) for the half of half an angle, and tan(angle / 2); by arb.
+/// tan(angle / 2), by arb.
 ArbNumber half_tangent(const ArbNumber& angle_deg);
 
 class IntervalProver {
  public:
+  using Subinterval = ProvenInterval::Subinterval;
   /// Joints in numbers that do not depend on an interval: half a crease's angle, a ball's
   /// quaternion, each times any number.
   struct JointPlaces {
@@ -61,14 +65,15 @@ class IntervalProver {
 
   /// What else is to be proven of each subinterval of an interval; where it is unclear shorter
   /// subintervals are tried.
-  using Question = std::function<Proof(const ProvenInterval&, const ProvenSubinterval&)>;
+  using Question = std::function<Proof(const ProvenInterval&, const Subinterval&)>;
   /// unclear: no curve is proven, or not that it has no neighbour within the interval's box.
   Proof prove(const PathInterval& interval, const Question& question, ProvenInterval& proven);
 
   /// Corners of panels all over a subinterval, as PoseClosure::place_panels has them.
-  std::vector<std::array<std::array<CheckModel, 3>, 4>> place_panels(
-      const ProvenInterval& interval, const ProvenSubinterval& subinterval,
-      const FoldedShape& shape, const Panels& panels) const;
+  std::vector<std::array<std::array<CheckModel, 3>, 4>> place_panels(const ProvenInterval& interval,
+                                                                     const Subinterval& subinterval,
+                                                                     const FoldedShape& shape,
+                                                                     const Panels& panels) const;
 
   JointPlaces places(const ProvenInterval& interval, const std::vector<ArbNumber>& unknowns,
                      const ArbNumber& tau) const;
@@ -81,16 +86,15 @@ class IntervalProver {
   Proof cover(ProvenInterval& interval, double low, double high, const Eigen::VectorXd& start,
               int depth, const Question& question);
   bool prove_subinterval(const ProvenInterval& interval, const Eigen::VectorXd& start,
-                         ProvenSubinterval& subinterval);
-  bool find_middle(const ProvenInterval& interval, Eigen::VectorXd x,
-                   ProvenSubinterval& subinterval);
-  void find_guess(const ProvenInterval& interval, ProvenSubinterval& subinterval) const;
+                         Subinterval& subinterval);
+  bool find_middle(const ProvenInterval& interval, Eigen::VectorXd x, Subinterval& subinterval);
+  void find_guess(const ProvenInterval& interval, Subinterval& subinterval) const;
   std::vector<ArbNumber> preconditioned(const std::vector<CheckModel>& residual) const;
-  void find_deviation(const ProvenInterval& interval, const ProvenSubinterval& subinterval);
+  void find_deviation(const ProvenInterval& interval, const Subinterval& subinterval);
   bool is_mapped_inside(const std::vector<ArbNumber>& misfit, const Eigen::VectorXd& radii) const;
   Eigen::VectorXd fixed_point(const std::vector<ArbNumber>& misfit) const;
-  bool enclose(const ProvenInterval& interval, ProvenSubinterval& subinterval);
-  bool find_slopes(const ProvenInterval& interval, ProvenSubinterval& subinterval);
+  bool enclose(const ProvenInterval& interval, Subinterval& subinterval);
+  bool find_slopes(const ProvenInterval& interval, Subinterval& subinterval);
 
   const Mechanism& mechanism_;
   SheetGeometry<double> geometry_;

@@ -7,9 +7,41 @@
 namespace misalign::solver {
 namespace {
 
+using Subinterval = ProvenInterval::Subinterval;
+
+// A value and its derivative with respect to s.
+template <class T>
+struct WithRate {
+  T value, rate;
+
+  WithRate() = default;
+  WithRate(double constant) : value(constant) {}  // NOLINT: a number is a constant
+  WithRate(T at, T changes) : value(std::move(at)), rate(std::move(changes)) {}
+
+  WithRate operator-() const { return {-value, -rate}; }
+  friend WithRate operator+(const WithRate& a, const WithRate& b) {
+    return {a.value + b.value, a.rate + b.rate};
+  }
+  friend WithRate operator-(const WithRate& a, const WithRate& b) {
+    return {a.value - b.value, a.rate - b.rate};
+  }
+  friend WithRate operator*(const WithRate& a, const WithRate& b) {
+    return {a.value * b.value, a.value * b.rate + a.rate * b.value};
+  }
+  friend WithRate scaled(const ArbNumber& k, const WithRate& a) {
+    return {scaled(k, a.value), scaled(k, a.rate)};
+  }
+};
+
+template <class T>
+WithRate<T> reciprocal(const WithRate<T>& f) {
+  const T inverse = reciprocal(f.value);
+  return {inverse, -(f.rate * (inverse * inverse))};
+}
+
 // A function of s that is a line, on a subinterval.
 template <int Degree>
-void set_line(double at_zero, double width, const ProvenSubinterval& subinterval,
+void set_line(double at_zero, double width, const Subinterval& subinterval,
               ArbModel<Degree>& line) {
   const ArbNumber middle = ArbNumber(at_zero) + ArbNumber(width) * ArbNumber(subinterval.middle);
   const ArbNumber slope = ArbNumber(width) * ArbNumber(subinterval.half);
@@ -17,23 +49,23 @@ void set_line(double at_zero, double width, const ProvenSubinterval& subinterval
   arb_set(line[1], slope[0]);
 }
 template <int Degree>
-void set_line(double at_zero, double width, const ProvenSubinterval& subinterval,
-              WitnessPolynomial<Degree>& line) {
+void set_line(double at_zero, double width, const Subinterval& subinterval,
+              Polynomial<Degree>& line) {
   line.c[0] = at_zero + width * subinterval.middle;
   line.c[1] = width * subinterval.half;
 }
-void set_line(double at_zero, double width, const ProvenSubinterval& subinterval, double& line) {
+void set_line(double at_zero, double width, const Subinterval& subinterval, double& line) {
   line = at_zero + width * subinterval.middle;
 }
 template <int Degree>
-void set_line(double at_zero, double width, const ProvenSubinterval& subinterval,
+void set_line(double at_zero, double width, const Subinterval& subinterval,
               WithRate<ArbModel<Degree>>& line) {
   set_line(at_zero, width, subinterval, line.value);
   arb_set(line.rate[0], line.value[1]);
 }
 
 template <class T>
-Grading<T> grading(const ProvenInterval& interval, const ProvenSubinterval& subinterval) {
+Grading<T> grading(const ProvenInterval& interval, const Subinterval& subinterval) {
   Grading<T> sigma{interval.interval.graded, T(1.0)};
   if (sigma.graded) set_line(interval.sigma, interval.width, subinterval, sigma.sigma);
   return sigma;
@@ -41,7 +73,7 @@ Grading<T> grading(const ProvenInterval& interval, const ProvenSubinterval& subi
 
 // The pilot's unknown, which is zero throughout where sigma tells its angle.
 template <class T>
-T pilot_of(const ProvenInterval& interval, const ProvenSubinterval& subinterval) {
+T pilot_of(const ProvenInterval& interval, const Subinterval& subinterval) {
   T x(0.0);
   if (!interval.interval.graded) set_line(0, interval.width, subinterval, x);
   return x;
@@ -49,7 +81,7 @@ T pilot_of(const ProvenInterval& interval, const ProvenSubinterval& subinterval)
 
 // A guess with an error: powers above the degree are errors as well.
 template <int Degree>
-ArbModel<Degree> widened(const WitnessPolynomial<kCheckDegree>& guess, double error) {
+ArbModel<Degree> widened(const CheckGuess& guess, double error) {
   ArbModel<Degree> x;
   for (int k = 0; k <= Degree; ++k) arb_set_d(x[k], guess.c[k]);
   ArbNumber rest(error);
@@ -58,8 +90,21 @@ ArbModel<Degree> widened(const WitnessPolynomial<kCheckDegree>& guess, double er
   return x;
 }
 
-WitnessPolynomial<kCheckDegree> derivative(const WitnessPolynomial<kCheckDegree>& f) {
-  WitnessPolynomial<kCheckDegree> result;
+// All unknowns, each within its error of its guess.
+template <int Degree>
+std::vector<ArbModel<Degree>> unknowns_within(const ProvenInterval& interval,
+                                              const Subinterval& subinterval,
+                                              const Eigen::VectorXd& errors) {
+  std::vector<ArbModel<Degree>> x;
+  for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
+    x.push_back(widened<Degree>(subinterval.guess[j], errors[Eigen::Index(j)]));
+  }
+  x.push_back(pilot_of<ArbModel<Degree>>(interval, subinterval));
+  return x;
+}
+
+CheckGuess derivative(const CheckGuess& f) {
+  CheckGuess result;
   for (int k = 1; k <= kCheckDegree; ++k) result.c[k - 1] = k * f.c[k];
   return result;
 }
@@ -80,9 +125,9 @@ double perron(const Eigen::MatrixXd& sizes, Eigen::VectorXd& r) {
 
 std::vector<ArbNumber> ProvenInterval::unknowns_at(const ArbNumber& s) const {
   std::vector<ArbNumber> x;
-  for (const ProvenSubinterval& subinterval : subintervals) {
+  for (const Subinterval& subinterval : subintervals) {
     const ArbNumber place = (s - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
-    if (!arb_le(size_of(place)[0], ArbNumber(1.0)[0])) continue;
+    if (!(size_of(place) <= ArbNumber(1.0))) continue;
     for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
       x.push_back(value_at(widened<kCheckDegree>(subinterval.guess[j],
                                                  subinterval.error[static_cast<Eigen::Index>(j)]),
@@ -97,7 +142,7 @@ std::vector<ArbNumber> ProvenInterval::unknowns_at(const ArbNumber& s) const {
 }
 
 bool IntervalProver::find_middle(const ProvenInterval& interval, Eigen::VectorXd x,
-                                 ProvenSubinterval& subinterval) {
+                                 Subinterval& subinterval) {
   constexpr int kMostSteps = 20;
   constexpr double kLargestStep = 0.5, kSmallestStep = 1e-13;
   const int n = mechanism_.equations;
@@ -107,7 +152,7 @@ bool IntervalProver::find_middle(const ProvenInterval& interval, Eigen::VectorXd
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps; ++step) {
     for (int j = 0; j < n; ++j) unknowns[j] = x[j];
-    const PoseClosure<double> closure(mechanism_, geometry_, interval.lines, sigma, unknowns);
+    const PoseClosure closure(mechanism_, geometry_, interval.lines, sigma, unknowns);
     closure.open_by(residual, nullptr);
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, n);
     for (const auto& entry : closure.jacobian()) jacobian(entry.row, entry.column) += entry.value;
@@ -127,17 +172,14 @@ bool IntervalProver::find_middle(const ProvenInterval& interval, Eigen::VectorXd
 }
 
 // Newton's method on polynomials with the middle's Jacobian: a power of s more at every step.
-void IntervalProver::find_guess(const ProvenInterval& interval,
-                                ProvenSubinterval& subinterval) const {
-  using Polynomial = WitnessPolynomial<kCheckDegree>;
+void IntervalProver::find_guess(const ProvenInterval& interval, Subinterval& subinterval) const {
   const int n = mechanism_.equations;
-  const auto sigma = grading<Polynomial>(interval, subinterval);
-  std::vector<Polynomial> x = subinterval.guess, residual;
-  x.push_back(pilot_of<Polynomial>(interval, subinterval));
+  const auto sigma = grading<CheckGuess>(interval, subinterval);
+  std::vector<CheckGuess> x = subinterval.guess, residual;
+  x.push_back(pilot_of<CheckGuess>(interval, subinterval));
   Eigen::MatrixXd coefficients(n, kCheckDegree + 1);
   for (int order = 0; order <= kCheckDegree; ++order) {
-    PoseClosure<Polynomial>(mechanism_, geometry_, interval.lines, sigma, x)
-        .open_by(residual, nullptr);
+    PoseClosure(mechanism_, geometry_, interval.lines, sigma, x).open_by(residual, nullptr);
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k <= kCheckDegree; ++k) coefficients(i, k) = residual[i].c[k];
     }
@@ -165,17 +207,12 @@ std::vector<ArbNumber> IntervalProver::preconditioned(
 
 // At least |I - C J| all over the tube.
 void IntervalProver::find_deviation(const ProvenInterval& interval,
-                                    const ProvenSubinterval& subinterval) {
+                                    const Subinterval& subinterval) {
   using Entry = ArbModel<kCheckJacobianDegree>;
   const auto n = static_cast<std::size_t>(mechanism_.equations);
   const auto sigma = grading<Entry>(interval, subinterval);
-  std::vector<Entry> x;
-  for (std::size_t j = 0; j < n; ++j) {
-    x.push_back(
-        widened<kCheckJacobianDegree>(subinterval.guess[j], subinterval.radius[Eigen::Index(j)]));
-  }
-  x.push_back(pilot_of<Entry>(interval, subinterval));
-  const PoseClosure<Entry> closure(mechanism_, arb_geometry_, interval.lines, sigma, x);
+  const auto x = unknowns_within<kCheckJacobianDegree>(interval, subinterval, subinterval.radius);
+  const PoseClosure closure(mechanism_, arb_geometry_, interval.lines, sigma, x);
   std::vector<Entry> products(n * n);
   for (std::size_t i = 0; i < n; ++i) products[i * n + i] = Entry(-1.0);
   for (const auto& entry : closure.jacobian()) {
@@ -189,8 +226,7 @@ void IntervalProver::find_deviation(const ProvenInterval& interval,
   deviation_guess_.resize(mechanism_.equations, mechanism_.equations);
   for (std::size_t k = 0; k < n * n; ++k) {
     deviation_.push_back(most_of(products[k]));
-    deviation_guess_(Eigen::Index(k / n), Eigen::Index(k % n)) =
-        arf_get_d(arb_midref(deviation_.back()[0]), ARF_RND_NEAR);
+    deviation_guess_(Eigen::Index(k / n), Eigen::Index(k % n)) = as_double(deviation_.back());
   }
 }
 
@@ -212,20 +248,19 @@ Eigen::VectorXd IntervalProver::fixed_point(const std::vector<ArbNumber>& misfit
   const Eigen::Index n = deviation_guess_.rows();
   Eigen::VectorXd m(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    m[i] = arf_get_d(arb_midref(misfit[std::size_t(i)][0]), ARF_RND_NEAR);
+    m[i] = as_double(misfit[std::size_t(i)]);
   }
   const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(n, n) - deviation_guess_;
   constexpr double kMore = 1.01, kLeast = 1e-30;
   return (kMore * rest.partialPivLu().solve(m)).array() + kLeast;
 }
 
-bool IntervalProver::enclose(const ProvenInterval& interval, ProvenSubinterval& subinterval) {
+bool IntervalProver::enclose(const ProvenInterval& interval, Subinterval& subinterval) {
   const auto sigma = grading<CheckModel>(interval, subinterval);
-  std::vector<CheckModel> x, residual;
-  for (const auto& guess : subinterval.guess) x.push_back(widened<kCheckDegree>(guess, 0));
-  x.push_back(pilot_of<CheckModel>(interval, subinterval));
-  PoseClosure<CheckModel>(mechanism_, arb_geometry_, interval.lines, sigma, x)
-      .open_by(residual, nullptr);
+  const auto x = unknowns_within<kCheckDegree>(interval, subinterval,
+                                               Eigen::VectorXd::Zero(mechanism_.equations));
+  std::vector<CheckModel> residual;
+  PoseClosure(mechanism_, arb_geometry_, interval.lines, sigma, x).open_by(residual, nullptr);
   const std::vector<ArbNumber> misfit = preconditioned(residual);
   double largest = 0;
   for (const ArbNumber& m : misfit) {
@@ -258,7 +293,7 @@ bool IntervalProver::enclose(const ProvenInterval& interval, ProvenSubinterval& 
   return false;
 }
 
-bool IntervalProver::find_slopes(const ProvenInterval& interval, ProvenSubinterval& subinterval) {
+bool IntervalProver::find_slopes(const ProvenInterval& interval, Subinterval& subinterval) {
   using Moving = WithRate<CheckModel>;
   const auto n = static_cast<std::size_t>(mechanism_.equations);
   const auto sigma = grading<Moving>(interval, subinterval);
@@ -268,8 +303,7 @@ bool IntervalProver::find_slopes(const ProvenInterval& interval, ProvenSubinterv
                    widened<kCheckDegree>(derivative(subinterval.guess[j]), 0));
   }
   x.push_back(pilot_of<Moving>(interval, subinterval));
-  PoseClosure<Moving>(mechanism_, arb_geometry_, interval.lines, sigma, x)
-      .open_by(residual, &traces);
+  PoseClosure(mechanism_, arb_geometry_, interval.lines, sigma, x).open_by(residual, &traces);
   for (const Moving& trace :
        traces) {  // where R is symmetric it is I: no half turn has 3 - 4 < trace
     if (!(most_of(sigma(trace).value) < ArbNumber(4.0))) return false;
@@ -282,7 +316,7 @@ bool IntervalProver::find_slopes(const ProvenInterval& interval, ProvenSubinterv
   for (std::size_t j = 0; j < n; ++j) {
     x[j].rate = widened<kCheckDegree>(derivative(subinterval.guess[j]), errors[Eigen::Index(j)]);
   }
-  const PoseClosure<Moving> closure(mechanism_, arb_geometry_, interval.lines, sigma, x);
+  const PoseClosure closure(mechanism_, arb_geometry_, interval.lines, sigma, x);
   for (const Diagonal& diagonal : mechanism_.diagonals) {
     subinterval.slopes.push_back(sigma(closure.squared_elongation(diagonal)).rate);
   }
@@ -294,20 +328,16 @@ bool IntervalProver::find_slopes(const ProvenInterval& interval, ProvenSubinterv
 }
 
 std::vector<std::array<std::array<CheckModel, 3>, 4>> IntervalProver::place_panels(
-    const ProvenInterval& interval, const ProvenSubinterval& subinterval, const FoldedShape& shape,
+    const ProvenInterval& interval, const Subinterval& subinterval, const FoldedShape& shape,
     const Panels& panels) const {
   const auto sigma = grading<CheckModel>(interval, subinterval);
-  std::vector<CheckModel> x;
-  for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
-    x.push_back(widened<kCheckDegree>(subinterval.guess[j], subinterval.error[Eigen::Index(j)]));
-  }
-  x.push_back(pilot_of<CheckModel>(interval, subinterval));
-  return PoseClosure<CheckModel>(mechanism_, arb_geometry_, interval.lines, sigma, x)
+  const auto x = unknowns_within<kCheckDegree>(interval, subinterval, subinterval.error);
+  return PoseClosure(mechanism_, arb_geometry_, interval.lines, sigma, x)
       .place_panels(shape.tree(), panels.facets, panels.corners);
 }
 
 bool IntervalProver::prove_subinterval(const ProvenInterval& interval, const Eigen::VectorXd& start,
-                                       ProvenSubinterval& subinterval) {
+                                       Subinterval& subinterval) {
   if (!find_middle(interval, start, subinterval)) return false;
   find_guess(interval, subinterval);
   arb_inverse_.clear();

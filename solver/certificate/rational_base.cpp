@@ -13,7 +13,7 @@ class Rounder {
  public:
   explicit Rounder(const PerforatedSheet& base) : base_(base), sheet_(base.sheet) {}
 
-  RationalBase take() {
+  RationalBase round() {
     round_vertices();
     for (const int v : interior_vertices(sheet_)) {
       if (rounded_.gap.kind == Kind::none && !add_vertex(v)) rounded_.gap = {Kind::no_mirror, v};
@@ -167,6 +167,6 @@ std::string ProofGap::why(const CreasePattern& sheet) const {
   return "";
 }
 
-RationalBase rational_base(const PerforatedSheet& base) { return Rounder(base).take(); }
+RationalBase rational_base(const PerforatedSheet& base) { return Rounder(base).round(); }
 
 }  // namespace misalign::solver

@@ -45,6 +45,10 @@ struct TaylorModel {
   TaylorModel() = default;
   /// A constant, exactly.
   TaylorModel(double constant) { c[0] = constant; }  // NOLINT: a number is a Taylor model
+  /// A number as a constant.
+  template <int Lower>
+  explicit TaylorModel(const TaylorModel<Lower>& number) requires(Lower == 0 && Degree > 0)
+      : TaylorModel(TaylorModel::number(number.c[0], number.radius)) {}
   /// A number within `error` of `middle`.
   static TaylorModel number(double middle, double error) {
     TaylorModel result(middle);
@@ -160,6 +164,21 @@ Ball value_at(const TaylorModel<Degree>& f, const Ball& s) {
   Ball sum(f.c[Degree]);
   for (int k = Degree - 1; k >= 0; --k) sum = sum * s + Ball(f.c[k]);
   sum.radius = kUp * (sum.radius + f.radius);
+  return sum;
+}
+
+/// The same of its polynomial alone, as if that were exact.
+template <int Degree>
+Ball polynomial_at(TaylorModel<Degree> f, const Ball& s) {
+  f.radius = 0;
+  return value_at(f, s);
+}
+
+/// The powers up to `degree` of its polynomial at one s, rounded: a guess.
+template <int Degree>
+double guess_at(const TaylorModel<Degree>& f, double s, int degree = Degree) {
+  double sum = 0;
+  for (int k = degree; k >= 0; --k) sum = sum * s + f.c[k];
   return sum;
 }
 

@@ -1,12 +1,8 @@
 #include "solver/certificate/tube_prover.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
-
-#include "solver/certificate/interval_length.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -20,25 +16,24 @@ constexpr double kFarCorrection = 1e-3;
 /// Where in an interval J^-1 is taken, beside its middle.
 constexpr double kInverseAt = 0.85;
 constexpr double kSolved = 1e-12, kNearlySolved = 1e-8;
-/// The least of r over its largest: no unknown's box is of no use.
-constexpr double kLeastWeight = 0.05;
 /// An interval whose contraction is larger is made shorter, so that others can prove it again.
 constexpr double kLargestContraction = 0.9;
 /// So well is the path to be known that rates of change are, and that it joins the smallest boxes.
 constexpr double kLargestError = 2e-9;
 
-// Sums of nonnegative numbers, in a fixed order: a bound from above.
-Eigen::VectorXd rounded_up(const Eigen::VectorXd& sums) { return kUp * sums.array() + kUnderflow; }
+// No interval is made shorter or longer by more at once.
+constexpr double kMuchShorter = 0.3;
 
-// A vector that |I - C J| makes smaller, its largest entry 1: its eigenvector, but for small
-// entries.
-Eigen::VectorXd find_weights(const Eigen::MatrixXd& deviation) {
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(deviation.rows());
-  for (int k = 0; k < 8; ++k) {
-    const Eigen::VectorXd image = deviation * weights;
-    weights = (image / image.maxCoeff()).cwiseMax(kLeastWeight);
+// The root of this degree, but between kMuchShorter and its inverse.
+double limited_root(double power, int degree) {
+  double low = kMuchShorter, high = 1 / kMuchShorter;
+  for (int step = 0; step < 20; ++step) {
+    const double middle = 0.5 * (low + high);
+    double product = 1;
+    for (int k = 0; k < degree; ++k) product *= middle;
+    (product <= power ? low : high) = middle;
   }
-  return weights;
+  return low;
 }
 
 // The derivative of a polynomial, by s.
@@ -51,18 +46,23 @@ PathModel derivative(const PathModel& p) {
 
 }  // namespace
 
+// Error and contraction grow with a power of the length. By multiplication alone, so that intervals
+// have the same ends on every machine.
 double TubeProver::better_length() const {
-  return misalign::solver::better_length(error_, kPathDegree + 1, contraction_, kInversePowers);
+  constexpr double kTargetError = 1e-10, kTargetContraction = 0.5;
+  if (!(error_ < 1)) return kMuchShorter;
+  const double by_error = limited_root(kTargetError / error_, kPathDegree + 1);
+  if (!(contraction_ < 1e3)) return by_error;
+  return std::min(by_error, limited_root(kTargetContraction / contraction_, kInversePowers));
 }
 
 TubeProver::TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm)
     : mechanism_(mechanism),
-      columns_(columns_of(mechanism)),
-      path_sheet_(with_errors<PathModel>(place_exactly(mechanism, vertices_mm))),
-      jacobian_sheet_(with_errors<JacobianModel>(place_exactly(mechanism, vertices_mm))),
+      path_sheet_(convert<PathModel>(place_exactly(mechanism, vertices_mm))),
+      jacobian_sheet_(convert<JacobianModel>(place_exactly(mechanism, vertices_mm))),
       moving_sheet_(
-          convert<Dual<PathModel>>(with_errors<PathModel>(place_exactly(mechanism, vertices_mm)))) {
-  assert(kInversePowers * mechanism.equations + 100 < kMostOperations);
+          convert<Dual<PathModel>>(convert<PathModel>(place_exactly(mechanism, vertices_mm)))),
+      krawczyk_(mechanism) {
   place(mechanism, vertices_mm, sheet_);
   half_sheet_ = convert<Polynomial<kHalfDegree>>(sheet_);
   whole_sheet_ = convert<Polynomial<kPathDegree>>(sheet_);
@@ -91,27 +91,21 @@ std::vector<T> TubeProver::residual_of(const IntervalChart& chart, const SheetGe
 // J^-1 at these unknowns and s.
 Eigen::MatrixXd TubeProver::inverse_at(const IntervalChart& chart, const std::vector<double>& x,
                                        double s) const {
-  const int n = mechanism_.equations;
-  std::vector<double> residual(n), values;
+  std::vector<double> residual(mechanism_.equations), values;
   with_closure<double>(chart, sheet_, x.data(), s,
                        [&](const auto& closure) { closure.evaluate(residual.data(), &values); });
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, n);
-  for (int j = 0; j < n; ++j) {
-    for (std::size_t k = 0; k < columns_[j].rows.size(); ++k) {
-      jacobian(columns_[j].rows[k], j) = values[columns_[j].values[k]];
-    }
-  }
-  return jacobian.partialPivLu().inverse();
+  return krawczyk_.inverse_of(values);
 }
 
 bool TubeProver::solve_middle(IntervalChart& chart) {
   const std::vector<double> zero(mechanism_.unknowns, 0.0);
   double largest = 1;
   for (int step = 0; step < kNewtonSteps && largest > kSolved; ++step) {
-    if (largest > kFarCorrection) inverse_[0] = inverse_at(chart, zero, 0);
+    if (largest > kFarCorrection) krawczyk_.set_middle(inverse_at(chart, zero, 0));
     const std::vector<double> residual = residual_of(chart, sheet_, zero, 0.0);
     const Eigen::VectorXd correction =
-        inverse_[0] * -Eigen::Map<const Eigen::VectorXd>(residual.data(), mechanism_.equations);
+        krawczyk_.middle() *
+        -Eigen::Map<const Eigen::VectorXd>(residual.data(), mechanism_.equations);
     largest = correction.lpNorm<Eigen::Infinity>();
     if (!(largest < kLongestCorrection)) return false;
     chart.recentre(correction.data());
@@ -121,19 +115,12 @@ bool TubeProver::solve_middle(IntervalChart& chart) {
 
 // The parabola through J^-1 near both ends and in the middle.
 void TubeProver::find_inverse(const PathTube& tube) {
-  std::array<Eigen::MatrixXd, 2> at_ends;
-  std::vector<double> x(mechanism_.unknowns);
-  for (int end = 0; end < 2; ++end) {
-    const double s = end == 0 ? -kInverseAt : kInverseAt;
-    for (int j = 0; j < mechanism_.unknowns; ++j) {
-      x[j] = 0;
-      for (int k = kPathDegree; k >= 0; --k) x[j] = x[j] * s + tube.path[j].c[k];
-    }
-    at_ends[end] = inverse_at(tube.chart, x, s);
-  }
-  inverse_[1] = (at_ends[1] - at_ends[0]) / (2 * kInverseAt);
-  inverse_[2] = (at_ends[1] + at_ends[0] - 2 * inverse_[0]) / (2 * kInverseAt * kInverseAt);
-  absolute_inverse_ = inverse_[0].cwiseAbs() + inverse_[1].cwiseAbs() + inverse_[2].cwiseAbs();
+  const auto inverse_near = [&](double s) {
+    std::vector<double> x(mechanism_.unknowns);
+    for (int j = 0; j < mechanism_.unknowns; ++j) x[j] = guess_at(tube.path[j], s);
+    return inverse_at(tube.chart, x, s);
+  };
+  krawczyk_.set_ends(inverse_near(-kInverseAt), inverse_near(kInverseAt), kInverseAt);
 }
 
 // Newton's method with one inverse for polynomials: a power of s more with each step.
@@ -153,7 +140,7 @@ void TubeProver::add_powers(const IntervalChart& chart,
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k <= Degree; ++k) misfit(i, k) = residual[i].c[k];
     }
-    path.leftCols(Degree + 1) -= inverse_[0] * misfit;
+    path.leftCols(Degree + 1) -= krawczyk_.middle() * misfit;
   }
 }
 
@@ -168,24 +155,6 @@ std::vector<PathModel> TubeProver::find_path(const IntervalChart& chart) const {
     for (int k = 0; k <= kPathDegree; ++k) path[i].c[k] = powers(i, k);
   }
   return path;
-}
-
-template <int Degree>
-Eigen::VectorXd TubeProver::bound_product(const std::vector<TaylorModel<Degree>>& residual) const {
-  const int n = mechanism_.equations;
-  Eigen::VectorXd most = Eigen::VectorXd::Zero(n);
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(n, Degree + kInversePowers);
-  for (int j = 0; j < n; ++j) {
-    for (int power = 0; power < kInversePowers; ++power) {
-      for (int k = 0; k <= Degree; ++k) {
-        sums.col(power + k) += residual[j].c[k] * inverse_[power].col(j);
-      }
-    }
-    most += (residual[j].radius + (kInversePowers * n + 2) * kUnit * residual[j].size()) *
-            absolute_inverse_.col(j);
-  }
-  for (int k = 0; k < Degree + kInversePowers; ++k) most += sums.col(k).cwiseAbs();
-  return rounded_up(most);
 }
 
 // Every unknown, the path's polynomials widened by their errors and by `box`.
@@ -214,35 +183,7 @@ void TubeProver::find_deviation(const PathTube& tube, double box) {
                                            });
         }
       });
-  deviation_.resize(n, n);
-  Eigen::MatrixXd sums(n, kJacobianDegree + kInversePowers);
-  for (int j = 0; j < n; ++j) {
-    sums.setZero();
-    Eigen::VectorXd most = Eigen::VectorXd::Zero(n);
-    const std::size_t entries = columns_[j].rows.size();
-    for (std::size_t e = 0; e < entries; ++e) {
-      const JacobianModel& value = values[columns_[j].values[e]];
-      const int row = columns_[j].rows[e];
-      for (int power = 0; power < kInversePowers; ++power) {
-        for (int k = 0; k <= kJacobianDegree; ++k) {
-          sums.col(power + k) += value.c[k] * inverse_[power].col(row);
-        }
-      }
-      const double operations = static_cast<double>(kInversePowers * entries + 2);
-      most += (value.radius + operations * kUnit * value.size()) * absolute_inverse_.col(row);
-    }
-    sums(j, 0) -= 1;
-    most[j] += 2 * kUnit;  // by which that may be off: it is below 2
-    if (!(std::abs(sums(j, 0)) < 1)) most[j] = kInfinite;
-    for (int k = 0; k < sums.cols(); ++k) most += sums.col(k).cwiseAbs();
-    deviation_.col(j) = rounded_up(most);
-  }
-}
-
-Eigen::VectorXd TubeProver::times_deviation(const Eigen::VectorXd& radii) const {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(radii.size());
-  for (Eigen::Index j = 0; j < radii.size(); ++j) sum += radii[j] * deviation_.col(j);
-  return rounded_up(sum);
+  krawczyk_.bound_deviation(values);
 }
 
 TubeProver::End TubeProver::prove(const PathInterval& interval, double box, PathTube& tube) {
@@ -252,39 +193,23 @@ TubeProver::End TubeProver::prove(const PathInterval& interval, double box, Path
   tube.path = find_path(tube.chart);
   const std::vector<PathModel> residual =
       residual_of(tube.chart, path_sheet_, tube.path, PathModel::line(0, 1));
-  error_ = estimate_error(residual);
+  Eigen::VectorXd sizes(mechanism_.equations);
+  for (int i = 0; i < mechanism_.equations; ++i) sizes[i] = residual[i].bound();
+  error_ = (krawczyk_.middle().cwiseAbs() * sizes).maxCoeff();  // by C in the middle: no proof
   if (!(error_ < kLargestError)) return End::too_curved;
 
   find_inverse(tube);
-  const Eigen::VectorXd misfit = bound_product(residual);
+  const Eigen::VectorXd misfit = krawczyk_.bound_product(residual);
   find_deviation(tube, box);
-  if (!deviation_.allFinite()) return End::not_unique;
-  tube.radii = box * find_weights(deviation_);
-  const Eigen::VectorXd image = times_deviation(tube.radii);
+  if (!krawczyk_.deviation().allFinite()) return End::not_unique;
+  tube.radii = box * krawczyk_.find_weights();
+  const Eigen::VectorXd image = krawczyk_.times_deviation(tube.radii);
   tube.contraction = contraction_ = kUp * (image.array() / tube.radii.array()).maxCoeff();
   if (!(contraction_ < kLargestContraction)) return End::not_unique;
   if (!(rounded_up(misfit + image).array() < tube.radii.array()).all()) return End::too_curved;
-  const Eigen::VectorXd errors = bound_solution(tube, misfit);
+  const Eigen::VectorXd errors = krawczyk_.bound_solution(tube, misfit);
   for (int j = 0; j < mechanism_.equations; ++j) tube.path[j].radius = errors[j];
   return End::proven;
-}
-
-// How far p is from the path, by C in the middle: no proof.
-double TubeProver::estimate_error(const std::vector<PathModel>& residual) const {
-  Eigen::VectorXd sizes(mechanism_.equations);
-  for (int i = 0; i < mechanism_.equations; ++i) sizes[i] = residual[i].bound();
-  return (inverse_[0].cwiseAbs() * sizes).maxCoeff();
-}
-
-// At least |e| for every e with |e| <= most + |I - C J| |e|: in the norm of r it is at most that of
-// `most` / (1 - contraction), and within what the inequality makes of a bound.
-Eigen::VectorXd TubeProver::bound_solution(const PathTube& tube,
-                                           const Eigen::VectorXd& most) const {
-  if (!most.allFinite()) return Eigen::VectorXd::Constant(most.size(), kInfinite);
-  const double largest = (most.array() / tube.radii.array()).maxCoeff();
-  Eigen::VectorXd errors = rounded_up(kUp * (largest / (1 - tube.contraction)) * tube.radii);
-  for (int k = 0; k < 2; ++k) errors = errors.cwiseMin(rounded_up(most + times_deviation(errors)));
-  return errors;
 }
 
 std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {
@@ -314,7 +239,7 @@ std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {
   for (int i = 0; i < n; ++i) misfit[i] = residual[i].rate;
   // With w = F_s + J p' all over the tube, C w = C J (p' - x'), hence |x' - p'| <= |C w| + |I - C
   // J| |x' - p'|.
-  const Eigen::VectorXd errors = bound_solution(tube, bound_product(misfit));
+  const Eigen::VectorXd errors = krawczyk_.bound_solution(tube, krawczyk_.bound_product(misfit));
   const double scale = tube.chart.is_graded() ? kUp * (tube.chart.sigma() + half_width) : 1;
   for (std::size_t d = 0; d < slopes.size(); ++d) {
     double most = 0;

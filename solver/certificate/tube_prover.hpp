@@ -11,7 +11,8 @@
 
 #include <array>
 
-#include "solver/certificate/path_tube.hpp"
+#include "solver/certificate/dual.hpp"
+#include "solver/certificate/krawczyk.hpp"
 #include "solver/certificate/polynomial.hpp"
 #include "solver/model/panels.hpp"
 
@@ -56,19 +57,13 @@ class TubeProver {
   bool solve_middle(IntervalChart& chart);
   void find_inverse(const PathTube& tube);
   std::vector<PathModel> find_path(const IntervalChart& chart) const;
-  double estimate_error(const std::vector<PathModel>& residual) const;
   std::vector<JacobianModel> unknowns(const PathTube& tube, double box) const;
   void find_deviation(const PathTube& tube, double box);
   template <int Degree>
-  Eigen::VectorXd bound_product(const std::vector<TaylorModel<Degree>>& residual) const;
-  template <int Degree>
   void add_powers(const IntervalChart& chart, const SheetGeometry<Polynomial<Degree>>& sheet,
                   int steps, Eigen::MatrixXd& path) const;
-  Eigen::VectorXd times_deviation(const Eigen::VectorXd& radii) const;
-  Eigen::VectorXd bound_solution(const PathTube& tube, const Eigen::VectorXd& most) const;
 
   const Mechanism& mechanism_;
-  const std::vector<JacobianColumn> columns_;
   const SheetGeometry<PathModel> path_sheet_;
   const SheetGeometry<JacobianModel> jacobian_sheet_;
   const SheetGeometry<Dual<PathModel>> moving_sheet_;
@@ -76,9 +71,7 @@ class TubeProver {
   SheetGeometry<Polynomial<kHalfDegree>> half_sheet_;
   SheetGeometry<Polynomial<kPathDegree>> whole_sheet_;
   // Of the last interval.
-  std::array<Eigen::MatrixXd, kInversePowers> inverse_;  // C, by powers of s
-  Eigen::MatrixXd absolute_inverse_;                     // at least |C| all over s
-  Eigen::MatrixXd deviation_;                            // at least |I - C J| all over X
+  Krawczyk krawczyk_;
   Eigen::MatrixXd rate_bounds_;  // columns: diagonals, at least |d elongation / dx|
   double error_ = 0, contraction_ = 0;
 };

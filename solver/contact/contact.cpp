@@ -37,7 +37,7 @@ StudyResult<ContactStudy> contact(const Sheet& sheet, const ContactOptions& opti
   study.reach_deg = std::min(study.used_from_deg, last_deg);
   if (study.reach_deg > 0) {
     study.thickness =
-        largest_thickness(sheet.panels(), *motion, way.x_of(study.reach_deg), {study.trim_mm});
+        largest_thickness(sheet.panels(), *motion, way.x_of(study.reach_deg), study.trim_mm);
   }
   return study;
 }

@@ -30,8 +30,8 @@ struct ContactStudy {
   double trim_mm = 0;
   std::optional<Contact> first;
   std::vector<double> pilot_deg;
-  std::vector<Clearance> clearances;        ///< at these
-  std::optional<PlateThickness> thickness;  ///< none where the sheet deploys from nothing
+  std::vector<ContactFinder::Clearance> clearances;  ///< at these
+  std::optional<PlateThickness> thickness;           ///< none where the sheet deploys from nothing
 };
 
 /// Faults: from_deg lies beyond D; trim_mm leaves nothing of an edge. Reasons: path_lost.

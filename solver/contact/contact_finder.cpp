@@ -43,6 +43,32 @@ double angle_from_sector(const Vector3d& ray, const Vector3d& one, const Vector3
   return std::min(between(one), between(other));
 }
 
+// Between two panels with a common crease: how far its fold angle is from +-180 degrees, times the
+// panel width.
+class CreaseWalk : public GapWalk {
+ public:
+  CreaseWalk(const PanelMotion& motion, int crease) : GapWalk(motion), crease_(crease) {}
+
+  double move_to(double x) override {
+    x_ = x;
+    const double angle_rad = motion_.crease_rad(x, crease_);
+    direction_ = angle_rad > 0 ? -Vector3d::UnitZ() : Vector3d(Vector3d::UnitZ());
+    gaps_mm_.resize(1);
+    gaps_mm_(0) = (kPi - std::abs(angle_rad)) * motion_.panel_width_mm();
+    return gaps_mm_(0);
+  }
+
+ protected:
+  void find_rates(int node, PolygonCorners& rates) const override {
+    rates.setZero(3, 1);
+    rates(2, 0) =
+        motion_.crease_rate(node < 0 ? -1 - node : node, crease_) * motion_.panel_width_mm();
+  }
+
+ private:
+  const int crease_;
+};
+
 double bounding_radius(const PolygonCorners& corners, const Vector3d& centre) {
   return std::sqrt((corners.colwise() - centre).colwise().squaredNorm().maxCoeff());
 }
@@ -92,7 +118,7 @@ Contact ContactFinder::contact_of(const PanelPair& pair, const Separation& where
     return contact;
   }
   // Seen from panel a; of b by way of where both lie.
-  const PanelPose a = motion_.pose(x, pair.a), b = motion_.pose(x, pair.b);
+  const PanelMotion::Pose a = motion_.pose(x, pair.a), b = motion_.pose(x, pair.b);
   const Vector3d on_b = seen_from(b, a, where.on_b);
   contact.on_a_mm = way.drawn_mm(where.on_a.head<2>());
   contact.on_b_mm = way.drawn_mm(on_b.head<2>());
@@ -100,8 +126,8 @@ Contact ContactFinder::contact_of(const PanelPair& pair, const Separation& where
 }
 
 double ContactFinder::vertex_angle_rad(const PanelPair& pair, double x) const {
-  const PanelPose a = motion_.pose(x, pair.a), b = motion_.pose(x, pair.b);
-  const auto rays = [&](int panel, const PanelPose& pose) {
+  const PanelMotion::Pose a = motion_.pose(x, pair.a), b = motion_.pose(x, pair.b);
+  const auto rays = [&](int panel, const PanelMotion::Pose& pose) {
     std::array<Vector3d, 2> arms =
         arms_of(motion_.corners_mm(panel), corner_of(panels_.corners[panel], pair.joint));
     for (Vector3d& arm : arms) arm = pose.rotation * arm.normalized();
@@ -115,12 +141,12 @@ double ContactFinder::vertex_angle_rad(const PanelPair& pair, double x) const {
                    angle_from_sector(b_after, a_after, a_before)});
 }
 
-Clearance ContactFinder::clearance(double x) const {
+ContactFinder::Clearance ContactFinder::clearance(double x) const {
   std::vector<PolygonCorners> corners_mm;
   std::vector<Vector3d> centres_mm;
   std::vector<double> radii_mm;
   for (int panel = 0; panel < motion_.panels(); ++panel) {
-    const PanelPose pose = motion_.pose(x, panel);
+    const PanelMotion::Pose pose = motion_.pose(x, panel);
     corners_mm.push_back((pose.rotation * motion_.corners_mm(panel)).colwise() + pose.shift_mm);
     centres_mm.push_back(corners_mm.back().rowwise().mean());
     radii_mm.push_back(bounding_radius(corners_mm.back(), centres_mm.back()));

@@ -21,16 +21,16 @@ struct Contact {
   Eigen::Vector2d on_a_mm, on_b_mm;
 };
 
-/// The least distances at one place.
-struct Clearance {
-  double apart_mm;    ///< of panels without a common vertex; infinity if there are none
-  double vertex_deg;  ///< angle between panels with one common vertex, seen from it
-  double crease_deg;  ///< of the most folded crease from +-180
-  int apart;          ///< index of that pair; -1 if there are none
-};
-
 class ContactFinder {
  public:
+  /// The least distances at one place.
+  struct Clearance {
+    double apart_mm;    ///< of panels without a common vertex; infinity if there are none
+    double vertex_deg;  ///< angle between panels with one common vertex, seen from it
+    double crease_deg;  ///< of the most folded crease from +-180
+    int apart;          ///< index of that pair; -1 if there are none
+  };
+
   /// The sheet must outlive this object.
   ContactFinder(const Panels& panels, const PanelMotion& motion, double touch_mm = kTouch_mm);
 
@@ -39,7 +39,6 @@ class ContactFinder {
   /// crossing are said to meet.
   std::optional<Contact> first(double end) const;
   Clearance clearance(double x) const;
-  const std::vector<PanelPair>& pairs() const { return pairs_; }
 
  private:
   double vertex_angle_rad(const PanelPair& pair, double x) const;

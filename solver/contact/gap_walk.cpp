@@ -75,9 +75,9 @@ double GapWalk::certain_until(double level_mm, double end) const {
   }
 }
 
-double PolygonWalk::look(double x) {
+double PolygonWalk::move_to(double x) {
   x_ = x;
-  const PanelPose a = motion_.pose(x, a_), b = motion_.pose(x, b_);
+  const PanelMotion::Pose a = motion_.pose(x, a_), b = motion_.pose(x, b_);
   PolygonCorners seen = of_b_;
   for (Index k = 0; k < seen.cols(); ++k) seen.col(k) = seen_from(a, b, of_b_.col(k));
   separation_ = separation_of(of_a_, seen);
@@ -98,30 +98,15 @@ double PolygonWalk::least_mm(double x) const {
 
 void PolygonWalk::find_rates(int node, PolygonCorners& rates) const {
   const int like = node < 0 ? -1 - node : node;
-  const MovingPose &a = motion_.at_node(like, a_), &b = motion_.at_node(like, b_);
+  const PanelMotion::MovingPose &a = motion_.at_node(like, a_), &b = motion_.at_node(like, b_);
   rates.resize(3, of_b_.cols());
   for (Index k = 0; k < rates.cols(); ++k) rates.col(k) = rate_seen_from(a, b, of_b_.col(k));
   if (node < 0) rates.topRows<2>() *= -1;  // the mirror image, the other way
 }
 
-double CreaseWalk::look(double x) {
-  x_ = x;
-  const double angle_rad = motion_.crease_rad(x, crease_);
-  direction_ = angle_rad > 0 ? -Vector3d::UnitZ() : Vector3d(Vector3d::UnitZ());
-  gaps_mm_.resize(1);
-  gaps_mm_(0) = (kPi - std::abs(angle_rad)) * motion_.panel_width_mm();
-  return gaps_mm_(0);
-}
-
-void CreaseWalk::find_rates(int node, PolygonCorners& rates) const {
-  rates.setZero(3, 1);
-  rates(2, 0) =
-      motion_.crease_rate(node < 0 ? -1 - node : node, crease_) * motion_.panel_width_mm();
-}
-
 double first_touch(GapWalk& walk, double touch_mm, double end) {
   for (double x = 0;; x = walk.certain_until(touch_mm / 2, end)) {
-    if (walk.look(x) <= touch_mm) return x;
+    if (walk.move_to(x) <= touch_mm) return x;
     if (x >= end) return std::numeric_limits<double>::infinity();
   }
 }
@@ -129,7 +114,7 @@ double first_touch(GapWalk& walk, double touch_mm, double end) {
 bool lower_to_least(GapWalk& walk, double slack, double end, double& least_mm, double& at_x) {
   bool is_less = false;
   for (double x = 0;; x = walk.certain_until((1 - slack) * least_mm, end)) {
-    const double gap_mm = walk.look(x);
+    const double gap_mm = walk.move_to(x);
     if (gap_mm < least_mm) {
       least_mm = gap_mm;
       at_x = x;

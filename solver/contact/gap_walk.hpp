@@ -5,7 +5,7 @@
 // the other is so far off, and goes at a rate that is known at nodes along the way. Between two
 // nodes a rate is the straight line through both within h^2/8 of its second derivative, which its
 // second differences tell. So the gap is at least a parabola, and open up to where that has its
-// first root. From there one looks again.
+// first root. The next walk begins there.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ class GapWalk {
  public:
   virtual ~GapWalk() = default;
 
-  /// The gap at x, in mm, and not more than that; looks from there from now on.
-  virtual double look(double x) = 0;
+  /// Moves to x, from where gaps are bounded from now on: the gap there, in mm, or less.
+  virtual double move_to(double x) = 0;
   /// How far, up to `end`, the gap is certain to stay above `level_mm`, which it is now.
   double certain_until(double level_mm, double end) const;
 
@@ -67,13 +67,11 @@ class PolygonWalk : public GapWalk {
   PolygonWalk(const PanelMotion& motion, int a, int b, PolygonCorners of_a, PolygonCorners of_b)
       : GapWalk(motion), a_(a), b_(b), of_a_(std::move(of_a)), of_b_(std::move(of_b)) {}
 
-  double look(double x) override;
+  double move_to(double x) override;
   /// Not more than the gap at x is, by spheres round both.
   double least_mm(double x) const;
-  /// As last looked at, in flat coordinates of panel a.
+  /// Where it was moved to last, in flat coordinates of panel a.
   const Separation& separation() const { return separation_; }
-  int a() const { return a_; }
-  int b() const { return b_; }
 
  protected:
   void find_rates(int node, PolygonCorners& rates) const override;
@@ -82,21 +80,6 @@ class PolygonWalk : public GapWalk {
   const int a_, b_;
   const PolygonCorners of_a_, of_b_;
   Separation separation_;
-};
-
-/// Between two panels with a common crease: how far its fold angle is from +-180 degrees, times the
-/// panel width.
-class CreaseWalk : public GapWalk {
- public:
-  CreaseWalk(const PanelMotion& motion, int crease) : GapWalk(motion), crease_(crease) {}
-
-  double look(double x) override;
-
- protected:
-  void find_rates(int node, PolygonCorners& rates) const override;
-
- private:
-  const int crease_;
 };
 
 /// The first x, up to `end`, at which the gap is at most `touch_mm`; it is more than half of that

@@ -67,8 +67,8 @@ Vector3d least_box_mm(const Matrix3Xd& points_mm) {
     const Matrix3d axes = principal * turned_by({kBetweenStarts_deg * (start % 3), 0, 0}) *
                           turned_by({0, kBetweenStarts_deg * (start / 3 % 3), 0}) *
                           turned_by({0, 0, kBetweenStarts_deg * (start / 9)});
-    const Box found = descended(box_along(axes, centred_mm), centred_mm);
-    if (found.volume() < best.volume()) best = found;
+    const Box box = descended(box_along(axes, centred_mm), centred_mm);
+    if (box.volume() < best.volume()) best = box;
   }
   std::ranges::sort(best.sides_mm, std::greater());
   return best.sides_mm;

@@ -36,7 +36,7 @@ bool is_inside(const PolygonCorners& polygon, const Vector3d& normal, const Vect
 }
 
 // `normal`, of any length, is that of what is closest, either way round; 0: there is none.
-void take_closer(const Vector3d& on_a, const Vector3d& on_b, const Vector3d& normal,
+void keep_closer(const Vector3d& on_a, const Vector3d& on_b, const Vector3d& normal,
                  Separation& closest) {
   const Vector3d apart = on_b - on_a;
   const double distance = apart.norm();
@@ -48,7 +48,7 @@ void take_closer(const Vector3d& on_a, const Vector3d& on_b, const Vector3d& nor
 }
 
 // The closest points of p + s u and q + t v, s and t from 0 to 1.
-void look_at_segments(const Vector3d& p, const Vector3d& u, const Vector3d& q, const Vector3d& v,
+void compare_segments(const Vector3d& p, const Vector3d& u, const Vector3d& q, const Vector3d& v,
                       Separation& closest) {
   const Vector3d apart = p - q;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
@@ -62,24 +62,25 @@ void look_at_segments(const Vector3d& p, const Vector3d& u, const Vector3d& q, c
     s = std::clamp((uv * t - ua) / uu, 0.0, 1.0);
   }
   const bool within = !parallel && s > 0 && s < 1 && t > 0 && t < 1;
-  take_closer(p + s * u, q + t * v, within ? Vector3d(u.cross(v)) : Vector3d::Zero(), closest);
+  keep_closer(p + s * u, q + t * v, within ? Vector3d(u.cross(v)) : Vector3d::Zero(), closest);
 }
 
 // Corners of `points` above or below the polygon, and edges of theirs through it.
-template <class Take>
-void look_at_face(const PolygonCorners& face, const PolygonCorners& points, const Take& take) {
+template <class Compare>
+void compare_with_face(const PolygonCorners& face, const PolygonCorners& points,
+                       const Compare& compare) {
   const PolygonPlane plane = plane_of(face);
   const Index count = points.cols();
   for (Index k = 0; k < count; ++k) {
     const Vector3d point = points.col(k);
     const double height = plane.normal.dot(point) - plane.height;
     const Vector3d foot = point - height * plane.normal;
-    if (is_inside(face, plane.normal, foot)) take(foot, point, plane.normal);
+    if (is_inside(face, plane.normal, foot)) compare(foot, point, plane.normal);
     const Vector3d next = points.col((k + 1) % count);
     const double next_height = plane.normal.dot(next) - plane.height;
     if (height * next_height >= 0) continue;
     const Vector3d through = point + height / (height - next_height) * (next - point);
-    if (is_inside(face, plane.normal, through)) take(through, through, plane.normal);
+    if (is_inside(face, plane.normal, through)) compare(through, through, plane.normal);
   }
 }
 
@@ -87,19 +88,20 @@ void look_at_face(const PolygonCorners& face, const PolygonCorners& points, cons
 
 Separation separation_of(const PolygonCorners& a, const PolygonCorners& b) {
   Separation closest{std::numeric_limits<double>::infinity(), {}, {}, {}};
-  look_at_face(a, b, [&](const Vector3d& on_a, const Vector3d& on_b, const Vector3d& normal) {
-    take_closer(on_a, on_b, normal, closest);
+  compare_with_face(a, b, [&](const Vector3d& on_a, const Vector3d& on_b, const Vector3d& normal) {
+    keep_closer(on_a, on_b, normal, closest);
   });
   if (b.cols() > 2) {
-    look_at_face(b, a, [&](const Vector3d& on_b, const Vector3d& on_a, const Vector3d& normal) {
-      take_closer(on_a, on_b, normal, closest);
-    });
+    compare_with_face(b, a,
+                      [&](const Vector3d& on_b, const Vector3d& on_a, const Vector3d& normal) {
+                        keep_closer(on_a, on_b, normal, closest);
+                      });
   }
   for (Index i = 0; i < a.cols(); ++i) {
     const Vector3d p = a.col(i), u = a.col((i + 1) % a.cols()) - p;
     for (Index k = 0; k < b.cols() - (b.cols() == 2); ++k) {
       const Vector3d q = b.col(k), v = b.col((k + 1) % b.cols()) - q;
-      look_at_segments(p, u, q, v, closest);
+      compare_segments(p, u, q, v, closest);
     }
   }
   return closest;

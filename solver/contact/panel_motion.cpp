@@ -33,8 +33,8 @@ std::vector<SmoothTable::Parity> parities_of(Index panels) {
 
 Vector3d as_vector(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
-PanelPose pose_of(const Pose<double>& pose, double width_mm) {
-  PanelPose seen;
+PanelMotion::Pose pose_of(const Pose<double>& pose, double width_mm) {
+  PanelMotion::Pose seen;
   seen.rotation << as_vector(pose.rotation.cx), as_vector(pose.rotation.cy),
       as_vector(pose.rotation.cz);
   seen.shift_mm = width_mm * as_vector(pose.translation);
@@ -69,11 +69,11 @@ PanelMotion::PanelMotion(const Model& model, const FoldingWay& way, const Panels
     }
     corners_mm_.push_back(polygon);
   }
-  found_.assign(corners_mm_.size(), {-1, {}});
-  look_at_stations();
+  cached_.assign(corners_mm_.size(), {-1, {}});
+  place_at_stations();
 }
 
-void PanelMotion::look_at_stations() {
+void PanelMotion::place_at_stations() {
   const Index count = panels();
   Eigen::MatrixXd values(kPerPose * count, nodes());
   FoldedPoints<double> points;
@@ -84,7 +84,7 @@ void PanelMotion::look_at_stations() {
     model_.shape().move(way_.geometry(), points, station.rates.data(), twists);
     for (Index panel = 0; panel < count; ++panel) {
       const auto facet = static_cast<std::size_t>(panels_.facets[static_cast<std::size_t>(panel)]);
-      MovingPose pose{pose_of(points.facets[facet], panel_width_mm()), {}, {}};
+      PanelMotion::MovingPose pose{pose_of(points.facets[facet], panel_width_mm()), {}, {}};
       const Vector3d spin = as_vector(twists[facet].spin), drift = as_vector(twists[facet].drift);
       for (int axis = 0; axis < 3; ++axis) {
         pose.rotation_rate.col(axis) = spin.cross(pose.rotation.col(axis));
@@ -119,7 +119,7 @@ double PanelMotion::smooth_part(const Eigen::MatrixXd& poses) const {
 
 double PanelMotion::resolved_part() const {
   const auto rate = [&](int node, int panel, int corner) -> Vector3d {
-    const MovingPose& pose = at_node(node, panel);
+    const PanelMotion::MovingPose& pose = at_node(node, panel);
     return pose.rotation_rate * corners_mm(panel).col(corner) + pose.shift_rate_mm;
   };
   for (int node = 1; node + 1 < nodes(); ++node) {
@@ -138,18 +138,18 @@ double PanelMotion::resolved_part() const {
   return way_.end();
 }
 
-PanelPose PanelMotion::pose(double x, int panel) const {
+PanelMotion::Pose PanelMotion::pose(double x, int panel) const {
   assert(x >= 0 && panel >= 0 && panel < panels());
   if (x > smooth_until_) {
     solve(x);
     return solved_[static_cast<std::size_t>(panel)];
   }
-  FoundPose& found = found_[static_cast<std::size_t>(panel)];
-  if (x != found.x) {
+  CachedPose& cached = cached_[static_cast<std::size_t>(panel)];
+  if (x != cached.x) {
     poses_.front().find(x, kPerPose * panel, kPerPose, values_, slopes_);
-    found = {x, {Eigen::Map<const Matrix3d>(values_.data()), values_.tail<3>()}};
+    cached = {x, {Eigen::Map<const Matrix3d>(values_.data()), values_.tail<3>()}};
   }
-  return found.pose;
+  return cached.pose;
 }
 
 double PanelMotion::crease_rad(double x, int crease) const {
@@ -162,7 +162,8 @@ double PanelMotion::crease_rad(double x, int crease) const {
   return creases_rad_(crease);
 }
 
-void PanelMotion::place(const FoldState<double>& state, std::vector<PanelPose>& poses) const {
+void PanelMotion::place(const FoldState<double>& state,
+                        std::vector<PanelMotion::Pose>& poses) const {
   FoldedPoints<double> points;
   model_.shape().place(way_.geometry(), state, points);
   poses.clear();

@@ -11,21 +11,20 @@
 
 namespace misalign::solver {
 
-/// Takes a panel's flat coordinates (mm, A1 at the origin, z = 0) to folded ones, in which the
-/// first panel stays where it is.
-struct PanelPose {
-  Eigen::Matrix3d rotation;
-  Eigen::Vector3d shift_mm;
-};
-
-/// Also how that changes, per unit of x.
-struct MovingPose : PanelPose {
-  Eigen::Matrix3d rotation_rate;
-  Eigen::Vector3d shift_rate_mm;
-};
-
 class PanelMotion {
  public:
+  /// Takes a panel's flat coordinates (mm, A1 at the origin, z = 0) to folded ones, in which the
+  /// first panel stays where it is.
+  struct Pose {
+    Eigen::Matrix3d rotation;
+    Eigen::Vector3d shift_mm;
+  };
+  /// Also how that changes, per unit of x.
+  struct MovingPose : Pose {
+    Eigen::Matrix3d rotation_rate;
+    Eigen::Vector3d shift_rate_mm;
+  };
+
   /// What it is made from must outlive it.
   PanelMotion(const Model& model, const FoldingWay& way, const Panels& panels);
 
@@ -39,11 +38,11 @@ class PanelMotion {
 
   /// At x: by the polynomials between the stations as far as these are good for it, from there on
   /// from states that are solved once more.
-  PanelPose pose(double x, int panel) const;
+  Pose pose(double x, int panel) const;
   /// Fold angle of a crease, likewise.
   double crease_rad(double x, int crease) const;
   /// Poses of all panels in a state.
-  void place(const FoldState<double>& state, std::vector<PanelPose>& poses) const;
+  void place(const FoldState<double>& state, std::vector<Pose>& poses) const;
   /// As far as rates at the stations tell those between: no corner's second difference is more than
   /// kResolved of the rates there. Else the path turns too sharply for so many stations.
   double resolved_until() const { return resolved_until_; }
@@ -58,7 +57,7 @@ class PanelMotion {
   double crease_rate(int node, int crease) const;
 
  private:
-  void look_at_stations();
+  void place_at_stations();
   double smooth_part(const Eigen::MatrixXd& poses) const;
   double resolved_part() const;
   void solve(double x) const;
@@ -74,15 +73,15 @@ class PanelMotion {
   // The state that was solved last, and where.
   mutable double solved_at_ = -1;
   mutable FoldState<double> state_;
-  mutable std::vector<PanelPose> solved_;
+  mutable std::vector<Pose> solved_;
   mutable SparseLu<double> lu_;
   mutable std::vector<double> residual_, work_, turn_;
-  // By the polynomials: of each panel and of all creases the last that was looked up, and where.
-  struct FoundPose {
+  // By the polynomials: of each panel and of all creases the last that was found, and where.
+  struct CachedPose {
     double x;
-    PanelPose pose;
+    Pose pose;
   };
-  mutable std::vector<FoundPose> found_;
+  mutable std::vector<CachedPose> cached_;
   mutable double creases_at_ = -1;
   mutable Eigen::VectorXd creases_rad_;
   mutable Eigen::VectorXd values_, slopes_;
@@ -103,11 +102,12 @@ inline constexpr int kFewestMotionStations = 120, kMostMotionStations = 960;
 std::optional<PanelMotion> resolved_motion(const Sheet& sheet);
 
 /// A point of panel b, flat coordinates, seen from panel a; and how fast it moves.
-inline Eigen::Vector3d seen_from(const PanelPose& a, const PanelPose& b,
+inline Eigen::Vector3d seen_from(const PanelMotion::Pose& a, const PanelMotion::Pose& b,
                                  const Eigen::Vector3d& point) {
   return a.rotation.transpose() * (b.rotation * point + b.shift_mm - a.shift_mm);
 }
-inline Eigen::Vector3d rate_seen_from(const MovingPose& a, const MovingPose& b,
+inline Eigen::Vector3d rate_seen_from(const PanelMotion::MovingPose& a,
+                                      const PanelMotion::MovingPose& b,
                                       const Eigen::Vector3d& point) {
   return a.rotation_rate.transpose() * (b.rotation * point + b.shift_mm - a.shift_mm) +
          a.rotation.transpose() * (b.rotation_rate * point + b.shift_rate_mm - a.shift_rate_mm);

@@ -13,8 +13,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-// Fold angles are looked at so often between two stations.
-constexpr int kLooksPerStation = 4;
+// Number of fold angles that are compared between two stations.
+constexpr int kAnglesPerStation = 4;
 // Where the least distance is first guessed, so that most pairs are seen to be farther at once.
 constexpr int kGuesses = 6;
 
@@ -24,9 +24,7 @@ std::vector<std::array<bool, 4>> trimmed_corners(const Panels& panels) {
   for (const PanelPair& pair : pairs_of(panels)) {
     if (pair.kind != ContactKind::vertex) continue;
     for (const int panel : {pair.a, pair.b}) {
-      const auto& corners = panels.corners[static_cast<std::size_t>(panel)];
-      const auto at = std::find(corners.begin(), corners.end(), pair.joint) - corners.begin();
-      trimmed[static_cast<std::size_t>(panel)][static_cast<std::size_t>(at)] = true;
+      trimmed[panel][corner_of(panels.corners[panel], pair.joint)] = true;
     }
   }
   return trimmed;
@@ -87,10 +85,10 @@ double half_thickness(const PolygonCorners& trimmed, const std::vector<FoldLine>
 
 std::vector<double> largest_angles(const Panels& panels, const PanelMotion& motion, double end) {
   std::vector<double> largest(panels.folds.size());
-  const int looks = static_cast<int>(std::ceil(kLooksPerStation * end / motion.step()));
-  for (int k = 1; k <= looks; ++k) {
+  const int angles = static_cast<int>(std::ceil(kAnglesPerStation * end / motion.step()));
+  for (int k = 1; k <= angles; ++k) {
     for (std::size_t crease = 0; crease < largest.size(); ++crease) {
-      const double rho = motion.crease_rad(end * k / looks, static_cast<int>(crease));
+      const double rho = motion.crease_rad(end * k / angles, static_cast<int>(crease));
       largest[crease] = std::max(largest[crease], std::abs(rho));
     }
   }
@@ -143,9 +141,10 @@ double largest_trim_mm(const Panels& panels, const FlatVertices& vertices_mm) {
   return largest_mm;
 }
 
-TaperLimit taper_limit(const Panels& panels, const std::vector<PolygonCorners>& trimmed,
-                       const FlatVertices& vertices_mm, const std::vector<double>& largest_rad) {
-  TaperLimit limit{kUnlimited, -1};
+PlateThickness::Taper taper_limit(const Panels& panels, const std::vector<PolygonCorners>& trimmed,
+                                  const FlatVertices& vertices_mm,
+                                  const std::vector<double>& largest_rad) {
+  PlateThickness::Taper limit{kUnlimited, -1};
   for (std::size_t panel = 0; panel < trimmed.size(); ++panel) {
     for (const int side : {1, -1}) {
       std::vector<FoldLine> folds;  // with the panel on their left
@@ -169,12 +168,12 @@ TaperLimit taper_limit(const Panels& panels, const std::vector<PolygonCorners>& 
 }
 
 PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion, double end,
-                                 const ThicknessOptions& options) {
+                                 double trim_mm) {
   const FlatVertices& vertices_mm = motion.way().from_a1_mm();
-  const auto trimmed = trimmed_panels(panels, vertices_mm, options.trim_mm);
+  const auto trimmed = trimmed_panels(panels, vertices_mm, trim_mm);
   PlateThickness result{};
   result.largest_rad = largest_angles(panels, motion, end);
-  const TaperLimit taper = taper_limit(panels, trimmed, vertices_mm, result.largest_rad);
+  const auto taper = taper_limit(panels, trimmed, vertices_mm, result.largest_rad);
 
   std::vector<std::pair<PolygonWalk, PanelPair>> walks;
   double least_mm = kUnlimited, at_x = 0;
@@ -189,7 +188,7 @@ PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion
     const double x = end * k / kGuesses;
     for (auto& [walk, pair] : walks) {
       if (walk.least_mm(x) >= least_mm) continue;
-      const double gap_mm = walk.look(x);
+      const double gap_mm = walk.move_to(x);
       if (gap_mm >= least_mm) continue;
       least_mm = std::max(gap_mm, 0.0);
       at_x = x;
@@ -198,16 +197,17 @@ PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion
   }
   for (auto& [walk, pair] : walks) {
     if (least_mm <= 0) break;
-    if (lower_to_least(walk, options.slack, end, least_mm, at_x)) result.pair = pair;
+    if (lower_to_least(walk, kThicknessSlack, end, least_mm, at_x)) result.pair = pair;
   }
-  result.clear_mm = (1 - options.slack) * std::max(least_mm, 0.0);
+  result.clear_mm = (1 - kThicknessSlack) * std::max(least_mm, 0.0);
   result.taper_mm = taper.thickness_mm;
   result.panel = taper.panel;
   result.pilot_deg = motion.way().pilot_deg(at_x);
   result.thickness_mm = std::min(result.clear_mm, result.taper_mm);
-  result.limit = result.taper_mm < result.clear_mm         ? ThicknessLimit::taper
-                 : result.pair.kind == ContactKind::vertex ? ThicknessLimit::vertex
-                                                           : ThicknessLimit::apart;
+  using Limit = PlateThickness::Limit;
+  result.limit = result.taper_mm < result.clear_mm         ? Limit::taper
+                 : result.pair.kind == ContactKind::vertex ? Limit::vertex
+                                                           : Limit::apart;
   return result;
 }
 

@@ -26,37 +26,34 @@ std::vector<PolygonCorners> trimmed_panels(const Panels& panels, const FlatVerti
 /// The largest trim that leaves something of every edge, mm.
 double largest_trim_mm(const Panels& panels, const FlatVertices& vertices_mm);
 
-/// The largest thickness for which every plate keeps it somewhere on both sides, mm, and the panel
-/// that ends it; infinity without creases. `largest_rad` has the largest |rho| of each crease.
-struct TaperLimit {
-  double thickness_mm;
-  int panel;
-};
-TaperLimit taper_limit(const Panels& panels, const std::vector<PolygonCorners>& trimmed,
-                       const FlatVertices& vertices_mm, const std::vector<double>& largest_rad);
-
-struct ThicknessOptions {
-  double trim_mm;
-  /// How far below the least distance of the mid-planes the thickness stays, as a share.
-  double slack = 1e-3;
-};
-
-enum class ThicknessLimit { apart, vertex, taper };
+/// The share by which the thickness stays below the least distance of the mid-planes.
+inline constexpr double kThicknessSlack = 1e-3;
 
 struct PlateThickness {
   double thickness_mm;  ///< this much reaches `end`; 0 where panels meet before
-  ThicknessLimit limit;
+  enum class Limit { apart, vertex, taper } limit;
   /// Of plates that would meet: which, and where on the way.
   PanelPair pair{};
   double pilot_deg = 0;
   int panel = -1;                     ///< whose tapers meet
   double clear_mm = 0, taper_mm = 0;  ///< what either limit alone allows
   std::vector<double> largest_rad;    ///< of each crease
+
+  struct Taper {
+    double thickness_mm;
+    int panel;
+  };
 };
+
+/// The largest thickness for which every plate keeps it somewhere on both sides, mm, and the panel
+/// that ends it; infinity without creases. `largest_rad` has the largest |rho| of each crease.
+PlateThickness::Taper taper_limit(const Panels& panels, const std::vector<PolygonCorners>& trimmed,
+                                  const FlatVertices& vertices_mm,
+                                  const std::vector<double>& largest_rad);
 
 /// Of plates that are to fold from flat up to `end` (x, where the motion is resolved). No trim may
 /// be larger than largest_trim_mm.
 PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion, double end,
-                                 const ThicknessOptions& options);
+                                 double trim_mm);
 
 }  // namespace misalign::solver

@@ -1,11 +1,9 @@
 #include "solver/optimise/ascent.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
-#include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/local_program.hpp"
 #include "solver/optimise/objective.hpp"
 
@@ -24,92 +22,20 @@ constexpr double kLeastGain = 1e-4;
 constexpr double kForeseen = 0.5;
 // The limits at the end are those of a box of so many amplitudes.
 constexpr double kBoxOfLimits = 0.05;
-// What flips may seem to turn back and yet be looked at, of what they move: to first order slopes
-// are off by 7 % at 120 degrees, and by half at 150.
+// The share of what a flip moves by which it may seem to turn back and yet is evaluated: to first
+// order slopes are off by 7 % at 120 degrees, and by half at 150.
 constexpr double kEarlyDoubt = 0.15, kLateDoubt = 0.6, kLateFrom_deg = 120;
-
-std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOptions& options) {
-  const double amplitude_mm = options.amplitude_mm;
-  if (amplitude_mm <= 0) {
-    return OptionFault{"amplitude_mm", shown("%g", amplitude_mm),
-                       "leaves no room: the sheet that it starts from is not shifted either",
-                       "name one, such as 0.4"};
-  }
-  for (const int vertex : options.shifted) {
-    for (const double shift_mm : start.shifts_mm().col(vertex)) {
-      if (on_grid(shift_mm, options.grid_mm) != shift_mm) {
-        return OptionFault{"grid_mm", shown("%g", options.grid_mm),
-                           "the sheet that it starts from has a shift of " + shown("%g", shift_mm) +
-                               " mm, which does not lie on it",
-                           "name another one, or none"};
-      }
-      const bool is_level = shift_mm == 0 || std::abs(shift_mm) == amplitude_mm;
-      if (std::abs(shift_mm) > amplitude_mm * (1 + 1e-12) || (options.ternary && !is_level)) {
-        return OptionFault{
-            "amplitude_mm", shown("%g", amplitude_mm),
-            "the sheet that it starts from has a shift of " + shown("%g", shift_mm) + " mm" +
-                (options.ternary ? ", and ternary shifts are 0 or the amplitude" : ""),
-            options.ternary ? "leave out ternary, or name its own amplitude" : "name a larger one"};
-      }
-    }
-  }
-  const double d_deg = start.deploys_from_deg(),
-               wanted_deg = start.sample_deg(options.deploys_from_sample);
-  if (d_deg < wanted_deg) {
-    return OptionFault{"deploys_from_deg", shown("%g", wanted_deg),
-                       "the sheet that it starts from deploys from " + shown("%g", d_deg) + " deg",
-                       "name no more than that, or another sheet"};
-  }
-  return {};
-}
 
 }  // namespace
 
-StudyResult<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options) {
-  assert(!options.shifted.empty() && options.deploys_from_sample > 0);
-  assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
-  if (start.model().has_spare_equations()) return NoResult::overconstrained;
-  const StudyResult<ReleaseOptions> fitted = validated_release(start, options.deploying);
-  if (!fitted) return fitted.obstacle();
-  if (auto fault = shifts_fault(start, options)) return *fault;
-  OptimiseOptions from = options;
-  from.deploying.from_deg = fitted->motion.from_deg;
-  if (!is_strong_enough(start, from)) {
-    return OptionFault{"largest_force_n", shown("%g", *options.largest_force_n),
-                       "a spring of the sheet that it starts from pulls or pushes with more",
-                       "name a larger one, weaker springs, or another sheet"};
-  }
-  if (!fits(start, from)) {
-    return OptionFault{"stroke_limit", shown("%g", options.stroke_limit.value_or(0)),
-                       "a diagonal of the sheet that it starts from elongates by more",
-                       "name a larger one, or another sheet"};
-  }
-  for (const OptimiseFloor& floor : from.floors) {
-    const auto its = value_of(*floor.goal, start, from);
-    if (its && *its >= floor.least) continue;
-    return OptionFault{"subject_to", shown(">= %g", floor.least),
-                       its ? "the sheet that it starts from has " + shown("%.4g", *its)
-                           : "of the sheet that it starts from it is not known",
-                       "ask for less, or begin with another sheet"};
-  }
-  const std::optional<double> value = value_of(*from.goal, start, from);
-  if (!value || *value <= 0) {
-    return OptionFault{"goal", {}, from.goal->infeasible, from.goal->suggestion};
-  }
-  return AscentStart{std::move(from), *value};
-}
-
-Ascent::Ascent(const Sheet& start, AscentStart fitted)
-    : options_(std::move(fitted.options)),
+Ascent::Ascent(const Sheet& start, Optimised fitted)
+    : options_(fitted.options),
       variables_(options_),
       solver_(start.model()),
       box_mm_(kFirstBox * options_.amplitude_mm),
-      now_{std::make_unique<const Sheet>(solver_, start.shifts_mm()),
-           point_of(start.shifts_mm(), options_), fitted.value} {
-  found_.options = options_;
-  found_.from_deg = *options_.deploying.from_deg;
-  found_.taken.push_back({now_.point, now_.value});
-}
+      now_{std::make_unique<const Sheet>(solver_, start.shifts_mm()), fitted.best(),
+           fitted.best().value},
+      result_(std::move(fitted)) {}
 
 void Ascent::advance() {
   options_.watch();
@@ -123,16 +49,16 @@ void Ascent::advance() {
 }
 
 void Ascent::begin_step() {
-  if (found_.steps() >= options_.most_steps) return end(StopReason::most_steps);
-  if (now_.value >= options_.goal->largest) return end(StopReason::no_step_is_better);
+  if (result_.steps() >= options_.most_steps) return end(Optimised::StopReason::most_steps);
+  if (now_.value >= options_.goal->largest) return end(Optimised::StopReason::no_step_is_better);
   linearization_ = local_model(*now_.sheet, options_);
-  if (!linearization_) return end(StopReason::no_step_is_better);
+  if (!linearization_) return end(Optimised::StopReason::no_step_is_better);
   trying_ = Trying::in_a_box;
   if (options_.ternary) begin_flips();
 }
 
-void Ascent::end(StopReason why) {
-  found_.stop_reason = why;
+void Ascent::end(Optimised::StopReason why) {
+  result_.stop_reason = why;
   finished_ = true;
   if (linearization_ && !options_.ternary && options_.goal->is_exact) find_limits();
 }
@@ -140,7 +66,7 @@ void Ascent::end(StopReason why) {
 void Ascent::take_step(Feasible next) {
   now_ = std::move(next);
   set_springs(options_, now_.point);
-  found_.taken.push_back({now_.point, now_.value});
+  result_.taken.push_back({now_.point, now_.value});
   linearization_.reset();
 }
 
@@ -165,12 +91,12 @@ void Ascent::try_box() {
 
 void Ascent::give_up_box() {
   box_mm_ = kFirstBox * options_.amplitude_mm;
-  if (variables_.are_free()) return end(StopReason::no_step_is_better);
+  if (variables_.are_free()) return end(Optimised::StopReason::no_step_is_better);
   begin_flips();
 }
 
-// Of one or two coordinates: those first that promise most. None of those that promise: before it
-// is given up, of single ones every one is looked at.
+// Flips of one or two coordinates are evaluated in the order of what they promise; where none does
+// better, every single one before the step is given up.
 void Ascent::begin_flips() {
   trying_ = Trying::promising_flips;
   next_flip_ = 0;
@@ -200,7 +126,7 @@ void Ascent::try_flip() {
   while (by_promise && next_flip_ < flips.size() && !may_fit(flips[next_flip_])) ++next_flip_;
   if (next_flip_ == flips.size() ||
       (by_promise && evaluations_of_step_ == options_.most_evaluations)) {
-    if (!by_promise) return end(StopReason::no_step_is_better);
+    if (!by_promise) return end(Optimised::StopReason::no_step_is_better);
     trying_ = Trying::single_flips;
     next_flip_ = 0;
     return;
@@ -216,7 +142,7 @@ void Ascent::try_flip() {
 std::optional<Ascent::Feasible> Ascent::evaluate(const VectorXd& change_mm) {
   DesignPoint point = variables_.after(now_.point, change_mm);
   auto sheet = std::make_unique<const Sheet>(solver_, point.shifts_mm);
-  ++found_.evaluations;
+  ++result_.evaluations;
   OptimiseOptions there = options_;
   set_springs(there, point);
   const std::optional<double> value = objective(*sheet, there);
@@ -238,7 +164,7 @@ double Ascent::goal_after(const Flip& flip) const {
 }
 
 bool Ascent::may_fit(const Flip& flip) const {
-  return std::ranges::all_of(linearization_->rows, [&](const LocalRow& one) {
+  return std::ranges::all_of(linearization_->rows, [&](const LocalModel::Row& one) {
     const double doubt = one.pilot_deg <= kLateFrom_deg ? kEarlyDoubt : kLateDoubt;
     double moved = 0;
     for (const int k : {0, 1}) moved += std::abs(one.row(flip.coordinate[k]) * flip.by_mm[k]);
@@ -270,35 +196,35 @@ void Ascent::find_limits() {
   const LocalProgram inside = local_program(*linearization_, kBoxOfLimits * options_.amplitude_mm);
   const LinearOptimum best = maximize(inside.linear);
   if (best.end != LinearEnd::optimal) return;
-  OptimiseLimits limits;
+  Optimised::Limits limits;
   limits.per_floor.resize(options_.floors.size());
   for (std::size_t k = 0; k < inside.reached.size(); ++k) {
-    const LocalRow& one = *inside.reached[k];
+    const LocalModel::Row& one = *inside.reached[k];
     const double price = inside.price(best, static_cast<Index>(k));
     if (price == 0) continue;
     switch (one.kind) {
-      case LocalRow::Kind::stroke:
+      case LocalModel::Row::Kind::stroke:
         limits.per_share_of_stroke += price * now_.sheet->way()->flat_mm()(one.where);
         break;
-      case LocalRow::Kind::force:
+      case LocalModel::Row::Kind::force:
         limits.per_n_of_force += price;
         break;
-      case LocalRow::Kind::direction:
+      case LocalModel::Row::Kind::direction:
         limits.turning.push_back({one.where, one.pilot_deg, price});
         break;
-      case LocalRow::Kind::amplitude:
+      case LocalModel::Row::Kind::amplitude:
         limits.per_mm_of_amplitude += price;
         break;
-      case LocalRow::Kind::floor:
+      case LocalModel::Row::Kind::floor:
         limits.per_floor[static_cast<std::size_t>(one.where)] += price;
         break;
-      case LocalRow::Kind::fold_limit:
-      case LocalRow::Kind::fold_angle:
+      case LocalModel::Row::Kind::fold_limit:
+      case LocalModel::Row::Kind::fold_angle:
         limits.by_fold_limit = true;
         break;
     }
   }
-  std::ranges::sort(limits.turning, std::ranges::greater(), &OptimiseLimits::Turning::per_mm);
+  std::ranges::sort(limits.turning, std::ranges::greater(), &Optimised::Limits::Turning::per_mm);
   // Of the box those sides that are the amplitude's, or the ends of a range.
   const Index sides = 2 * linearization_->coordinates, first = best.price.size() - sides;
   for (Index side = 0; side < sides; ++side) {
@@ -315,7 +241,7 @@ void Ascent::find_limits() {
           price / variables_.per_mm(*range);
     }
   }
-  found_.limits = limits;
+  result_.limits = limits;
 }
 
 }  // namespace misalign::solver

@@ -11,28 +11,19 @@
 
 namespace misalign::solver {
 
-/// The options, as they fit a sheet, and the value of the goal for it.
-struct AscentStart {
-  OptimiseOptions options;
-  double value;
-};
-
-/// Faults and reasons as of optimise().
-StudyResult<AscentStart> fitted_start(const Sheet& start, const OptimiseOptions& options);
-
 class Ascent {
  public:
-  /// The sheet's model must outlive this object, the sheet need not.
-  Ascent(const Sheet& start, AscentStart fitted);
+  /// Goes on from fitted_start(). The sheet's model must outlive this object, the sheet need not.
+  Ascent(const Sheet& start, Optimised fitted);
   Ascent(const Ascent&) = delete;
   Ascent& operator=(const Ascent&) = delete;
 
   bool finished() const { return finished_; }
   /// Evaluates one more sheet, or linearises around the one that was reached.
   void advance();
-  /// The sheet that was reached, with what was found of it.
+  /// The sheet that was reached, with its record.
   const Sheet& reached() const { return *now_.sheet; }
-  Optimised take() { return std::move(found_); }
+  Optimised release() { return std::move(result_); }
 
  private:
   // A sheet that keeps what is asked, with its springs and the value of the goal.
@@ -56,7 +47,7 @@ class Ascent {
   enum class Trying { in_a_box, promising_flips, single_flips };
 
   void begin_step();
-  void end(StopReason why);
+  void end(Optimised::StopReason why);
   void try_box();
   void begin_flips();
   void try_flip();
@@ -75,7 +66,7 @@ class Ascent {
   SheetSolver solver_;
   double box_mm_;
   Feasible now_;
-  Optimised found_{};
+  Optimised result_;
   std::optional<LocalModel> linearization_;  // around the sheet that was reached
   Trying trying_ = Trying::in_a_box;
   std::vector<Flip> promising_, singles_;

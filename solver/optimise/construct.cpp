@@ -100,21 +100,21 @@ class StrokeProgram {
 
   // Stroke per mm, and the coordinates at an amplitude of 1 mm.
   double solve(Eigen::VectorXd& coordinates, std::vector<int>& binding) const {
-    const LinearOptimum found = maximize(program_);
+    const LinearOptimum optimum = maximize(program_);
     coordinates.setZero(family_.dimension());
     for (std::size_t v = 0; v < variables_.size(); ++v) {
       const auto [k, sign] = variables_[v];
-      coordinates(k) += sign * found.x(static_cast<Eigen::Index>(v));
+      coordinates(k) += sign * optimum.x(static_cast<Eigen::Index>(v));
     }
     binding.clear();
     const auto shifts = static_cast<int>(family_.basis().rows());
-    for (const int row : found.binding) {
+    for (const int row : optimum.binding) {
       if (row >= 2 * shifts) continue;
       binding.push_back(family_.vertices()[static_cast<std::size_t>(row % shifts / 2)]);
     }
     std::sort(binding.begin(), binding.end());
     binding.erase(std::unique(binding.begin(), binding.end()), binding.end());
-    return found.end == LinearEnd::optimal ? found.value : 0;
+    return optimum.end == LinearEnd::optimal ? optimum.value : 0;
   }
 
  private:
@@ -179,7 +179,7 @@ std::optional<OptionFault> signs_fault(const ParallelFamily& family,
 
 bool ConstructStudy::is_monotone() const {
   return std::all_of(holes.begin(), holes.end(),
-                     [](const ConstructedHole& hole) { return hole.direction != 0; });
+                     [](const ConstructStudy::Hole& hole) { return hole.direction != 0; });
 }
 
 StudyResult<ConstructStudy> construct(const PerforatedSheet& base, const ParallelFamily& family,

@@ -17,18 +17,18 @@ struct ConstructOptions {
   std::vector<int> signs;        ///< per hole, of delta and epsilon alike: +1 or -1; empty: found
 };
 
-/// What one hole does.
-struct ConstructedHole {
-  int facet;
-  double delta_mm, epsilon_mm;
-  int direction;  ///< HoleMotion::direction
-  double stroke;  ///< of the diagonal that changes less, at `at_deg`
-};
-
 struct ConstructStudy {
+  /// The change of one hole.
+  struct Hole {
+    int facet;
+    double delta_mm, epsilon_mm;
+    int direction;  ///< HoleMotion::direction
+    double stroke;  ///< of the diagonal that changes less, at `at_deg`
+  };
+
   Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex
   int dimension = 0;           ///< of the family
-  std::vector<ConstructedHole> holes;
+  std::vector<Hole> holes;
   double stroke = 0;           ///< the least of the holes'
   double amplitude_mm = 0;     ///< the largest shift of a vertex in x or y
   std::vector<int> binding;    ///< vertices that are shifted by the most that is allowed

@@ -69,11 +69,7 @@ VectorXd Coordinates::row(const Eigen::RowVectorXd& by_vertices, double by_stiff
     of_shifted(k++) = by_vertices(2 * vertex + 1);
   }
   VectorXd row = VectorXd::Zero(count());
-  if (are_free()) {
-    row.head(shifts_) = options_.moves.transpose() * of_shifted;
-  } else {
-    row.head(shifts_) = of_shifted;
-  }
+  row.head(shifts_) = are_free() ? VectorXd(options_.moves.transpose() * of_shifted) : of_shifted;
   Index next = shifts_;
   if (options_.stiffness_n_per_mm) {
     row(next++) = by_stiffness * per_mm(*options_.stiffness_n_per_mm);

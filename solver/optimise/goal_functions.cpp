@@ -34,8 +34,7 @@ std::optional<BentFriction> bent_friction(const Sheet& sheet, const OptimiseOpti
 }
 
 Value bent_critical_friction(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto friction = bent_friction(sheet, options);
-  return friction ? friction->critical_n_mm_per_mm : std::nullopt;
+  return member_of(bent_friction(sheet, options), &BentFriction::critical_n_mm_per_mm);
 }
 
 Value static_friction(const Sheet& sheet, const OptimiseOptions& options) {
@@ -58,8 +57,8 @@ Value stiffness_at_rest(const Sheet& sheet, const OptimiseOptions& options) {
 }
 
 Value plate_thickness(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto found = contact(sheet, {{}, options.used_from_deg});
-  return found && found->thickness ? Value(found->thickness->thickness_mm) : std::nullopt;
+  const auto study = contact(sheet, {{}, options.used_from_deg});
+  return study && study->thickness ? Value(study->thickness->thickness_mm) : std::nullopt;
 }
 
 Value share_of_copies(const Sheet& sheet, const OptimiseOptions& options) {
@@ -92,9 +91,9 @@ constexpr Functions kFunctions[] = {
 };
 
 const Functions& functions_of(const Goal& goal) {
-  const auto* const found = std::ranges::find(kFunctions, goal.name, &Functions::name);
-  assert(found != std::end(kFunctions));
-  return *found;
+  const auto* const functions = std::ranges::find(kFunctions, goal.name, &Functions::name);
+  assert(functions != std::end(kFunctions));
+  return *functions;
 }
 
 }  // namespace

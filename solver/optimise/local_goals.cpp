@@ -9,7 +9,6 @@
 #include "solver/contact/contact.hpp"
 #include "solver/optimise/deployed_angle.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
-#include "solver/optimise/spring_changes.hpp"
 #include "solver/optimise/thickness_changes.hpp"
 
 namespace misalign::solver {
@@ -20,19 +19,20 @@ using Eigen::Matrix2Xd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-// At which the goal of rigid panels is looked at, beside flat.
+// Number of angles at which the goal of rigid panels is evaluated, beside flat.
 constexpr int kGoalAngles = 6;
-// Of margins those within so much of the least are followed to second order, by sheets that are
-// shifted by so much: between rounding of gradients, 1e-9, and their curvature.
+// Margins within the factor kNearTheLeast of the least are followed to second order, by sheets that
+// are shifted by kAlong_mm: between rounding of gradients, 1e-9, and their curvature.
 constexpr double kNearTheLeast = 1.5, kAlong_mm = 1e-4;
-// How far beyond where a diagonal turns back they are looked at, and in what steps.
+// The range of angles beyond where a diagonal turns back in which they are evaluated, and its
+// steps.
 constexpr double kBeyond_deg = 4, kStep_deg = 1;
-// At so many angles moments are looked at.
+// Number of angles at which moments are evaluated.
 constexpr Index kMomentAngles = 12;
 
 // Energy, what the creases have turned, and how the first changes, at an angle.
 LocalGoal energy_at(const SheetChanges& changes, const SpringChanges& springs,
-                    const AngleGradients& here, double n_mm, const VectorXd& forces_n) {
+                    const PathGradients::AtAngle& here, double n_mm, const VectorXd& forces_n) {
   VectorXd folds_rad, rates;
   const FoldingWay& way = *changes.sheet.way();
   way.find_creases(way.x_of(here.pilot_deg), folds_rad, rates);
@@ -65,7 +65,7 @@ std::vector<LocalGoal> bent_energies(SheetChanges& changes) {
   const SpringChanges springs(changes);
   const BentAngle& first = bent->angles.front();
   // What panels next to flat take off the forces they take off flat, too.
-  const AngleGradients next_to_flat = changes.at(first.pilot_deg);
+  const PathGradients::AtAngle next_to_flat = changes.at(first.pilot_deg);
   const VectorXd taken_n = first.bent.forces_n - springs.forces_n(next_to_flat);
   const double flat_n_mm = first.bent.n_mm - bent->curve.at(first.pilot_deg).n_mm;
   std::vector<LocalGoal> all{energy_at(changes, springs, changes.flat, flat_n_mm,
@@ -86,14 +86,6 @@ std::vector<LocalGoal> critical_frictions(const std::vector<LocalGoal>& energies
   std::vector<LocalGoal> goals;
   for (std::size_t k = 0; k + 1 < energies.size(); ++k) {
     goals.push_back(between(energies.back(), energies[k]));
-  }
-  return goals;
-}
-
-std::vector<LocalGoal> static_frictions(const std::vector<LocalGoal>& energies) {
-  std::vector<LocalGoal> goals;
-  for (std::size_t k = 1; k + 1 < energies.size(); ++k) {
-    goals.push_back(between(energies[k + 1], energies[k]));
   }
   return goals;
 }
@@ -136,7 +128,12 @@ std::vector<LocalGoal> local_bent_critical_friction(SheetChanges& changes) {
 }
 
 std::vector<LocalGoal> local_static_friction(SheetChanges& changes) {
-  return static_frictions(bent_energies(changes));
+  const std::vector<LocalGoal> energies = bent_energies(changes);
+  std::vector<LocalGoal> goals;
+  for (std::size_t k = 1; k + 1 < energies.size(); ++k) {
+    goals.push_back(between(energies[k + 1], energies[k]));
+  }
+  return goals;
 }
 
 std::vector<LocalGoal> local_energy(SheetChanges& changes) {
@@ -147,9 +144,9 @@ std::vector<LocalGoal> local_energy(SheetChanges& changes) {
 
 std::vector<LocalGoal> local_margin(SheetChanges& changes) {
   std::vector<Section> sections;
-  AngleGradients last = changes.flat;
+  PathGradients::AtAngle last = changes.flat;
   for (const int sample : changes.sheet.model().margin_samples()) {
-    AngleGradients here = changes.at(changes.sheet.sample_deg(sample));
+    PathGradients::AtAngle here = changes.at(changes.sheet.sample_deg(sample));
     for (Index d = 0; d < here.length_mm.size(); ++d) {
       const double longer_mm = here.length_mm(d) - last.length_mm(d);
       const double side = longer_mm < 0 ? -1 : 1;
@@ -164,7 +161,7 @@ std::vector<LocalGoal> local_margin(SheetChanges& changes) {
   std::vector<LocalGoal> all;
   for (const Section& one : sections) {
     RowVectorXd row = one.by_mm;
-    // What is divided by changes too; of the least ones that is looked at.
+    // The divisor changes too, which counts for the least ones.
     if (one.ratio() < kNearTheLeast * least) row -= one.ratio() * norm_by_mm(changes, one, solver);
     all.push_back({one.moved_mm, one.by_mm.norm(), changes.variables.row(row)});
   }
@@ -175,13 +172,13 @@ std::vector<LocalGoal> local_deployed_angle(SheetChanges& changes) {
   const Sheet& sheet = changes.sheet;
   const double reached_deg = goes_until_deg(sheet), end_deg = sheet.way()->end_deg();
   const double asked_deg = sheet.sample_deg(changes.options.deploys_from_sample);
-  AngleGradients last = changes.at(asked_deg);
+  PathGradients::AtAngle last = changes.at(asked_deg);
   const VectorXd side = (last.length_mm - changes.flat.length_mm).cwiseSign();
   std::vector<LocalGoal> goals;
   double most_mm = 0;
   for (double angle_deg = asked_deg + kStep_deg;
        angle_deg < std::min(reached_deg + kBeyond_deg, end_deg); angle_deg += kStep_deg) {
-    AngleGradients here = changes.at(angle_deg);
+    PathGradients::AtAngle here = changes.at(angle_deg);
     for (Index d = 0; d < side.size(); ++d) {
       goals.push_back(
           {side(d) * (here.length_mm(d) - last.length_mm(d)), 1,
@@ -213,7 +210,7 @@ std::vector<LocalGoal> local_rest_stiffness(SheetChanges& changes) {
                                    now->forces_n.squaredNorm() / (n_per_mm * n_per_mm))}};
   }
   // Next to flat lengths go with the square of the angle.
-  const AngleGradients near = changes.at(kNearFlat_deg);
+  const PathGradients::AtAngle near = changes.at(kNearFlat_deg);
   const VectorXd longer_mm = near.length_mm - changes.flat.length_mm,
                  forces_n = springs.preload.forces_n(changes.sheet.mechanism().diagonals)
                                 .cwiseProduct(longer_mm.cwiseSign());
@@ -233,7 +230,7 @@ std::vector<LocalGoal> local_spare_diagonals(SheetChanges& changes) {
   std::vector<LocalGoal> all, fewer;
   const Index angles = now->pilot_deg.size(), step = std::max<Index>(1, angles / kMomentAngles);
   for (Index k = angles - 1; k >= 0; k -= step) {
-    const AngleGradients here = changes.at(now->pilot_deg(k));
+    const PathGradients::AtAngle here = changes.at(now->pilot_deg(k));
     const auto slopes = changes.gradients.slopes(here.pilot_deg);
     if (!slopes) return {};
     const VectorXd forces_n = springs.forces_n(here);
@@ -258,9 +255,9 @@ std::vector<LocalGoal> local_spare_diagonals(SheetChanges& changes) {
 
 std::vector<LocalGoal> local_thickness(SheetChanges& changes) {
   std::vector<LocalGoal> goals;
-  for (const ThicknessChange& one :
+  for (const LengthGradient& one :
        thickness_changes(changes.sheet, changes.gradients, changes.options.used_from_deg)) {
-    goals.push_back({one.thickness_mm, 1, changes.variables.row(one.by_mm)});
+    goals.push_back({one.mm, 1, changes.variables.row(one.by_mm)});
   }
   return goals;
 }

@@ -8,7 +8,6 @@
 
 #include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
-#include "solver/optimise/spring_changes.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -16,17 +15,18 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Directions are looked at in long steps up to so far below the angle asked for, then in short
-// ones, since near fold limits diagonals turn within degrees, and at last in one that shows which
-// still go on there.
+// Steps between directions: long ones up to kNearEnd_deg below the angle asked for, then short
+// ones, since near fold limits diagonals turn within degrees, and a last one that shows which still
+// go on there.
 constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24, kLast_deg = 0.02;
-// A fold limit stays so far beyond the angle asked for, and creases there so far from folded flat.
+// Distances that are kept: of the fold limit beyond the angle asked for, of creases there from
+// folded flat.
 constexpr double kBeforeLimit_deg = 0.05, kBeforeFlat_deg = 1e-3;
-// Fold angles are asked for from here on.
+// Angles asked for from which on fold angles are constrained.
 constexpr double kFoldedFar_deg = 150;
 
-// Slopes are looked at themselves where they are less than so many least ones, and kept this share
-// above it: less than what steps leave.
+// Slopes below kLowSlopes times the least one are constrained themselves, to stay above it by the
+// share kAboveLeast: less than what steps leave.
 constexpr double kLowSlopes = 10, kAboveLeast = 0.1;
 
 class Builder {
@@ -44,10 +44,6 @@ class Builder {
   }
 
  private:
-  AngleGradients at(double pilot_deg, bool with_folds = false) {
-    return changes_.at(pilot_deg, with_folds);
-  }
-
   void add_room() {
     const Eigen::ArrayXd own_mm =
         changes_.variables.of(point_of(sheet_.shifts_mm(), options_)).array();
@@ -64,13 +60,13 @@ class Builder {
       for (const double side : {-1.0, 1.0}) {
         VectorXd row = VectorXd::Zero(model_.coordinates);
         row.head(shifts) = -side * options_.moves.row(k);
-        model_.rows.push_back({LocalRow::Kind::amplitude, static_cast<int>(k), 0,
+        model_.rows.push_back({LocalModel::Row::Kind::amplitude, static_cast<int>(k), 0,
                                options_.amplitude_mm - side * shift_mm, row});
       }
     }
   }
 
-  void add(LocalRow::Kind kind, Index where, double pilot_deg, double slack,
+  void add(LocalModel::Row::Kind kind, Index where, double pilot_deg, double slack,
            const Eigen::RowVectorXd& by_vertices) {
     model_.rows.push_back(
         {kind, static_cast<int>(where), pilot_deg, slack, changes_.variables.row(by_vertices)});
@@ -88,18 +84,18 @@ class Builder {
   }
 
   void add_directions() {
-    AngleGradients last = flat_;
+    PathGradients::AtAngle last = flat_;
     const double to_deg = sheet_.sample_deg(options_.deploys_from_sample);
-    const AngleGradients end = at(to_deg, to_deg >= kFoldedFar_deg);
+    const PathGradients::AtAngle end = changes_.at(to_deg, to_deg >= kFoldedFar_deg);
     const VectorXd longer_mm = end.length_mm - flat_.length_mm;
     for (const double pilot_deg : angles_of_directions(to_deg)) {
-      AngleGradients here = pilot_deg == to_deg ? end : at(pilot_deg);
+      PathGradients::AtAngle here = pilot_deg == to_deg ? end : changes_.at(pilot_deg);
       const double least_mm = options_.least_slope_mm_per_deg *
                               half_angle_of_deg(pilot_deg + last.pilot_deg).s *
                               (pilot_deg - last.pilot_deg);
       for (Index d = 0; d < here.length_mm.size(); ++d) {
         const double side = longer_mm(d) < 0 ? -1 : 1;
-        add(LocalRow::Kind::direction, d, pilot_deg,
+        add(LocalModel::Row::Kind::direction, d, pilot_deg,
             side * (here.length_mm(d) - last.length_mm(d)) - least_mm,
             side * (here.length_by_mm.row(d) - last.length_by_mm.row(d)));
       }
@@ -113,7 +109,7 @@ class Builder {
 
   // As what a diagonal goes on in a degree there.
   void add_low_slopes(double to_deg) {
-    std::map<double, std::optional<SlopeGradients>> at_deg;
+    std::map<double, std::optional<PathGradients::Slopes>> at_deg;
     for (const LowSlope& low : low_slopes(sheet_, to_deg)) {
       const double least = options_.least_slope_mm_per_deg, a_deg = low.pilot_deg;
       if (low.mm_per_deg >= kLowSlopes * least) continue;
@@ -122,32 +118,33 @@ class Builder {
       if (!slopes) continue;  // it ends there
       const double sine = std::sin(a_deg * kRadPerDeg);
       const double side = slopes->slope_mm_per_rad(low.diagonal) * low.mm_per_deg < 0 ? -1 : 1;
-      add(LocalRow::Kind::direction, low.diagonal, a_deg,
+      add(LocalModel::Row::Kind::direction, low.diagonal, a_deg,
           (low.mm_per_deg - (1 + kAboveLeast) * least) * sine,
           side * kRadPerDeg * slopes->slope_by_mm.row(low.diagonal));
     }
   }
 
-  void add_folds(const AngleGradients& here) {
+  void add_folds(const PathGradients::AtAngle& here) {
     for (Index c = 0; c < here.fold_deg.size(); ++c) {
       if (static_cast<int>(c) == sheet_.mechanism().pilot) continue;
       const double side = here.fold_deg(c) < 0 ? -1 : 1;
-      add(LocalRow::Kind::fold_angle, c, here.pilot_deg,
+      add(LocalModel::Row::Kind::fold_angle, c, here.pilot_deg,
           180 - kBeforeFlat_deg - side * here.fold_deg(c), -side * here.fold_by_mm.row(c));
     }
     if (const auto limit = changes_.gradients.fold_limit()) {
-      add(LocalRow::Kind::fold_limit, 0, limit->fold_limit_deg,
+      add(LocalModel::Row::Kind::fold_limit, 0, limit->fold_limit_deg,
           limit->fold_limit_deg - here.pilot_deg - kBeforeLimit_deg, limit->by_mm);
     }
   }
 
   // Diagonals go one way up to D: at an angle they have not been longer or shorter before.
   void add_strokes(double limit) {
-    const AngleGradients here = at(sheet_.deploys_from_deg());
+    const PathGradients::AtAngle here = changes_.at(sheet_.deploys_from_deg());
     for (Index d = 0; d < here.length_mm.size(); ++d) {
       const double longer_mm = here.length_mm(d) - flat_.length_mm(d);
       const double side = longer_mm < 0 ? -1 : 1;
-      add(LocalRow::Kind::stroke, d, here.pilot_deg, limit * flat_.length_mm(d) - side * longer_mm,
+      add(LocalModel::Row::Kind::stroke, d, here.pilot_deg,
+          limit * flat_.length_mm(d) - side * longer_mm,
           limit * flat_.length_by_mm.row(d) -
               side * (here.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
     }
@@ -155,12 +152,12 @@ class Builder {
 
   void add_forces(double most_n) {
     const SpringChanges springs(changes_);
-    const AngleGradients here = at(*options_.deploying.from_deg);
+    const PathGradients::AtAngle here = changes_.at(*options_.deploying.from_deg);
     const VectorXd forces_n = springs.forces_n(here);
     for (Index d = 0; d < forces_n.size(); ++d) {
       const double side = forces_n(d) < 0 ? -1 : 1;
       const VectorXd row = springs.forces_row(here, side * VectorXd::Unit(forces_n.size(), d));
-      model_.rows.push_back({LocalRow::Kind::force, static_cast<int>(d), here.pilot_deg,
+      model_.rows.push_back({LocalModel::Row::Kind::force, static_cast<int>(d), here.pilot_deg,
                              most_n - side * forces_n(d), -row});
     }
   }
@@ -171,7 +168,7 @@ class Builder {
       const auto& [goal, least] = options_.floors[floor];
       if (!goal->is_exact) continue;  // whether it is kept is seen of each sheet
       for (const LocalGoal& one : linearization_of(*goal, changes_)) {
-        model_.rows.push_back({LocalRow::Kind::floor, static_cast<int>(floor), 0,
+        model_.rows.push_back({LocalModel::Row::Kind::floor, static_cast<int>(floor), 0,
                                one.amount / one.over - least, one.row / one.over});
       }
     }
@@ -180,7 +177,7 @@ class Builder {
   const Sheet& sheet_;
   const OptimiseOptions& options_;
   SheetChanges changes_;
-  const AngleGradients& flat_;
+  const PathGradients::AtAngle& flat_;
   LocalModel model_;
 };
 

@@ -8,17 +8,17 @@
 
 namespace misalign::solver {
 
-/// Of one inequality: slack + row . (change of the coordinates) >= 0.
-struct LocalRow {
-  enum class Kind { direction, stroke, force, fold_limit, fold_angle, amplitude, floor } kind;
-  int where;         ///< diagonal, crease, coordinate of a shift, or floor
-  double pilot_deg;  ///< where on the way
-  double slack;
-  Eigen::VectorXd row;
-};
-
 struct LocalModel {
-  std::vector<LocalRow> rows;
+  /// An inequality: slack + row . (change of the coordinates) >= 0.
+  struct Row {
+    enum class Kind { direction, stroke, force, fold_limit, fold_angle, amplitude, floor } kind;
+    int where;         ///< diagonal, crease, coordinate of a shift, or floor
+    double pilot_deg;  ///< where on the way
+    double slack;
+    Eigen::VectorXd row;
+  };
+
+  std::vector<Row> rows;
   std::vector<LocalGoal> goals;
   Eigen::Index coordinates = 0;
   /// How far each may rise, and fall; of those that are free rows say it.

@@ -18,7 +18,7 @@ LocalProgram local_program(const LocalModel& model, double box_mm) {
   const Index count = model.coordinates, goals = std::ssize(model.goals);
   const double goal = model.goal(VectorXd::Zero(count));
   LocalProgram program{{}, {}, {}, box_mm, 0};
-  for (const LocalRow& one : model.rows) {
+  for (const LocalModel::Row& one : model.rows) {
     const double reach = box_mm * one.row.lpNorm<1>();
     if (reach > 0 && one.slack < reach) program.reached.push_back(&one);
   }
@@ -33,7 +33,7 @@ LocalProgram local_program(const LocalModel& model, double box_mm) {
   linear.gain = VectorXd::Unit(2 * count + 1, 2 * count);
   program.scales = VectorXd::Constant(linear.rows.rows(), box_mm);
   for (Index k = 0; k < rows; ++k) {
-    const LocalRow& one = *program.reached[static_cast<std::size_t>(k)];
+    const LocalModel::Row& one = *program.reached[static_cast<std::size_t>(k)];
     const double largest = one.row.lpNorm<Eigen::Infinity>();
     program.scales(k) *= largest;
     linear.rows.row(k).head(count) = -one.row / largest;

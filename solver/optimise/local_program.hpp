@@ -12,7 +12,7 @@ namespace misalign::solver {
 /// falls, in boxes, and what the goal rises, in units. Rows: those of the model that the box
 /// reaches, the goals, the box.
 struct LocalProgram {
-  std::vector<const LocalRow*> reached;
+  std::vector<const LocalModel::Row*> reached;
   LinearProgram linear;
   Eigen::VectorXd scales;  ///< what 1 of each row's bound is: mm, or as the row's slack
   double box_mm, unit;     ///< the unit of the goal

@@ -23,6 +23,14 @@ double force_n(const Sheet& sheet, const ReleaseOptions& deploying) {
   return rigid.spring_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
 }
 
+// Whether the goals of the floors are no lower.
+bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
+  return std::ranges::all_of(options.floors, [&](const OptimiseFloor& floor) {
+    const auto value = value_of(*floor.goal, sheet, options);
+    return value && *value >= floor.least;
+  });
+}
+
 }  // namespace
 
 bool is_strong_enough(const Sheet& sheet, const OptimiseOptions& options) {
@@ -34,13 +42,6 @@ bool fits(const Sheet& sheet, const OptimiseOptions& options) {
          sheet.way()->end_deg() > *options.deploying.from_deg &&
          (!options.stroke_limit || stroke(sheet) <= *options.stroke_limit) &&
          is_strong_enough(sheet, options);
-}
-
-bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
-  return std::ranges::all_of(options.floors, [&](const OptimiseFloor& floor) {
-    const auto value = value_of(*floor.goal, sheet, options);
-    return value && *value >= floor.least;
-  });
 }
 
 bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {

@@ -9,8 +9,6 @@ namespace misalign::solver {
 
 /// `options.deploying` says from where it is let go.
 bool is_strong_enough(const Sheet& sheet, const OptimiseOptions& options);
-/// Whether the goals of the floors are no lower.
-bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options);
 /// Whether it deploys from the angle that is asked, can be let go there, and keeps stroke and
 /// force.
 bool fits(const Sheet& sheet, const OptimiseOptions& options);

@@ -5,8 +5,8 @@
 // neighbouring angles, elongations, fold limit and fold angles change as their gradients say
 // (PathGradients), within a box that shrinks where that was wrong (a sequence of linear programs
 // with a trust region). With ternary shifts a step changes one coordinate or two: the same
-// gradients say which to look at first. Either way a sheet is taken only if it, folded itself, fits
-// and does better.
+// gradients say which to evaluate first. Either way a sheet is taken only if it, folded itself,
+// fits and does better.
 //
 // Where the goal is of rigid panels, every number that decides comes of additions, products,
 // quotients and roots: the same sheet at the same steps, to the last bit, on every processor.
@@ -22,5 +22,8 @@ namespace misalign::solver {
 /// stroke_limit, largest_force_n and floors where it does not keep them; goal where it has no
 /// value. Reasons: overconstrained, path_lost.
 StudyResult<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
+
+/// The same before its first step: the options as they fit the sheet, and the value of the goal.
+StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

@@ -51,27 +51,27 @@ struct OptimiseOptions {
   int most_evaluations = 400;  ///< sheets that are folded for one step of ternary shifts
 };
 
-enum class StopReason { no_step_is_better, most_steps };
-
-/// What keeps it from doing better, at the end: by how much the goal would grow with a little more
-/// room (to first order; 0: it does not limit).
-struct OptimiseLimits {
-  double per_share_of_stroke = 0;  ///< for each 1 of the stroke limit
-  double per_n_of_force = 0;       ///< for each N of the largest force
-  double per_mm_of_amplitude = 0;  ///< for each mm of amplitude
-  /// For each N/mm, and N, beyond the range in which it is chosen, at either end.
-  double per_n_per_mm_of_stiffness = 0, per_n_of_preload = 0;
-  std::vector<double> per_floor;  ///< for each 1 that the floor is lower
-  /// Diagonals that would turn back, where: the one with the largest price first.
-  struct Turning {
-    int diagonal;
-    double pilot_deg, per_mm;
-  };
-  std::vector<Turning> turning;
-  bool by_fold_limit = false;
-};
-
 struct Optimised {
+  enum class StopReason { no_step_is_better, most_steps };
+
+  /// The limits of a better end: by how much the goal would grow with a little more room (to first
+  /// order; 0: it does not limit).
+  struct Limits {
+    double per_share_of_stroke = 0;  ///< for each 1 of the stroke limit
+    double per_n_of_force = 0;       ///< for each N of the largest force
+    double per_mm_of_amplitude = 0;  ///< for each mm of amplitude
+    /// For each N/mm, and N, beyond the range in which it is chosen, at either end.
+    double per_n_per_mm_of_stiffness = 0, per_n_of_preload = 0;
+    std::vector<double> per_floor;  ///< for each 1 that the floor is lower
+    /// Diagonals that would turn back, where: the one with the largest price first.
+    struct Turning {
+      int diagonal;
+      double pilot_deg, per_mm;
+    };
+    std::vector<Turning> turning;
+    bool by_fold_limit = false;
+  };
+
   OptimiseOptions options;
   double from_deg;
   /// The start, then the sheet after each step; the value of the goal for each.
@@ -80,8 +80,8 @@ struct Optimised {
   };
   std::vector<Taken> taken;
   StopReason stop_reason;
-  int evaluations = 0;                   ///< sheets that were folded
-  std::optional<OptimiseLimits> limits;  ///< of free shifts, at the last sheet, of what is foreseen
+  int evaluations = 0;           ///< sheets that were folded
+  std::optional<Limits> limits;  ///< of free shifts, at the last sheet, of what is foreseen
 
   const Taken& start() const { return taken.front(); }
   const Taken& best() const { return taken.back(); }

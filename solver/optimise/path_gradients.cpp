@@ -110,21 +110,22 @@ std::optional<VectorXd> PathGradients::folds_deg(double pilot_deg) {
   return workspace_->folds_deg();
 }
 
-std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_folds) {
+std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool with_folds) {
   Workspace& with = *workspace_;
   const Mechanism& mechanism = with.mechanism;
   const FoldingWay& way = *sheet_.way();
   const Index diagonals = mechanism.diagonal_count(), creases = std::ssize(mechanism.creases);
-  AngleGradients found{pilot_deg, way.flat_mm(), MatrixXd::Zero(diagonals, with.coordinates()),
-                       VectorXd::Zero(creases), MatrixXd::Zero(creases, with.coordinates())};
+  PathGradients::AtAngle gradients{
+      pilot_deg, way.flat_mm(), MatrixXd::Zero(diagonals, with.coordinates()),
+      VectorXd::Zero(creases), MatrixXd::Zero(creases, with.coordinates())};
   if (pilot_deg == 0) {
     for (Index d = 0; d < diagonals; ++d) {
       VectorXd row = VectorXd::Zero(with.coordinates());
       add_flat_length(mechanism, with.geometry, mechanism.diagonals[static_cast<std::size_t>(d)],
                       1.0, row.data());
-      found.length_by_mm.row(d) = row.transpose();
+      gradients.length_by_mm.row(d) = row.transpose();
     }
-    return found;
+    return gradients;
   }
   if (!solve_at(pilot_deg)) return {};
   with.system.evaluate(with.geometry, with.state);
@@ -133,15 +134,15 @@ std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_fold
   VectorXd row(with.coordinates());
   for (Index d = 0; d < diagonals; ++d) {
     const int diagonal = static_cast<int>(d);
-    found.length_mm(d) = with.gradient.length(diagonal) * mechanism.panel_width_mm;
+    gradients.length_mm(d) = with.gradient.length(diagonal) * mechanism.panel_width_mm;
     with.gradient.of_unknowns(diagonal, with.rates.data());
     row.setZero();
     with.gradient.add_length(diagonal, row.data());
     with.hold_closed(row);
-    found.length_by_mm.row(d) = row.transpose();
+    gradients.length_by_mm.row(d) = row.transpose();
   }
-  if (!with_folds) return found;
-  found.fold_deg = with.folds_deg();
+  if (!with_folds) return gradients;
+  gradients.fold_deg = with.folds_deg();
   const double deg_per_mm = 1 / (kRadPerDeg * mechanism.panel_width_mm);
   for (Index c = 0; c < creases; ++c) {
     const auto crease = static_cast<std::size_t>(c);
@@ -150,14 +151,14 @@ std::optional<AngleGradients> PathGradients::at(double pilot_deg, bool with_fold
     with.rates(mechanism.creases[crease].column) = mechanism.side * deg_per_mm;
     row.setZero();
     with.hold_closed(row);
-    found.fold_by_mm.row(c) = row.transpose();
+    gradients.fold_by_mm.row(c) = row.transpose();
   }
-  return found;
+  return gradients;
 }
 
-std::optional<SlopeGradients> PathGradients::slopes(double pilot_deg) {
-  SlopeGradients found{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
-  found.slope_by_mm.setZero(found.slope_mm_per_rad.size(), workspace_->coordinates());
+std::optional<PathGradients::Slopes> PathGradients::slopes(double pilot_deg) {
+  PathGradients::Slopes gradients{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
+  gradients.slope_by_mm.setZero(gradients.slope_mm_per_rad.size(), workspace_->coordinates());
   constexpr struct {
     int steps;
     double weight;
@@ -169,15 +170,15 @@ std::optional<SlopeGradients> PathGradients::slopes(double pilot_deg) {
                        (there_deg >= 0 || sheet_.mechanism().springs.in_mid_plane());
     const auto there = is_on ? at(std::abs(there_deg), false) : std::nullopt;
     if (!there) return {};
-    found.slope_mm_per_rad += weight / (12 * kSlopeStep_rad) * there->length_mm;
-    found.slope_by_mm += weight / (12 * kSlopeStep_rad) * there->length_by_mm;
+    gradients.slope_mm_per_rad += weight / (12 * kSlopeStep_rad) * there->length_mm;
+    gradients.slope_by_mm += weight / (12 * kSlopeStep_rad) * there->length_by_mm;
   }
-  return found;
+  return gradients;
 }
 
 // How the unknowns follow each coordinate, column by column of the identity; and with that shapes
 // on either side.
-std::optional<VertexGradients> PathGradients::vertices(double pilot_deg) {
+std::optional<PathGradients::Shape> PathGradients::vertices(double pilot_deg) {
   if (!solve_at(pilot_deg)) return {};
   Workspace& with = *workspace_;
   const Mechanism& mechanism = with.mechanism;
@@ -210,17 +211,17 @@ std::optional<VertexGradients> PathGradients::vertices(double pilot_deg) {
     advance(mechanism, step.data(), state);
     return shape.vertices_mm(geometry, state);
   };
-  VertexGradients found{shape.vertices_mm(with.geometry, with.state), {}};
-  found.by_mm.resize(found.at_mm.size(), coordinates);
+  PathGradients::Shape folded{shape.vertices_mm(with.geometry, with.state), {}};
+  folded.by_mm.resize(folded.at_mm.size(), coordinates);
   for (Index k = 0; k < coordinates; ++k) {
     const Eigen::Matrix3Xd by_mm =
         (shape_mm(k, kNextShape_mm) - shape_mm(k, -kNextShape_mm)) / (2 * kNextShape_mm);
-    found.by_mm.col(k) = by_mm.reshaped();
+    folded.by_mm.col(k) = by_mm.reshaped();
   }
-  return found;
+  return folded;
 }
 
-std::optional<LimitGradient> PathGradients::fold_limit() {
+std::optional<PathGradients::AtLimit> PathGradients::fold_limit() {
   Workspace& with = *workspace_;
   const FoldingWay& way = *sheet_.way();
   if (!way.ends_at_limit()) return {};
@@ -234,7 +235,7 @@ std::optional<LimitGradient> PathGradients::fold_limit() {
   with.gradient.add_closure(null.data(), row.data());
   const double by_pilot = null.dot(with.system.jacobian().col(equations));
   const double per_mm = 1 / (kRadPerDeg * with.mechanism.panel_width_mm);
-  return LimitGradient{way.end_deg(), -per_mm / by_pilot * row.transpose()};
+  return PathGradients::AtLimit{way.end_deg(), -per_mm / by_pilot * row.transpose()};
 }
 
 }  // namespace misalign::solver

@@ -16,52 +16,52 @@
 
 namespace misalign::solver {
 
-/// At one pilot angle, which is held. A row of numbers each: x and y of each vertex in turn, per
-/// mm.
-struct AngleGradients {
-  double pilot_deg;
-  Eigen::VectorXd length_mm;     ///< of the diagonals' springs
-  Eigen::MatrixXd length_by_mm;  ///< diagonals x (2 vertices): mm per mm
-  Eigen::VectorXd fold_deg;      ///< of the creases, valleys positive
-  Eigen::MatrixXd fold_by_mm;    ///< creases x (2 vertices): deg per mm
-};
-
-/// Of the diagonals at one pilot angle.
-struct SlopeGradients {
-  Eigen::VectorXd slope_mm_per_rad;  ///< of the pilot's angle
-  Eigen::MatrixXd slope_by_mm;       ///< diagonals x (2 vertices): mm per rad per mm
-};
-
-/// Of the folded sheet at one pilot angle, its first panel held.
-struct VertexGradients {
-  Eigen::Matrix3Xd at_mm;  ///< every vertex, where its panel has it
-  Eigen::MatrixXd by_mm;   ///< (3 vertices) x (2 vertices): mm per mm
-};
-
-struct LimitGradient {
-  double fold_limit_deg;
-  Eigen::RowVectorXd by_mm;  ///< deg per mm
-};
-
 inline constexpr double kSlopeStep_rad = 5e-4;
 
 class PathGradients {
  public:
+  /// At one pilot angle, which is held. A row of numbers each: x and y of each vertex in turn, per
+  /// mm.
+  struct AtAngle {
+    double pilot_deg;
+    Eigen::VectorXd length_mm;     ///< of the diagonals' springs
+    Eigen::MatrixXd length_by_mm;  ///< diagonals x (2 vertices): mm per mm
+    Eigen::VectorXd fold_deg;      ///< of the creases, valleys positive
+    Eigen::MatrixXd fold_by_mm;    ///< creases x (2 vertices): deg per mm
+  };
+
+  /// Of the diagonals at one pilot angle.
+  struct Slopes {
+    Eigen::VectorXd slope_mm_per_rad;  ///< of the pilot's angle
+    Eigen::MatrixXd slope_by_mm;       ///< diagonals x (2 vertices): mm per rad per mm
+  };
+
+  /// Of the folded sheet at one pilot angle, its first panel held.
+  struct Shape {
+    Eigen::Matrix3Xd at_mm;  ///< every vertex, where its panel has it
+    Eigen::MatrixXd by_mm;   ///< (3 vertices) x (2 vertices): mm per mm
+  };
+
+  struct AtLimit {
+    double fold_limit_deg;
+    Eigen::RowVectorXd by_mm;  ///< deg per mm
+  };
+
   /// `sheet`, which has a way and no spare equations, must outlive this object.
   explicit PathGradients(const Sheet& sheet);
   ~PathGradients();
 
   /// On the way, between flat and its end: states are corrected there. Flat, only lengths change.
   /// None where the correction fails.
-  std::optional<AngleGradients> at(double pilot_deg, bool with_folds = true);
+  std::optional<AtAngle> at(double pilot_deg, bool with_folds = true);
   /// The fold angles alone, there.
   std::optional<Eigen::VectorXd> folds_deg(double pilot_deg);
   /// None also where the way ends within twice kSlopeStep_rad.
-  std::optional<SlopeGradients> slopes(double pilot_deg);
+  std::optional<Slopes> slopes(double pilot_deg);
   /// Of all vertices: what is between panels changes with them.
-  std::optional<VertexGradients> vertices(double pilot_deg);
+  std::optional<Shape> vertices(double pilot_deg);
   /// None where the way does not end at a fold limit.
-  std::optional<LimitGradient> fold_limit();
+  std::optional<AtLimit> fold_limit();
 
  private:
   struct Workspace;

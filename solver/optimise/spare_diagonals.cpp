@@ -19,19 +19,19 @@ std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const EnergyMo
     angles_deg.push_back(k * sample_deg);
   }
   angles_deg.push_back(from_deg);
-  SpareDiagonals found{{}, VectorXd::Map(angles_deg.data(), std::ssize(angles_deg)), 0};
-  Eigen::MatrixXd moments(found.pilot_deg.size(), way.flat_mm().size());
+  SpareDiagonals result{{}, VectorXd::Map(angles_deg.data(), std::ssize(angles_deg)), 0};
+  Eigen::MatrixXd moments(result.pilot_deg.size(), way.flat_mm().size());
   VectorXd lengths_mm, rates_mm;
   for (Index row = 0; row < moments.rows(); ++row) {
-    const double x = way.x_of(found.pilot_deg(row));
+    const double x = way.x_of(result.pilot_deg(row));
     way.find_lengths(x, lengths_mm, rates_mm);
     moments.row(row) = rigid.spring_forces_n(x).cwiseProduct(rates_mm) / way.pilot_rate(x);
   }
   if (moments.rowwise().sum().minCoeff() <= 0) return {};
-  found.few = few_diagonals(moments, kShareOfFew);
-  const auto spare = static_cast<double>(moments.cols() - std::ssize(found.few.diagonals));
-  found.amount = spare + std::clamp(found.few.share_of_fewer / kShareOfFew, 0.0, 1.0);
-  return found;
+  result.few = few_diagonals(moments, kShareOfFew);
+  const auto spare = static_cast<double>(moments.cols() - std::ssize(result.few.diagonals));
+  result.amount = spare + std::clamp(result.few.share_of_fewer / kShareOfFew, 0.0, 1.0);
+  return result;
 }
 
 }  // namespace misalign::solver

@@ -13,7 +13,7 @@ namespace misalign::solver {
 /// kSlopeFrom_deg and at the angle of use, as actuate() has it.
 struct SpareDiagonals {
   FewDiagonals few;
-  Eigen::VectorXd pilot_deg;  ///< where moments are looked at
+  Eigen::VectorXd pilot_deg;  ///< where moments are evaluated
 
   /// Diagonals without a spring, and how near one more is to being enough.
   double amount;

@@ -14,11 +14,11 @@ using Eigen::RowVectorXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// At so many angles pairs are looked at; those whose distance is within so much of the least count,
-// and so do tapers.
+// Number of angles at which pairs are compared; those within the factor kClose of the least
+// distance count, and so do tapers.
 constexpr int kAngles = 12;
 constexpr double kClose = 1.3;
-// Tapers are looked at on either side of a sheet: they are halved down to rounding.
+// Tapers are differenced over two sheets beside one: they are halved down to rounding.
 constexpr double kNextTaper_mm = 1e-4;
 
 // So near the line between two corners, in their distance, a point lies on it.
@@ -77,8 +77,8 @@ struct PlacedPanel {
 };
 
 // Of the tapers, by differences: fold angles at the end follow the vertices.
-RowVectorXd taper_by_mm(const Sheet& sheet, const AngleGradients& end, const PlateThickness& now,
-                        double trim_mm) {
+RowVectorXd taper_by_mm(const Sheet& sheet, const PathGradients::AtAngle& end,
+                        const PlateThickness& now, double trim_mm) {
   const FlatVertices& from_a1_mm = sheet.way()->from_a1_mm();
   const Eigen::VectorXd side = end.fold_deg.cwiseSign();
   RowVectorXd by_mm(2 * from_a1_mm.cols());
@@ -102,9 +102,9 @@ RowVectorXd taper_by_mm(const Sheet& sheet, const AngleGradients& end, const Pla
 
 }  // namespace
 
-DistanceGradient distance_gradient(const Sheet& sheet, const VertexGradients& folded, int panel_a,
-                                   int panel_b, const PolygonCorners& flat_a_mm,
-                                   const PolygonCorners& flat_b_mm) {
+LengthGradient distance_gradient(const Sheet& sheet, const PathGradients::Shape& folded,
+                                 int panel_a, int panel_b, const PolygonCorners& flat_a_mm,
+                                 const PolygonCorners& flat_b_mm) {
   const auto placed = [&](int panel, const PolygonCorners& flat_mm) {
     return PlacedPanel(sheet.panels().corners[static_cast<std::size_t>(panel)], sheet.vertices_mm(),
                        folded.at_mm, flat_mm);
@@ -116,26 +116,26 @@ DistanceGradient distance_gradient(const Sheet& sheet, const VertexGradients& fo
                                 a.moves_along(between.direction, between.on_a, folded.by_mm)};
 }
 
-std::vector<ThicknessChange> thickness_changes(const Sheet& sheet, PathGradients& gradients,
-                                               std::optional<double> from_deg) {
+std::vector<LengthGradient> thickness_changes(const Sheet& sheet, PathGradients& gradients,
+                                              std::optional<double> from_deg) {
   const auto study = contact(sheet, {{}, from_deg});
   if (!study || !study->thickness || study->thickness->thickness_mm <= 0) return {};
   const PlateThickness& now = *study->thickness;
   const auto trimmed = trimmed_panels(sheet.panels(), sheet.way()->from_a1_mm(), study->trim_mm);
   std::vector<double> angles_deg{now.pilot_deg};
   for (int k = 1; k <= kAngles; ++k) angles_deg.push_back(study->reach_deg * k / kAngles);
-  std::vector<ThicknessChange> changes;
-  const double part = now.clear_mm > 0 ? 1 - ThicknessOptions{}.slack : 0;
+  std::vector<LengthGradient> changes;
+  const double part = now.clear_mm > 0 ? 1 - kThicknessSlack : 0;
   for (const double angle_deg : angles_deg) {
     const auto folded = gradients.vertices(angle_deg);
     if (!folded) return {};
     for (const PanelPair& pair : pairs_of(sheet.panels())) {
       if (pair.kind == ContactKind::crease) continue;
-      const DistanceGradient found = distance_gradient(sheet, *folded, pair.a, pair.b,
-                                                       trimmed[static_cast<std::size_t>(pair.a)],
-                                                       trimmed[static_cast<std::size_t>(pair.b)]);
-      if (part * found.mm > kClose * now.thickness_mm) continue;
-      changes.push_back({part * found.mm, part * found.by_mm});
+      const LengthGradient distance = distance_gradient(sheet, *folded, pair.a, pair.b,
+                                                        trimmed[static_cast<std::size_t>(pair.a)],
+                                                        trimmed[static_cast<std::size_t>(pair.b)]);
+      if (part * distance.mm > kClose * now.thickness_mm) continue;
+      changes.push_back({part * distance.mm, part * distance.by_mm});
     }
   }
   if (now.taper_mm <= kClose * now.thickness_mm) {

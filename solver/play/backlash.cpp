@@ -20,15 +20,21 @@ std::vector<double> sorted(const std::vector<BacklashTrial>& trials, Value value
   return values;
 }
 
+std::vector<double> known(const std::vector<BacklashTrial>& trials, double BacklashTrial::*angle) {
+  return sorted(trials, [angle](const BacklashTrial& trial) {
+    return trial.is_known ? std::optional(trial.*angle) : std::nullopt;
+  });
+}
+
 }  // namespace
 
-const char* name_of(BranchEnd end) {
+const char* name_of(BacklashTrial::BranchEnd end) {
   switch (end) {
-    case BranchEnd::flat:
+    case BacklashTrial::BranchEnd::flat:
       return "flat";
-    case BranchEnd::turns:
+    case BacklashTrial::BranchEnd::turns:
       return "turns";
-    case BranchEnd::other_branch:
+    case BacklashTrial::BranchEnd::other_branch:
       return "other_branch";
     default:
       return "not_known";
@@ -50,20 +56,17 @@ std::uint64_t Backlash::one_way_to(double pilot_deg) const {
 
 std::vector<double> Backlash::lost_deg() const {
   return sorted(trials, [](const BacklashTrial& trial) {
-    return trial.lost == BranchEnd::not_known ? std::nullopt : std::optional(trial.lost_deg);
+    return trial.lost == BacklashTrial::BranchEnd::not_known ? std::nullopt
+                                                             : std::optional(trial.lost_deg);
   });
 }
 
 std::vector<double> Backlash::one_way_from_deg() const {
-  return sorted(trials, [](const BacklashTrial& trial) {
-    return trial.is_known ? std::optional(trial.one_way_from_deg) : std::nullopt;
-  });
+  return known(trials, &BacklashTrial::one_way_from_deg);
 }
 
 std::vector<double> Backlash::one_way_to_deg() const {
-  return sorted(trials, [](const BacklashTrial& trial) {
-    return trial.is_known ? std::optional(trial.one_way_to_deg) : std::nullopt;
-  });
+  return known(trials, &BacklashTrial::one_way_to_deg);
 }
 
 std::vector<double> Backlash::left_over() const {

@@ -11,7 +11,7 @@
 namespace misalign::solver {
 
 /// "flat", ...: as in files.
-const char* name_of(BranchEnd end);
+const char* name_of(BacklashTrial::BranchEnd end);
 
 /// What was found of one sheet.
 struct Backlash {

@@ -1,20 +1,14 @@
 #include "solver/play/backlash_follower.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 
 #include "solver/continuation/path_follower.hpp"
 #include "solver/linear/loose_closure.hpp"
-#include "solver/records/history.hpp"
 
 namespace misalign::solver {
 namespace {
-
-// Stations are no farther apart than this, as on a sheet's own path (PathPlanOptions).
-const double kLongestStep_deg = PathPlanOptions{}.longest_step_deg;
 
 // Of the first correction from the sheet's own state: all of it together, as a share of the pilot's
 // angle. What is farther is found by letting the play grow.
@@ -31,44 +25,6 @@ CloseStepOptions step_options() {
   options.longest_start_share = kLongestLooseShare;
   options.arc.longest_step_rad = kLongestArc_rad;
   return options;
-}
-
-// One more angle to look at, and solver steps on the way there.
-void add_station(PathPlan& plan, double pilot_deg) {
-  const double from_deg = plan.stations.empty() ? pilot_deg : plan.stations.back().pilot_deg;
-  const int steps =
-      std::max(1, static_cast<int>(std::ceil((pilot_deg - from_deg) / kLongestStep_deg - 1e-9)));
-  for (int k = 1; k <= steps; ++k) {
-    const double deg = k == steps ? pilot_deg : from_deg + (pilot_deg - from_deg) * k / steps;
-    plan.stations.push_back({deg, half_angle_of_deg(deg), 0, k == steps});
-  }
-}
-
-// Samples from the start up to D.
-PathPlan plan_up(const BacklashStart& sheet, double sample_deg) {
-  PathPlan plan;
-  add_station(plan, sheet.start_deg);
-  for (int k = 1; k <= sheet.own_sample; ++k) {
-    if (k * sample_deg > sheet.start_deg + kSameAngle_deg) add_station(plan, k * sample_deg);
-  }
-  return plan;
-}
-
-// Samples from the start down to `from_deg`, and on to flat; as angles below the start.
-PathPlan plan_down(const BacklashStart& sheet, double sample_deg, const BacklashOptions& options) {
-  PathPlan plan;
-  add_station(plan, 0);
-  const auto add = [&](double pilot_deg) {
-    const double down_deg = sheet.start_deg - pilot_deg;
-    if (down_deg > plan.stations.back().pilot_deg + kSameAngle_deg) add_station(plan, down_deg);
-  };
-  for (int k = sheet.own_sample; k > 0 && k * sample_deg > options.from_deg; --k) {
-    add(k * sample_deg);
-  }
-  add(options.from_deg);
-  const int steps = static_cast<int>(std::ceil(options.from_deg / options.flat_step_deg - 1e-9));
-  for (int k = steps - 1; k >= 0; --k) add(options.from_deg * k / steps);
-  return plan;
 }
 
 }  // namespace
@@ -102,7 +58,7 @@ class BacklashFollower::Branch {
   void follow(Follower& follower) {
     state_ = [&]() -> const FoldState<double>& { return follower.last_state(0); };
     fault_ = Fault::none;
-    looked_ = 0;
+    stations_ = 0;
     one_way_deg_ = last_deg_ = follower_.sheet_.start_deg;
     flipped_deg_ = -1;
     gap_ = 0;
@@ -112,23 +68,23 @@ class BacklashFollower::Branch {
   // For the follower.
   void ended(const PathResult& path, int) {
     path_ = path;
-    if (!is_up_ && path.end == PathEnd::fold_limit) look_before_the_turn();
+    if (!is_up_ && path.end == PathEnd::fold_limit) find_flip_before_turn();
   }
   bool see(const Station& station, int) {
     const double start_deg = follower_.sheet_.start_deg, from_deg = follower_.options_.from_deg;
     const double pilot_deg = is_up_ ? station.pilot_deg : start_deg - station.pilot_deg;
-    if (looked_ == 0) first_ = state_();
-    const Fault of_creases = look_at_creases(pilot_deg);
+    if (stations_ == 0) first_ = state_();
+    const Fault of_creases = check_creases(pilot_deg);
     const bool counts = pilot_deg > from_deg - kSameAngle_deg;
     if (counts) {
-      const Fault of_diagonals = look_at_diagonals();
+      const Fault of_diagonals = check_diagonals();
       if (fault_ == Fault::none) {
         fault_ = of_creases == Fault::none ? of_diagonals : of_creases;
         if (fault_ == Fault::none) one_way_deg_ = pilot_deg;
       }
       if (!only_whether_) gap_ = std::max(gap_, vertex_gap(mechanism_, follower_.loose_, state_()));
     }
-    ++looked_;
+    ++stations_;
     last_deg_ = pilot_deg;
     if (of_creases != Fault::none) return false;
     if (fault_ != Fault::none && (is_up_ || only_whether_)) return false;
@@ -147,26 +103,27 @@ class BacklashFollower::Branch {
   const PathResult& path() const { return path_; }
   const FoldState<double>& first() const { return first_; }
   // On the way down: how the branch ends, and where.
-  BranchEnd branch_end() const {
+  BacklashTrial::BranchEnd branch_end() const {
     switch (path_.end) {
       case PathEnd::end_reached:
-        return BranchEnd::flat;
+        return BacklashTrial::BranchEnd::flat;
       case PathEnd::fold_limit:
-        return flipped_deg_ > 0 ? BranchEnd::other_branch : BranchEnd::turns;
+        return flipped_deg_ > 0 ? BacklashTrial::BranchEnd::other_branch
+                                : BacklashTrial::BranchEnd::turns;
       case PathEnd::stopped:
-        return BranchEnd::other_branch;
+        return BacklashTrial::BranchEnd::other_branch;
       default:
-        return BranchEnd::not_known;
+        return BacklashTrial::BranchEnd::not_known;
     }
   }
   double branch_end_deg() const {
-    if (branch_end() == BranchEnd::other_branch) return flipped_deg_;
+    if (branch_end() == BacklashTrial::BranchEnd::other_branch) return flipped_deg_;
     return std::max(0.0, follower_.sheet_.start_deg - path_.fold_limit_deg);
   }
 
  private:
   // On the way down the pilot's entry is another angle, and its own is positive.
-  Fault look_at_creases(double pilot_deg) {
+  Fault check_creases(double pilot_deg) {
     Fault fault = Fault::none;
     double flipped_deg = -1;
     for (int i = 0; i < static_cast<int>(mechanism_.creases.size()); ++i) {
@@ -177,7 +134,7 @@ class BacklashFollower::Branch {
       if (rho.c < kLeastCosine) fault = Fault::over_folded;
       if (now > 0) continue;
       if (fault == Fault::none) fault = Fault::assignment_flipped;
-      const double share = looked_ > 0 ? before / (before - now) : 1;
+      const double share = stations_ > 0 ? before / (before - now) : 1;
       flipped_deg = std::max(flipped_deg, last_deg_ + share * (pilot_deg - last_deg_));
     }
     flipped_deg_ = flipped_deg < 0 && fault != Fault::none ? pilot_deg : flipped_deg;
@@ -186,7 +143,7 @@ class BacklashFollower::Branch {
 
   // Whether a crease has passed 0 since the last station, and where. Next to a limit point creases
   // are linear in the root of the pilot's distance from it, where the last state believed lies.
-  void look_before_the_turn() {
+  void find_flip_before_turn() {
     const double limit_deg = follower_.sheet_.start_deg - path_.fold_limit_deg;
     for (int i = 0; i < static_cast<int>(mechanism_.creases.size()); ++i) {
       if (i == mechanism_.pilot) continue;
@@ -198,11 +155,11 @@ class BacklashFollower::Branch {
     }
   }
 
-  Fault look_at_diagonals() {
+  Fault check_diagonals() {
     std::swap(lengths_, last_lengths_);
     lengths_.resize(last_lengths_.size());
     folded_lengths(mechanism_, follower_.loose_, state_(), lengths_.data());
-    if (looked_ == 0) return Fault::none;
+    if (stations_ == 0) return Fault::none;
     const int up = is_up_ ? 1 : -1;
     for (std::size_t k = 0; k < lengths_.size(); ++k) {
       const double step = up * follower_.sheet_.directions[k] * (lengths_[k] - last_lengths_[k]);
@@ -216,48 +173,13 @@ class BacklashFollower::Branch {
   const PathPlan& plan_;
   const bool is_up_, only_whether_;
   std::function<const FoldState<double>&()> state_;  // the last one that was believed
-  int looked_ = 0;
+  int stations_ = 0;
   Fault fault_ = Fault::none;
   double one_way_deg_ = 0, last_deg_ = 0, flipped_deg_ = 0, gap_ = 0;
   std::vector<double> lengths_, last_lengths_, half_sines_;
   FoldState<double> first_;
   PathResult path_{};
 };
-
-BacklashStart prepare_backlash(const Model& model, const FlatVertices& vertices_mm,
-                               const BacklashOptions& options) {
-  const Mechanism& mechanism = model.mechanism();
-  BacklashStart sheet;
-  place(mechanism, vertices_mm, sheet.geometry);
-  std::vector<std::pair<Station, FoldState<double>>> samples;
-  const StationVisitor keep = [&](const Station& station, const PathPoint& point) {
-    if (station.sample > 0) samples.emplace_back(station, point.state);
-  };
-  sheet.own_sample = record_history(model, vertices_mm, &keep).verdict.deploys_from_sample;
-  sheet.own_deg = sheet.own_sample * model.sample_deg();
-  sheet.shortest_crease_widths = std::numeric_limits<double>::infinity();
-  for (const Crease& crease : mechanism.creases) {
-    const double length =
-        distance(flat_point(sheet.geometry, crease.a), flat_point(sheet.geometry, crease.b));
-    sheet.shortest_crease_widths = std::min(sheet.shortest_crease_widths, length);
-  }
-  if (sheet.own_deg <= options.from_deg) return sheet;
-  const double middle_deg = 0.5 * (options.from_deg + sheet.own_deg);
-  std::vector<double> before(mechanism.diagonals.size()), lengths(before);
-  flat_lengths(mechanism, sheet.geometry, before.data());
-  for (const auto& [station, state] : samples) {
-    if (station.sample > sheet.own_sample) break;
-    if (std::abs(station.pilot_deg - middle_deg) < std::abs(sheet.start_deg - middle_deg)) {
-      sheet.start_deg = station.pilot_deg;
-      sheet.start = state;
-    }
-    folded_lengths(mechanism, sheet.geometry, state, lengths.data());
-  }
-  for (std::size_t k = 0; k < lengths.size(); ++k) {
-    sheet.directions.push_back(lengths[k] > before[k] ? 1 : -1);
-  }
-  return sheet;
-}
 
 BacklashFollower::BacklashFollower(const Model& model, const BacklashStart& sheet,
                                    const BacklashOptions& options)

@@ -8,33 +8,25 @@
 #include <vector>
 
 #include "solver/kinematics/loose_sheet.hpp"
-#include "solver/model/model.hpp"
+#include "solver/play/backlash_start.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {
 
-struct BacklashOptions {
-  /// Pilot angles from here to D count. Below, springs that are relaxed when flat hardly pull:
-  /// their moment falls with the cube of the angle, to 1/370 of that at 36 degrees.
-  double from_deg = 5;
-  /// Between the angles below `from_deg` at which the assignment is looked at.
-  double flat_step_deg = 0.1;
-};
-
-/// How the way down ends.
-enum class BranchEnd {
-  flat,          ///< it does not: the pilot comes to 0 with every crease on its side
-  turns,         ///< the pilot reaches a limit point, from which it opens again
-  other_branch,  ///< a crease passes 0, from mountain to valley or back
-  not_known      ///< a numerical failure: it was followed so far
-};
-
 /// One sheet with its joints settled in one way.
 struct BacklashTrial {
+  /// The end of the way down.
+  enum class BranchEnd {
+    flat,          ///< it does not: the pilot comes to 0 with every crease on its side
+    turns,         ///< the pilot reaches a limit point, from which it opens again
+    other_branch,  ///< a crease passes 0, from mountain to valley or back
+    not_known      ///< a numerical failure: it was followed so far
+  };
+
   bool is_known = true;  ///< false: a numerical failure
   /// The range round the start in which every sample is in order: the path exists, no crease
   /// passes 180 degrees, each keeps its sign and each diagonal goes on as the sheet's own does.
-  /// from_deg to D at the widest; as far as it was looked at.
+  /// from_deg to D at the widest; as far as it was followed.
   double one_way_from_deg = 0, one_way_to_deg = 0;
   Fault fault = Fault::none;  ///< what ends it within from_deg to D; above, if both ends do
   double lost_deg = 0;        ///< where the branch ends on the way down; only if asked for
@@ -43,21 +35,6 @@ struct BacklashTrial {
 
   bool moves_one_way() const { return is_known && fault == Fault::none; }
 };
-
-/// The sheet itself: what its trials start from and are compared with.
-struct BacklashStart {
-  SheetGeometry<double> geometry;
-  int own_sample = 0;  ///< D; what follows is only there if that lies above from_deg
-  double own_deg = 0;
-  double start_deg = 0;         ///< a sample, about half way between
-  FoldState<double> start;      ///< there
-  std::vector<int> directions;  ///< of each diagonal from from_deg to D: +1 lengthens
-  double shortest_crease_widths = 0;
-};
-
-/// Follows the sheet's own path.
-BacklashStart prepare_backlash(const Model& model, const FlatVertices& vertices_mm,
-                               const BacklashOptions& options);
 
 /// Judges one sheet with its joints here and there. Owns its memory.
 class BacklashFollower {

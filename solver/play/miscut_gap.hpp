@@ -11,7 +11,7 @@ namespace misalign::solver {
 
 struct MiscutGap {
   double amplitude_mm = 0;
-  std::vector<double> pilot_deg;  ///< where copies were looked at
+  std::vector<double> pilot_deg;  ///< where copies were measured
   /// Copies x angles: the joint that is farthest open, a crease at the end where it is. With a
   /// play of that radius, or panels that bend by so much, the copy folds.
   Eigen::MatrixXd open_mm;

@@ -27,18 +27,18 @@ struct MiscutCopies {
   double mean_sample() const;
 };
 
-struct VertexTolerance {
-  int vertex;
-  MiscutCopies copies;  ///< in which this vertex alone is off its place
-};
-
 struct Tolerance {
+  struct Vertex {
+    int vertex;
+    MiscutCopies copies;  ///< in which this vertex alone is off its place
+  };
+
   double amplitude_mm;
   double sample_deg, threshold_deg;
   int threshold_sample;
   int own_sample;  ///< D of the sheet itself
   MiscutCopies copies;
-  std::vector<VertexTolerance> vertices;  ///< the most harmful first; none if not asked for
+  std::vector<Vertex> vertices;  ///< the most harmful first; none if not asked for
 
   /// Copies that deploy from the campaign's threshold.
   std::uint64_t survivors() const { return copies.from(threshold_sample); }

@@ -4,10 +4,20 @@
 #include <cmath>
 
 namespace misalign::solver {
+namespace {
 
-ArcLength::ArcLength(const Mechanism& mechanism, const ArcLengthOptions& options)
-    : options_(options),
-      system_(mechanism),
+// Steps are Euclidean norms over all unknowns; below the shortest the walk has stalled.
+constexpr double kLongestStep_rad = 0.1, kShortestStep_rad = 1e-9;
+constexpr int kMaxSteps = 5000, kMaxCorrections = 8;
+// 15 degrees between the tangents of neighbouring points.
+constexpr double kLeastTangentCosine = 0.966;
+// The pilot's largest value is known to within 6e-8 degrees; 0.001 is asked for.
+constexpr double kTurnTolerance_rad = 1e-9;
+
+}  // namespace
+
+ArcLength::ArcLength(const Mechanism& mechanism)
+    : system_(mechanism),
       solve_(mechanism.unknowns),
       bordered_(mechanism.unknowns, mechanism.unknowns),
       rhs_(mechanism.unknowns),
@@ -30,15 +40,15 @@ ArcLength::Result ArcLength::walk(const SheetGeometry<double>& geometry,
   update_tangent(next_tangent_, tangent_);
   orientation_ = solve_.determinant_sign();
   const double gap = 2 * half_sine_between(target, state.creases[pilot]);
-  double ds = std::min(options_.longest_step_rad, 0.5 * gap / tangent_[p]);
+  double ds = std::min(kLongestStep_rad, 0.5 * gap / tangent_[p]);
   double bend = 0;  // fall of the tangent's pilot entry per unit of length, once a turn was passed
 
-  for (int steps = 1; steps <= options_.max_steps; ++steps) {
-    if (bend > 0 && ds * tangent_[p] < options_.turn_tolerance_rad) {
+  for (int steps = 1; steps <= kMaxSteps; ++steps) {
+    if (bend > 0 && ds * tangent_[p] < kTurnTolerance_rad) {
       const double limit = angle_deg(state.creases[pilot]) + 0.5 * ds * tangent_[p] / kRadPerDeg;
       return {End::turned, limit, steps};
     }
-    if (ds < options_.shortest_step_rad) return {End::stalled, 0, steps};
+    if (ds < kShortestStep_rad) return {End::stalled, 0, steps};
     if (!step(geometry, state, ds)) {
       ds *= 0.5;
       continue;
@@ -52,7 +62,7 @@ ArcLength::Result ArcLength::walk(const SheetGeometry<double>& geometry,
       continue;
     }
     if (next_tangent_[p] <= 0) {
-      if (ds * std::max(tangent_[p], -next_tangent_[p]) < options_.turn_tolerance_rad) {
+      if (ds * std::max(tangent_[p], -next_tangent_[p]) < kTurnTolerance_rad) {
         return {End::turned, angle_deg(state.creases[pilot]), steps};
       }
       bend = (tangent_[p] - next_tangent_[p]) / ds;
@@ -61,9 +71,9 @@ ArcLength::Result ArcLength::walk(const SheetGeometry<double>& geometry,
     }
     std::swap(state, trial_);
     std::swap(tangent_, next_tangent_);
-    ds = bend > 0 ? tangent_[p] / bend : std::min(1.5 * ds, options_.longest_step_rad);
+    ds = bend > 0 ? tangent_[p] / bend : std::min(1.5 * ds, kLongestStep_rad);
   }
-  return {End::stalled, 0, options_.max_steps};
+  return {End::stalled, 0, kMaxSteps};
 }
 
 // From `from` by `ds` along tangent_ to the next point of the same curve, in trial_ with its
@@ -78,14 +88,14 @@ bool ArcLength::step(const SheetGeometry<double>& geometry, const FoldState<doub
   if (!correct(geometry)) return false;
   update_tangent(tangent_, next_tangent_);
   return solve_.determinant_sign() == orientation_ &&
-         tangent_.dot(next_tangent_) >= options_.least_tangent_cosine;
+         tangent_.dot(next_tangent_) >= kLeastTangentCosine;
 }
 
 // Newton on trial_ in the plane across tangent_; leaves the Jacobian of the solution in system_.
 bool ArcLength::correct(const SheetGeometry<double>& geometry) {
   const Mechanism& mechanism = system_.mechanism();
   double last_open = 0;
-  for (int k = 0; k <= options_.max_corrections; ++k) {
+  for (int k = 0; k <= kMaxCorrections; ++k) {
     const double open = system_.evaluate(geometry, trial_);
     if (!system_.residual().allFinite()) return false;
     if (open <= NewtonOptions{}.closure_tolerance) return true;

@@ -7,22 +7,12 @@
 
 namespace misalign::solver {
 
-struct ArcLengthOptions {
-  double longest_step_rad = 0.1;        ///< Euclidean norm over all unknowns
-  double shortest_step_rad = 1e-9;      ///< below it the walk has stalled
-  double least_tangent_cosine = 0.966;  ///< 15 degrees between the tangents of neighbouring points
-  int max_corrections = 8;
-  int max_steps = 5000;
-  /// How well the pilot's largest value is known: 6e-8 degrees; 0.001 is asked for.
-  double turn_tolerance_rad = 1e-9;
-};
-
 class ArcLength {
  public:
   enum class End {
     reached,  ///< the pilot came to the target
     turned,   ///< the pilot's tangent changed sign before it
-    stalled   ///< steps shorter than shortest_step_rad, or more than max_steps
+    stalled   ///< steps became too short, or too many
   };
 
   struct Result {
@@ -31,7 +21,7 @@ class ArcLength {
     int steps;
   };
 
-  explicit ArcLength(const Mechanism& mechanism, const ArcLengthOptions& options = {});
+  explicit ArcLength(const Mechanism& mechanism);
 
   /// Walks from `state`, a solution whose pilot is below `target`, in the direction of growing
   /// pilot. `forward_sign` is the determinant's sign on this half of the curve; `newton` lands on
@@ -47,7 +37,6 @@ class ArcLength {
   bool land(const SheetGeometry<double>& geometry, const HalfAngle<double>& target,
             int forward_sign, double step, const FoldState<double>& from, Newton& newton);
 
-  ArcLengthOptions options_;
   ClosureSystem system_;
   DenseSolve solve_;
   Eigen::MatrixXd bordered_;

@@ -120,11 +120,11 @@ class Studies {
     const double reach_deg =
         first ? std::min(deploys_from_deg_, first->pilot_deg - 1) : deploys_from_deg_;
     const double x = std::min(motion->way().x_of(reach_deg), motion->resolved_until());
-    const Clearance clearance = finder.clearance(x / 2);
+    const ContactFinder::Clearance clearance = finder.clearance(x / 2);
     put("apart", clearance.apart_mm / unit_);
     put("vertex", clearance.vertex_deg);
     put("crease", clearance.crease_deg);
-    const PlateThickness plates = largest_thickness(panels_, *motion, x, {2 * unit_});
+    const PlateThickness plates = largest_thickness(panels_, *motion, x, 2 * unit_);
     put("clear", plates.clear_mm / unit_);
     put("taper", plates.taper_mm / unit_);
   }

@@ -150,7 +150,7 @@ class Sweeper {
       if (motion.way().x_of(pilot_deg) > motion.resolved_until()) continue;
       const Eigen::Matrix3Xd corners_mm = shapes.corners_mm(pilot_deg);
       for (int panel = 0; panel < motion.panels(); ++panel) {
-        const solver::PanelPose pose = motion.pose(motion.way().x_of(pilot_deg), panel);
+        const solver::PanelMotion::Pose pose = motion.pose(motion.way().x_of(pilot_deg), panel);
         Eigen::Matrix3Xd ours_mm =
             (pose.rotation * motion.corners_mm(panel)).colwise() + pose.shift_mm;
         ours_mm.row(2) *= model_.mechanism().side;
@@ -234,7 +234,7 @@ class Sweeper {
 
   static bool is_close(const solver::ContactFinder& finder, const solver::FoldingWay& way,
                        double pilot_deg) {
-    const solver::Clearance clearance = finder.clearance(way.x_of(pilot_deg));
+    const solver::ContactFinder::Clearance clearance = finder.clearance(way.x_of(pilot_deg));
     return clearance.apart_mm < kNear_mm || clearance.vertex_deg < kNear_deg;
   }
 

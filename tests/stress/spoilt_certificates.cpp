@@ -223,7 +223,7 @@ class Spoiler {
 bool spoil(const schema::Campaign& campaign, int times, std::size_t sheets) {
   search::DrawEvaluator evaluator(campaign);
   const solver::Model model = search::model_of(campaign);
-  solver::Certifier certifier(model), with_contact(model, {true});
+  solver::Certifier certifier(model), with_contact(model, true);
   std::vector<Certified> all;
   for (std::uint64_t lo = 0; all.size() < sheets; lo += evaluator.largest_block()) {
     std::uint64_t draw = lo;

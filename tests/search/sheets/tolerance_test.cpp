@@ -70,7 +70,7 @@ TEST_F(ToleranceTest, NoErrorNoLossSlow) {
     EXPECT_EQ(tolerance.survivors(), 20u);
     EXPECT_EQ(tolerance.mean_loss_deg(tolerance.copies), 0);
     EXPECT_EQ(tolerance.vertices.size(), 25u);
-    for (const solver::VertexTolerance& vertex : tolerance.vertices) {
+    for (const solver::Tolerance::Vertex& vertex : tolerance.vertices) {
       EXPECT_EQ(vertex.copies.from(150), 20u);
       EXPECT_EQ(tolerance.mean_loss_deg(vertex.copies), 0);
     }

@@ -110,11 +110,11 @@ TEST_F(Bent, Derivatives) {
   for (Index i = 0; i < at_mm.size(); ++i) at_mm.data()[i] += off_mm(random);
   const VectorXd relaxed_mm = 0.99 * sheet.flat_lengths_mm();
   const auto energy_at = [&](const Matrix3Xd& place_mm) {
-    ElasticEnergy energy = sheet.panels_energy(place_mm);
+    ElasticSheet::Energy energy = sheet.panels_energy(place_mm);
     sheet.add_springs(place_mm, 20, relaxed_mm, energy);
     return energy;
   };
-  ElasticEnergy energy = energy_at(at_mm);
+  ElasticSheet::Energy energy = energy_at(at_mm);
   MatrixXd turned = MatrixXd::Zero(sheet.coordinates(), sheet.coordinates());
   sheet.add_turned_bend(at_mm, 1, turned);
   const VectorXd turned_slope = sheet.turned_slope(at_mm), saddles = sheet.saddles_mm(at_mm);
@@ -125,7 +125,7 @@ TEST_F(Bent, Derivatives) {
     Matrix3Xd above = at_mm, below = at_mm;
     above.data()[i] += kStep;
     below.data()[i] -= kStep;
-    const ElasticEnergy up = energy_at(above), down = energy_at(below);
+    const ElasticSheet::Energy up = energy_at(above), down = energy_at(below);
     EXPECT_NEAR((up.n_mm - down.n_mm) / (2 * kStep), energy.slope(i), 1e-6 * energy.slope.norm());
     EXPECT_LT(((up.slope - down.slope) / (2 * kStep) - energy.bend.col(i)).norm(),
               1e-6 * energy.bend.norm());
@@ -150,7 +150,7 @@ TEST_F(Bent, Derivatives) {
 TEST_F(Bent, FoldedSheetIsRelaxed) {
   const ElasticSheet sheet = panels();
   const Matrix3Xd at_mm = folded(36);
-  const ElasticEnergy energy = sheet.panels_energy(at_mm);
+  const ElasticSheet::Energy energy = sheet.panels_energy(at_mm);
   EXPECT_LT(energy.n_mm, 1e-12);
   EXPECT_LT(energy.slope.norm(), 1e-5);
   VectorXd angles, rates;
@@ -173,15 +173,15 @@ TEST_F(Bent, NewtonAndLinear) {
     return bend_far(sheet, at_mm, {n_per_mm, sheet.flat_lengths_mm()}).value();
   };
   const DiagonalSprings weak{1e-4, sheet.flat_lengths_mm()};
-  const FarBentState far = bent_at(36, 1e-4);
+  const BentFollower::State far = bent_at(36, 1e-4);
   EXPECT_NEAR(far.n_mm / bend(find_compliance(sheet, folded(36)).value(), weak).n_mm, 1, 1e-5);
-  const FarBentState middle = bent_at(36, 50), above = bent_at(36.01, 50),
-                     below = bent_at(35.99, 50);
+  const BentFollower::State middle = bent_at(36, 50), above = bent_at(36.01, 50),
+                            below = bent_at(35.99, 50);
   const double turned_mm = sheet.turned_mm(folded(36.01)) - sheet.turned_mm(folded(35.99));
   EXPECT_NEAR((above.n_mm - below.n_mm) / turned_mm / middle.moment_n, 1, 1e-5);
   EXPECT_NEAR(sheet.turned_mm(middle.at_mm), sheet.turned_mm(folded(36)), 1e-8);
   // At rest: what is left of all forces is the multiplier's.
-  ElasticEnergy energy = sheet.panels_energy(middle.at_mm);
+  ElasticSheet::Energy energy = sheet.panels_energy(middle.at_mm);
   sheet.add_springs(middle.at_mm, 50, sheet.flat_lengths_mm(), energy);
   const VectorXd left_n = energy.slope - middle.moment_n * sheet.turned_slope(middle.at_mm);
   EXPECT_LT(left_n.norm(), 1e-7 * middle.forces_n.norm());

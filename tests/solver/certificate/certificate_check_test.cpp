@@ -133,7 +133,7 @@ TEST(CertificateCheck, proves_that_panels_do_not_meet) {
   const FlatVertices vertices_mm = sheet.shifted(golden("table1_odd.json").at("displacements_mm"));
   const Model model(sheet.base);
   Certificate certificate =
-      as_kept(sheet.mechanism, Certifier(model, {true}).certify(vertices_mm, 15));
+      as_kept(sheet.mechanism, Certifier(model, true).certify(vertices_mm, 15));
   EXPECT_EQ(certificate.end, CertificateEnd::to_the_end);
   EXPECT_TRUE(certificate.contact);
   const auto fault_of = [&] {
@@ -353,7 +353,7 @@ class PoseClosureAtMiddle : public ::testing::TestWithParam<bool> {
     const auto& intervals = over_folding().certificate.intervals;
     place(mechanism, over_folding().vertices_mm, geometry);
     IntervalProver prover(mechanism, over_folding().vertices_mm);
-    const auto nothing = [](const ProvenInterval&, const ProvenSubinterval&) {
+    const auto nothing = [](const ProvenInterval&, const ProvenInterval::Subinterval&) {
       return Proof::holds;
     };
     EXPECT_EQ(prover.prove(GetParam() ? intervals.front() : intervals.back(), nothing, proven),

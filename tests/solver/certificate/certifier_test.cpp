@@ -231,7 +231,7 @@ TEST(CertificateBytes, are_refused_where_they_are_none) {
 TEST(GradedClosure, has_the_jacobian_of_its_residual) {
   const PaperSheet& sheet = paper();
   const Mechanism& mechanism = sheet.mechanism;
-  const std::vector<JacobianColumn> columns = columns_of(mechanism);
+  const std::vector<Krawczyk::Column> columns = Krawczyk(mechanism).columns();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> small(-0.01, 0.01);
   for (const std::size_t k : {std::size_t{0}, sheet.certificate.intervals.size() - 1}) {
@@ -259,7 +259,7 @@ TEST(GradedClosure, has_the_jacobian_of_its_residual) {
       for (std::size_t i = 0; i < behind.size(); ++i) {
         difference[i] = (difference[i] - behind[i]) / (2 * kStep);
       }
-      const JacobianColumn& column = columns[static_cast<std::size_t>(j)];
+      const Krawczyk::Column& column = columns[static_cast<std::size_t>(j)];
       for (std::size_t e = 0; e < column.rows.size(); ++e) {
         // Rounding over the step, and the step's square.
         double& there = difference[static_cast<std::size_t>(column.rows[e])];

@@ -72,7 +72,7 @@ struct UnshiftedMiura : testing::Test {
         motion(resolved_motion(folded).value()) {}
 
   PlateThickness thickness(double reach_deg, double trim_mm) const {
-    return largest_thickness(panels, motion, motion.way().x_of(reach_deg), {trim_mm});
+    return largest_thickness(panels, motion, motion.way().x_of(reach_deg), trim_mm);
   }
 
   const TestSheet sheet{4, 4};
@@ -93,7 +93,7 @@ TEST_F(UnshiftedMiura, MeetsNowhereBeforeItIsFoldedFlat) {
   // Panels of one row, two columns apart, stay parallel: w sin(alpha) sin(rho) between their
   // planes. No others without a common vertex are closer.
   for (const double pilot_deg : {120.0, 150.0, 170.0, 179.0}) {
-    const Clearance least = finder.clearance(motion.way().x_of(pilot_deg));
+    const ContactFinder::Clearance least = finder.clearance(motion.way().x_of(pilot_deg));
     EXPECT_NEAR(least.apart_mm, 80 * std::sin(sector_rad) * std::sin(pilot_deg * kRadPerDeg), 1e-9);
     EXPECT_NEAR(least.crease_deg, 180 - pilot_deg, 1e-9);
   }
@@ -108,7 +108,7 @@ TEST_F(UnshiftedMiura, ThicknessThatTrimsAllow) {
       const double least_mm =
           2 * trim_mm * std::sin(sector_rad / 2) * std::sin(reach_deg * kRadPerDeg);
       const PlateThickness plates = thickness(reach_deg, trim_mm);
-      EXPECT_EQ(plates.limit, ThicknessLimit::vertex);
+      EXPECT_EQ(plates.limit, PlateThickness::Limit::vertex);
       EXPECT_NEAR(plates.pilot_deg, reach_deg, 1e-9);
       EXPECT_LE(plates.thickness_mm, least_mm);
       EXPECT_NEAR(plates.thickness_mm, least_mm, 1.001e-3 * least_mm);  // its slack, and a little

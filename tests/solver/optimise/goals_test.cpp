@@ -116,7 +116,7 @@ TEST_F(Goals, DistancesChangeAsTheySay) {
     const Sheet own(solver_, next_start());
     const double pilot_deg = angle_deg(random_);
     PathGradients gradients(own);
-    const VertexGradients folded = *gradients.vertices(pilot_deg);
+    const PathGradients::Shape folded = *gradients.vertices(pilot_deg);
     Matrix2Xd direction(2, own.shifts_mm().cols());
     for (double& entry : direction.reshaped()) entry = part(random_);
     constexpr double kStep_mm = 1e-3;
@@ -124,8 +124,8 @@ TEST_F(Goals, DistancesChangeAsTheySay) {
       const Sheet other(solver_, own.shifts_mm() + steps * kStep_mm * direction);
       return *PathGradients(other).vertices(pilot_deg);
     };
-    const VertexGradients low = pose(-1), high = pose(1);
-    const auto panel = [&](const VertexGradients& where, int k) {
+    const PathGradients::Shape low = pose(-1), high = pose(1);
+    const auto panel = [&](const PathGradients::Shape& where, int k) {
       PolygonCorners corners(3, 4);
       for (int c = 0; c < 4; ++c) {
         corners.col(c) = where.at_mm.col(
@@ -136,10 +136,10 @@ TEST_F(Goals, DistancesChangeAsTheySay) {
     const auto flat = trimmed_panels(own.panels(), own.way()->from_a1_mm(), 0);
     for (const PanelPair& pair : pairs_of(own.panels())) {
       if (pair.kind != ContactKind::apart) continue;
-      const DistanceGradient found =
+      const LengthGradient found =
           distance_gradient(own, folded, pair.a, pair.b, flat[static_cast<std::size_t>(pair.a)],
                             flat[static_cast<std::size_t>(pair.b)]);
-      const auto distance = [&](const VertexGradients& where) {
+      const auto distance = [&](const PathGradients::Shape& where) {
         return separation_of(panel(where, pair.a), panel(where, pair.b)).distance;
       };
       EXPECT_NEAR(found.mm, distance(folded), 1e-9);

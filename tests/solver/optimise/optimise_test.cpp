@@ -36,9 +36,10 @@ TEST_F(Optimising, TheLocalModelForeseesItsNeighbours) {
       ASSERT_EQ(there.rows.size(), model.rows.size());
       double worst = 0;
       for (std::size_t k = 0; k < model.rows.size(); ++k) {
-        const LocalRow& row = model.rows[k];
+        const LocalModel::Row& row = model.rows[k];
         // A fold limit's place changes unevenly next to where it is flat folded.
-        if (row.kind == LocalRow::Kind::fold_limit || row.pilot_deg != there.rows[k].pilot_deg)
+        if (row.kind == LocalModel::Row::Kind::fold_limit ||
+            row.pilot_deg != there.rows[k].pilot_deg)
           continue;
         worst = std::max(worst, std::abs(row.slack + row.row.dot(change_mm) - there.rows[k].slack));
       }
@@ -112,7 +113,7 @@ TEST_F(Optimising, FreeShiftsGoOnFromTernaryOnes) {
   const Sheet end(solver_, found.best().shifts_mm);
   EXPECT_LE(end.metrics()->stroke_max, 0.03);
   ASSERT_TRUE(found.limits);
-  if (found.stop_reason != StopReason::no_step_is_better) return;
+  if (found.stop_reason != Optimised::StopReason::no_step_is_better) return;
   EXPECT_GT(found.limits->per_share_of_stroke + found.limits->per_mm_of_amplitude, 0);
 }
 

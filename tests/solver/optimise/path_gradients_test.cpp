@@ -114,7 +114,7 @@ TEST(PathGradients, EqualDifferencesBetweenWays) {
     ASSERT_TRUE(own.way());
     PathGradients gradients(own);
     for (const double pilot_deg : {5.0, 36.0, 100.0}) {
-      const AngleGradients found = *gradients.at(pilot_deg);
+      const PathGradients::AtAngle found = *gradients.at(pilot_deg);
       FoldState<double> state = own.way()->stations().front().state;
       own.way()->find_state(own.way()->x_of(pilot_deg), state);
       for (Eigen::Index k = 0; k < 2 * shifts_mm.cols(); ++k) {
@@ -154,7 +154,7 @@ TEST(PathGradients, FoldLimitsMoveAsTheySay) {
     const Sheet own(solver, shifts_mm);
     if (!own.way() || !own.way()->ends_at_limit()) continue;
     ++limits;
-    const LimitGradient found = *PathGradients(own).fold_limit();
+    const PathGradients::AtLimit found = *PathGradients(own).fold_limit();
     Eigen::Matrix2Xd direction = Eigen::Matrix2Xd::Zero(2, shifts_mm.cols());
     for (const int vertex : sheet.shifted_vertices) {
       direction.col(vertex) << shift(random), shift(random);
@@ -203,7 +203,7 @@ TEST_P(PathGradientsOfFamilies, EqualDualNumbersAndDifferences) {
     const auto at_angle = gradients.at(pilot_deg);
     ASSERT_TRUE(at_angle) << "sheet " << trial << " at " << pilot_deg << " of "
                           << own.way()->end_deg();
-    const AngleGradients& found = *at_angle;
+    const PathGradients::AtAngle& found = *at_angle;
     const Eigen::Map<const Eigen::VectorXd> along(direction.data(), direction.size());
     FoldState<double> state = own.way()->stations().front().state;
     own.way()->find_state(own.way()->x_of(pilot_deg), state);
@@ -217,7 +217,7 @@ TEST_P(PathGradientsOfFamilies, EqualDualNumbersAndDifferences) {
     worst = std::max(worst, (by - foreseen).norm() / foreseen.norm());
     const Eigen::VectorXd dual = changing(model, own.vertices_mm(), direction, state);
     worst_dual = std::max(worst_dual, (dual - foreseen).norm() / foreseen.norm());
-    const SlopeGradients slopes = *gradients.slopes(pilot_deg);
+    const PathGradients::Slopes slopes = *gradients.slopes(pilot_deg);
     const Eigen::VectorXd slope = by_pilot(model, state, [&](const FoldState<double>& there) {
       return folded(model, own.vertices_mm(), there);
     });
@@ -230,7 +230,7 @@ TEST_P(PathGradientsOfFamilies, EqualDualNumbersAndDifferences) {
     ++limits;
     const auto at_limit = gradients.fold_limit();
     ASSERT_TRUE(at_limit) << "sheet " << trial;
-    const LimitGradient& limit = *at_limit;
+    const PathGradients::AtLimit& limit = *at_limit;
     // Where another limit comes up before this one its place jumps, and has no derivative.
     bool jumps = false;
     const double moves = difference(

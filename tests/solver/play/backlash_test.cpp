@@ -331,13 +331,14 @@ TEST(Backlash, StretchesAndLostBranchesAreThoseOfPanels) {
     }
     EXPECT_DOUBLE_EQ(judged.one_way_from_deg, panels.one_way_from()) << "trial " << trial;
     // Turns are located to 1e-7 degrees; creases that go over, along a chord of 0.1 degrees.
-    EXPECT_NEAR(judged.lost_deg, panels.lost_deg(), judged.lost == BranchEnd::turns ? 1e-5 : 5e-3)
+    EXPECT_NEAR(judged.lost_deg, panels.lost_deg(),
+                judged.lost == BacklashTrial::BranchEnd::turns ? 1e-5 : 5e-3)
         << "trial " << trial;
     EXPECT_GT(judged.gap_widths * kWidth_mm / backlash_mm, 0.1);
     EXPECT_LT(judged.gap_widths * kWidth_mm / backlash_mm, 8) << "two of each of four joints";
     one_way += judged.moves_one_way();
-    turned += judged.lost == BranchEnd::turns;
-    crossed += judged.lost == BranchEnd::other_branch;
+    turned += judged.lost == BacklashTrial::BranchEnd::turns;
+    crossed += judged.lost == BacklashTrial::BranchEnd::other_branch;
     EXPECT_EQ(follower.trial(offsets, backlash_mm / kWidth_mm, true).moves_one_way(),
               judged.moves_one_way());
   }
@@ -375,7 +376,7 @@ TEST(Backlash, LostAngleGoesLikeTheRootOfThePlay) {
   double last_deg = 0;
   for (const double backlash_mm : {1e-4, 4e-4, 16e-4}) {
     const BacklashTrial trial = follower.trial(offsets, backlash_mm / kWidth_mm, false);
-    ASSERT_EQ(trial.lost, BranchEnd::turns);
+    ASSERT_EQ(trial.lost, BacklashTrial::BranchEnd::turns);
     if (last_deg > 0) {
       EXPECT_NEAR(trial.lost_deg / last_deg, 2, 0.05);
     }

@@ -1,4 +1,4 @@
-#include "solver/optimise/spring_changes.hpp"
+#include "solver/optimise/sheet_changes.hpp"
 
 namespace misalign::solver {
 
@@ -13,12 +13,12 @@ SpringChanges::SpringChanges(SheetChanges& changes)
           side_.cwiseProduct(springs().preload.forces_n(changes.sheet.mechanism().diagonals))),
       rest_mm_(changes.flat.length_mm),
       rest_by_mm_(changes.flat.length_by_mm) {
-  const auto rests_at = [&](const AngleGradients& there, Eigen::Index d) {
+  const auto rests_at = [&](const PathGradients::AtAngle& there, Eigen::Index d) {
     rest_mm_(d) = there.length_mm(d);
     rest_by_mm_.row(d) = there.length_by_mm.row(d);
   };
   if (springs().rest_deg > 0) {
-    const AngleGradients there = changes.at(springs().rest_deg);
+    const PathGradients::AtAngle there = changes.at(springs().rest_deg);
     for (Eigen::Index d = 0; d < rest_mm_.size(); ++d) rests_at(there, d);
   }
   for (const auto& [diagonal, rest_deg] : springs().other_rests_deg) {
@@ -26,17 +26,19 @@ SpringChanges::SpringChanges(SheetChanges& changes)
   }
 }
 
-VectorXd SpringChanges::forces_n(const AngleGradients& here) const {
+VectorXd SpringChanges::forces_n(const PathGradients::AtAngle& here) const {
   return n_per_mm() * (here.length_mm - rest_mm_) + preload_n_;
 }
 
-VectorXd SpringChanges::forces_row(const AngleGradients& here, const VectorXd& weights) const {
+VectorXd SpringChanges::forces_row(const PathGradients::AtAngle& here,
+                                   const VectorXd& weights) const {
   return changes_.variables.row(
       n_per_mm() * weights.transpose() * (here.length_by_mm - rest_by_mm_),
       weights.dot(here.length_mm - rest_mm_), weights.dot(side_));
 }
 
-VectorXd SpringChanges::energy_row(const AngleGradients& here, const VectorXd& forces_n) const {
+VectorXd SpringChanges::energy_row(const PathGradients::AtAngle& here,
+                                   const VectorXd& forces_n) const {
   const VectorXd longer_mm = forces_n / n_per_mm();
   return changes_.variables.row(
       forces_n.transpose() * (here.length_by_mm - rest_by_mm_),

@@ -1,0 +1,107 @@
+#include "solver/bending/elastic_panel.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Matrix3d cross_with(const Vector3d& a) {
+  Matrix3d matrix;
+  matrix << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return matrix;
+}
+
+}  // namespace
+
+// The shear angle of a parallelogram with sides a, b and diagonals d1, d2: of d2^2 - d1^2 =
+// -4 a b cos, without what comes from longer sides.
+ElasticPanel::ElasticPanel(const std::array<Eigen::Vector2d, 4>& corners_mm,
+                           const std::array<bool, 4>& is_straight, const PanelMaterial& material,
+                           double thickness_mm, double stiffer)
+    : corners_mm_(corners_mm),
+      is_straight_(is_straight),
+      material_(material),
+      thickness_mm_(thickness_mm) {
+  const double e = material.e_mpa(), nu = material.poisson, t = thickness_mm;
+  const SaddlePlate saddle = bend_into_saddle(corners_mm, is_straight, nu);
+  area_mm2_ = saddle.area_mm2;
+  const double thin = 1 + kFreeEdge * t * saddle.perimeter_mm / saddle.area_mm2;
+  saddle_n_per_mm_ = e * t * t * t / 12 / (1 - nu * nu) * saddle.stiffness / thin;
+  const double modulus_n_per_mm = stiffer * e * t;
+  const Eigen::Vector2d one = corners_mm[2] - corners_mm[0], other = corners_mm[3] - corners_mm[1];
+  const double cotangent = (one.squaredNorm() - other.squaredNorm()) / (4 * area_mm2_);
+  for (int i = 0; i < 6; ++i) {
+    const int from = i < 4 ? i : i - 4, to = i < 4 ? (i + 1) % 4 : i - 2;
+    const double length = (corners_mm[to] - corners_mm[from]).norm();
+    bars_[i] = {from, to, length};
+    if (i < 4) {
+      side_n_per_mm_[i] = kEdgeShare * modulus_n_per_mm * area_mm2_ / (length * length);
+      shear_[i] = cotangent / (4 * length * length);
+    }
+  }
+  shear_[4] = -1 / (4 * area_mm2_);
+  shear_[5] = 1 / (4 * area_mm2_);
+  stretch_n_per_mm3_ = modulus_n_per_mm * volume_under_clamped(corners_mm) / std::pow(area_mm2_, 4);
+  shear_n_mm_ = modulus_n_per_mm / (2 * (1 + nu)) * area_mm2_;
+}
+
+double ElasticPanel::stress_mpa_per_mm() const {
+  const double nu = material_.poisson;
+  return material_.e_mpa() * thickness_mm_ / 2 / (1 - nu * nu) *
+         saddle_stress(corners_mm_, is_straight_, nu, kStressDegree);
+}
+
+// Six times the volume between the corners over the area.
+ElasticPanel::Function ElasticPanel::saddle(const Corners& p) const {
+  const double factor = 1 / area_mm2_;
+  const Vector3d a = p.col(1) - p.col(0), b = p.col(2) - p.col(0), c = p.col(3) - p.col(0);
+  Function of;
+  of.value = factor * a.dot(b.cross(c));
+  const std::array<Vector3d, 3> slopes{b.cross(c), c.cross(a), a.cross(b)};
+  const std::array<Vector3d, 3> arms{a, b, c};
+  for (int i = 0; i < 3; ++i) {
+    of.slope.segment<3>(3 * (i + 1)) = factor * slopes[i];
+    of.slope.head<3>() -= factor * slopes[i];
+    const int next = (i + 1) % 3, third = (i + 2) % 3;
+    const Matrix3d block = -factor * cross_with(arms[third]);  // d(slope i) / d(next)
+    of.bend.block<3, 3>(3 * (i + 1), 3 * (next + 1)) = block;
+    of.bend.block<3, 3>(3 * (next + 1), 3 * (i + 1)) = block.transpose();
+  }
+  for (int i = 1; i < 4; ++i) {  // the same for all moved together
+    const Matrix3d sum = of.bend.block<3, 3>(3 * i, 3) + of.bend.block<3, 3>(3 * i, 6) +
+                         of.bend.block<3, 3>(3 * i, 9);
+    of.bend.block<3, 3>(3 * i, 0) = -sum;
+    of.bend.block<3, 3>(0, 3 * i) = -sum.transpose();
+    of.bend.block<3, 3>(0, 0) += sum;
+  }
+  return of;
+}
+
+// Adds factor * (|to - from|^2 - flat^2).
+void ElasticPanel::add_square(double factor, const Bar& bar, const Corners& p, Function& sum) {
+  const auto [from, to, flat_mm] = bar;
+  const Vector3d along = p.col(to) - p.col(from);
+  sum.value += factor * (along.squaredNorm() - flat_mm * flat_mm);
+  sum.slope.segment<3>(3 * to) += 2 * factor * along;
+  sum.slope.segment<3>(3 * from) -= 2 * factor * along;
+  for (int d = 0; d < 3; ++d) {
+    sum.bend(3 * to + d, 3 * to + d) += 2 * factor;
+    sum.bend(3 * from + d, 3 * from + d) += 2 * factor;
+    sum.bend(3 * to + d, 3 * from + d) -= 2 * factor;
+    sum.bend(3 * from + d, 3 * to + d) -= 2 * factor;
+  }
+}
+
+ElasticPanel::Function ElasticPanel::squared(const Function& of) {
+  Function squared;
+  squared.value = of.value * of.value;
+  squared.slope = 2 * of.value * of.slope;
+  squared.bend = 2 * (of.slope * of.slope.transpose() + of.value * of.bend);
+  return squared;
+}
+
+}  // namespace misalign::solver

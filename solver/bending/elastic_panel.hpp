@@ -1,0 +1,87 @@
+// A panel that gives, as an elastic structure of its four corners: it bends into a saddle, and
+// stretches and shears a little in its plane.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "solver/bending/saddle_plate.hpp"
+
+namespace misalign::solver {
+
+/// The paper's, section 5: aluminium.
+struct PanelMaterial {
+  double e_gpa = 70;
+  double poisson = 0.33;
+
+  double e_mpa() const { return 1e3 * e_gpa; }
+};
+
+/// Along a side a panel gives like a strip with this share of its width: forces enter at corners.
+/// Chosen on Table 1 (results/bending/README.md), tested on other sheets.
+inline constexpr double kEdgeShare = 0.12;
+/// What a plate that twists loses at each edge (Saint-Venant): 0.315 t of its width.
+inline constexpr double kFreeEdge = 0.315;
+
+class ElasticPanel {
+ public:
+  using Corners = Eigen::Matrix<double, 3, 4>;
+  /// A function of the corners with its derivatives.
+  struct Function {
+    double value = 0;
+    Eigen::Matrix<double, 12, 1> slope = Eigen::Matrix<double, 12, 1>::Zero();
+    Eigen::Matrix<double, 12, 12> bend = Eigen::Matrix<double, 12, 12>::Zero();
+  };
+
+  /// The flat panel's corners as bend_into_saddle() has them. `stiffer`: times the stiffness in its
+  /// plane.
+  ElasticPanel(const std::array<Eigen::Vector2d, 4>& corners_mm,
+               const std::array<bool, 4>& is_straight, const PanelMaterial& material,
+               double thickness_mm, double stiffer);
+
+  double area_mm2() const { return area_mm2_; }
+  /// q.
+  Function saddle(const Corners& p) const;
+  /// K, N/mm.
+  double saddle_n_per_mm() const { return saddle_n_per_mm_; }
+  /// The largest von Mises stress at its faces for each mm of q, but next to its corners
+  /// (saddle_stress).
+  double stress_mpa_per_mm() const;
+
+  /// Calls use(stiffness, function) for each function whose square, times half the stiffness, is a
+  /// part of the energy.
+  template <class Use>
+  void each_elastic(const Corners& p, const Use& use) const {
+    Function shear;
+    for (int i = 0; i < 6; ++i) {
+      add_square(shear_[i], bars_[i], p, shear);
+      if (i >= 4) continue;
+      Function side;
+      add_square(1 / (2 * bars_[i].flat_mm), bars_[i], p, side);
+      use(side_n_per_mm_[i], side);
+    }
+    use(shear_n_mm_, shear);
+    const Function bent = saddle(p);
+    use(stretch_n_per_mm3_, squared(bent));
+    use(saddle_n_per_mm_, bent);
+  }
+
+ private:
+  struct Bar {  // between two corners
+    int from, to;
+    double flat_mm;
+  };
+  static void add_square(double factor, const Bar& bar, const Corners& p, Function& sum);
+  static Function squared(const Function& of);
+
+  std::array<Eigen::Vector2d, 4> corners_mm_;
+  std::array<bool, 4> is_straight_;  // from each corner to the next
+  PanelMaterial material_;
+  double thickness_mm_, area_mm2_, saddle_n_per_mm_;
+  std::array<Bar, 6> bars_;  // four sides, two diagonals
+  std::array<double, 4> side_n_per_mm_;
+  std::array<double, 6> shear_;  // of each bar's square: the panel's shear angle
+  double shear_n_mm_, stretch_n_per_mm3_;
+};
+
+}  // namespace misalign::solver
