@@ -1,6 +1,9 @@
-#include "solver/lanes/base_batch.hpp"
-
+// Batch of a model with spare equations: of sheets that fold by their base's own fold angles, in
+// closed form and without lanes.
+#include "solver/judging/base_judge.hpp"
 #include "solver/judging/sheet_queue.hpp"
+#include "solver/lanes/batch.hpp"
+#include "solver/lanes/lanes.hpp"
 #include "solver/records/base_history.hpp"
 
 namespace misalign::solver {
@@ -16,9 +19,31 @@ void for_each_sheet(const Model& model, const ShiftBlock& block, const Each& eac
   }
 }
 
-}  // namespace
+// No test rejects a sheet, and no path is followed: what takes time is the record of those that
+// deploy from the threshold.
+class BaseBatch final : public Batch {
+ public:
+  explicit BaseBatch(const Model& model) : model_(model), judge_(model) {}
 
-BaseBatch::~BaseBatch() = default;
+  const std::vector<Rejection>& reject(const ShiftBlock& block) override;
+  const std::vector<Verdict>& judge(const ShiftBlock& block) override;
+  const std::vector<PathRecord>& measure(const ShiftBlock& block) override;
+  std::vector<FoldingHistory>& record(const ShiftBlock& block) override;
+  std::vector<FoldingHistory>& record_lengths(const ShiftBlock& block) override {
+    return record(block);
+  }
+  double tables_deg() const override { return 0; }
+  Effort rejection_effort() const override { return {}; }
+  Effort path_effort() const override { return {}; }
+
+ private:
+  const Model& model_;
+  BaseJudge judge_;
+  std::vector<Rejection> rejections_;
+  std::vector<Verdict> verdicts_;
+  std::vector<PathRecord> records_;
+  std::vector<FoldingHistory> histories_;
+};
 
 const std::vector<Rejection>& BaseBatch::reject(const ShiftBlock& block) {
   rejections_.assign(static_cast<std::size_t>(block.sheets), {});
@@ -50,6 +75,12 @@ std::vector<FoldingHistory>& BaseBatch::record(const ShiftBlock& block) {
     histories_.push_back(record_on_base(model_, vertices_mm));
   });
   return histories_;
+}
+
+}  // namespace
+
+std::unique_ptr<Batch> make_base_batch(const Model& model) {
+  return std::make_unique<BaseBatch>(model);
 }
 
 }  // namespace misalign::solver

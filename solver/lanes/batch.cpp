@@ -1,6 +1,5 @@
 #include "solver/lanes/batch.hpp"
 
-#include "solver/lanes/base_batch.hpp"
 #include "solver/lanes/lanes.hpp"
 
 namespace misalign::solver {
@@ -29,7 +28,7 @@ std::vector<InstructionSet> available_instruction_sets() {
 }
 
 std::unique_ptr<Batch> make_batch(InstructionSet set, const Model& model) {
-  if (model.has_spare_equations()) return std::make_unique<BaseBatch>(model);
+  if (model.has_spare_equations()) return make_base_batch(model);
   switch (set) {
 #ifdef MISALIGN_X86
     case InstructionSet::avx512:

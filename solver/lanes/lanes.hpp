@@ -4,10 +4,15 @@
 // machine cannot run: tests/system/instruction_sets.sh looks.
 #pragma once
 
-#include "solver/lanes/batch.hpp"
+#include <memory>
 
 namespace misalign::solver {
 
+class Batch;
+class Model;
+
+/// Of a model with spare equations, whatever the instruction set: in closed form.
+std::unique_ptr<Batch> make_base_batch(const Model& model);
 std::unique_ptr<Batch> make_baseline_batch(const Model& model);
 #ifdef MISALIGN_X86
 std::unique_ptr<Batch> make_avx2_batch(const Model& model);

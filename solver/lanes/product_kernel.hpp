@@ -7,9 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/lanes/product_sums.hpp"
+#include "solver/model/product_table.hpp"
 
 namespace misalign::solver {
+
+/// So many rows more than there are sheets are written to.
+inline constexpr std::size_t kMoreRows = 16;
 
 // Four products of each form lie side by side, and where bytes are added up two at a time so do
 // their two sums. Shorts may overflow on the way: what they come to in the end fits.
@@ -26,10 +29,10 @@ template <class Four>
 class ProductKernel {
  public:
   using Register = typename Four::Register;
-  static constexpr int kRow = ShiftExpansion::kRow, kQuad = ProductTable::kQuad;
+  static constexpr int kRow = ProductTable::kRow, kQuad = ProductTable::kQuad;
   static constexpr int kBytes = sizeof(Register), kRegisters = kRow * kQuad / kBytes;
   static constexpr std::size_t kSheets = Four::kSheets;
-  static_assert(kSheets <= ProductSums::kMoreRows);
+  static_assert(kSheets <= kMoreRows);
   // Whose entries, and products of those sheets, stay in the nearest cache.
   static constexpr int kMostQuads = ProductTable::kMostCoordinates / kQuad;
 
@@ -115,11 +118,19 @@ class ProductKernel {
   alignas(64) signed char products_[kSheets][kMostQuads * kQuad + 2 * ProductTable::kPadding];
 };
 
-/// A ProductSums::Function.
+/// The forms of a group, for these sheets: see ProductSums::find.
+using AddProducts = void(const ProductTable& table, int group, const signed char* signs,
+                         const int* sheets, std::size_t count, std::int32_t* rows,
+                         std::int16_t* sums, std::size_t stride);
 template <class Four>
 void add_products(const ProductTable& table, int group, const signed char* signs, const int* sheets,
                   std::size_t count, std::int32_t* rows, std::int16_t* sums, std::size_t stride) {
   ProductKernel<Four>(table, signs, sheets, count).find(group, rows, sums, stride);
 }
+
+#ifdef MISALIGN_X86
+/// Each in a file with flags of its own, which allocates nothing.
+AddProducts add_products_ssse3, add_products_avx2, add_products_vnni;
+#endif
 
 }  // namespace misalign::solver

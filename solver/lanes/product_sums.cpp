@@ -1,7 +1,5 @@
 #include "solver/lanes/product_sums.hpp"
 
-#include "solver/lanes/product_kernel.hpp"
-
 namespace misalign::solver {
 namespace {
 
@@ -41,7 +39,7 @@ ProductSums::~ProductSums() = default;
 
 void ProductSums::find(const ProductTable& table, int group, const signed char* signs,
                        const std::vector<int>& sheets, std::int16_t* sums, std::size_t stride) {
-  rows_.resize((sheets.size() + kMoreRows) * ShiftExpansion::kRow);
+  rows_.resize((sheets.size() + kMoreRows) * ProductTable::kRow);
   add_(table, group, signs, sheets.data(), sheets.size(), rows_.data(), sums, stride);
 }
 

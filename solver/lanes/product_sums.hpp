@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
-#include "solver/model/shift_expansion.hpp"
+#include "solver/lanes/product_kernel.hpp"
 
 namespace misalign::solver {
 
@@ -19,20 +20,9 @@ class ProductSums {
   void find(const ProductTable& table, int group, const signed char* signs,
             const std::vector<int>& sheets, std::int16_t* sums, std::size_t stride);
 
-  /// So many rows more than there are sheets are written to.
-  static constexpr std::size_t kMoreRows = 16;
-  using Function = void(const ProductTable& table, int group, const signed char* signs,
-                        const int* sheets, std::size_t count, std::int32_t* rows,
-                        std::int16_t* sums, std::size_t stride);
-
  private:
-  Function* add_;
+  AddProducts* add_;
   std::vector<std::int32_t, xsimd::aligned_allocator<std::int32_t, 64>> rows_;
 };
-
-#ifdef MISALIGN_X86
-/// Each in a file with flags of its own, which allocates nothing.
-ProductSums::Function add_products_ssse3, add_products_avx2, add_products_vnni;
-#endif
 
 }  // namespace misalign::solver

@@ -7,7 +7,7 @@
 
 #include "solver/linear/pivot_order.hpp"
 #include "solver/model/miscut_margin.hpp"
-#include "solver/model/rejection_test.hpp"
+#include "solver/model/rejection_tolerances.hpp"
 
 namespace misalign::solver {
 namespace {

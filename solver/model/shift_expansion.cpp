@@ -108,12 +108,6 @@ ShiftSample::ShiftSample(const Model& model, int sheets) {
 
 ShiftSample::~ShiftSample() = default;
 
-int ProductTable::all_quads() const {
-  int all = 0;
-  for (int i = 0; i < coordinates; ++i) all += quads_from(i);
-  return all;
-}
-
 ShiftExpansion::ShiftExpansion(const ShiftGradients& gradients)
     : vertices_(gradients.coordinates() / 2),
       diagonals_(gradients.diagonals()),

@@ -11,9 +11,9 @@
 #include <cmath>
 #include <cstdint>
 #include <vector>
-#include <xsimd/xsimd.hpp>  // its allocator; xsimd 13 has no header for that alone
 
 #include "solver/model/model.hpp"
+#include "solver/model/product_table.hpp"
 
 namespace misalign::solver {
 
@@ -72,40 +72,12 @@ struct ShiftSample {
   std::vector<char> is_known;
 };
 
-/// The second order of all quantities as quadratic forms of the coordinates, entries in bytes,
-/// which machines multiply and add up side by side.
-struct ProductTable {
-  using Byte = signed char;
-  /// Products side by side that one multiplication adds up.
-  static constexpr int kQuad = 4;
-  /// Signs of a sheet's coordinates are followed by this many zeros, so that they can be read a
-  /// register at once.
-  static constexpr int kPadding = 64;
-  /// Products of more coordinates are not found.
-  static constexpr int kMostCoordinates = 768;
-
-  explicit ProductTable(int count) : coordinates(count) {}
-
-  const int coordinates;
-  /// Of each group, of each coordinate i, of each four of the coordinates i, i + 1, ...: of each of
-  /// its quantities four entries. Beyond the last coordinate: 0.
-  std::vector<Byte, xsimd::aligned_allocator<Byte, 64>> entries;
-  /// Of each group, of each of its quantities: the sum of all entries.
-  std::vector<std::int32_t> totals;
-
-  /// That hold so many products; those of this coordinate with itself and those after it.
-  static int quads(int count) { return (count + kQuad - 1) / kQuad; }
-  int quads_from(int coordinate) const { return quads(coordinates - coordinate); }
-  int all_quads() const;
-};
-
 class ShiftExpansion {
  public:
   using Short = std::int16_t;
   /// A group: quantities of this many diagonals lie side by side, their elongations, then their
   /// slopes. Sheets that one group turns away need not be asked of the next.
-  static constexpr int kDiagonals = 8;
-  static constexpr int kRow = 2 * kDiagonals;
+  static constexpr int kRow = ProductTable::kRow, kDiagonals = kRow / 2;
   static constexpr int kPlaces = 9;
   /// Of a sheet and a group: the first order, then the second.
   static constexpr int kSums = 2 * kRow;

@@ -8,7 +8,7 @@
 namespace misalign::solver {
 namespace {
 
-constexpr int kGroups = 2, kSheets = 37, kRow = ShiftExpansion::kRow;
+constexpr int kGroups = 2, kSheets = 37, kRow = ProductTable::kRow;
 
 // No entry is below zero: with products that are one too large sums leave the shorts' range on the
 // way, and come back.
