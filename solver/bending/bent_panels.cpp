@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/linear/newton.hpp"
-
 namespace misalign::solver {
 namespace {
 
@@ -20,7 +18,7 @@ constexpr int kRows = 40;
 
 std::vector<Matrix3Xd> shapes_at(const Sheet& sheet, const VectorXd& pilot_deg) {
   std::vector<Matrix3Xd> shapes_mm;
-  for (const double angle_deg : pilot_deg) shapes_mm.push_back(rigid_shape_mm(sheet, angle_deg));
+  for (const double angle_deg : pilot_deg) shapes_mm.push_back(sheet.at(angle_deg).vertices_mm);
   return shapes_mm;
 }
 
@@ -98,17 +96,6 @@ OtherMomentsAt other_moments(const EnergyModel& sheet) {
         rest.energy - flat_n_mm, rest.slope / turning.creases_mm,
         sheet.options().joints.ball_friction_n_mm * turning.balls / turning.creases_mm};
   };
-}
-
-Matrix3Xd rigid_shape_mm(const Sheet& sheet, double pilot_deg) {
-  const FoldingWay& way = *sheet.way();
-  SheetGeometry<double> geometry;
-  place(sheet.mechanism(), sheet.vertices_mm(), geometry);
-  FoldState<double> state = way.stations().front().state;
-  // Between stations the way is off by what would stress panels: near a limit by micrometres.
-  way.find_state(way.x_of(pilot_deg), state);
-  if (!sheet.model().has_spare_equations()) Newton(sheet.mechanism()).correct(geometry, state);
-  return sheet.model().shape().vertices_mm(geometry, state);
 }
 
 BentWay::BentWay(const Sheet& sheet, const PanelMaterial& material, double thickness_mm,

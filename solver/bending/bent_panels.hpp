@@ -41,9 +41,6 @@ struct BentAngle {
   double largest_stress_mpa = 0;  ///< farther than kCornerWidths from the corners of a panel
 };
 
-/// Rigid, at this pilot angle on its way: 3 x vertices, mm.
-Eigen::Matrix3Xd rigid_shape_mm(const Sheet& sheet, double pilot_deg);
-
 /// How springs bend it at the start: the method that it takes, and what Newton's changes there.
 struct Bending {
   BendMethod method;

@@ -47,7 +47,7 @@ std::optional<PreloadAtFlat> preload_at_flat(const Sheet& sheet, const PanelMate
                                              double thickness_mm, const VectorXd& shares) {
   const ElasticSheet panels(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals,
                             material, thickness_mm, kStiffer);
-  const auto near = find_compliance(panels, rigid_shape_mm(sheet, kNearFlat_deg));
+  const auto near = find_compliance(panels, sheet.at(kNearFlat_deg).vertices_mm);
   if (!near) return {};
   const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2);
   const VectorXd longer = near->lengths_mm - panels.flat_lengths_mm(),

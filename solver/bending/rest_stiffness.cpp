@@ -30,7 +30,7 @@ std::optional<RestStiffness> rest_stiffness(const Sheet& sheet, const ReleaseOpt
   slopes_mm /= way->pilot_rate(x);
   const ElasticSheet panels(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals,
                             material, thickness_mm);
-  const auto compliance = find_compliance(panels, rigid_shape_mm(sheet, springs.rest_deg));
+  const auto compliance = find_compliance(panels, sheet.at(springs.rest_deg).vertices_mm);
   if (!compliance) return {};
   const VectorXd forces_n =
       bend(*compliance, {springs.stiffness_n_per_mm, compliance->lengths_mm - slopes_mm}).forces_n;

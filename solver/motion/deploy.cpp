@@ -83,44 +83,45 @@ std::optional<double> DeploymentStudy::barrier_n_mm() const {
   return *flat - *deepest;
 }
 
-DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
-                                 const EnergyOptions& sheet, const DeploymentOptions& options,
+DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy,
+                                 const DeploymentOptions& options,
                                  const std::optional<JointForcesOptions>& forces) {
-  const EnergyModel deploying(way, model.shape(), model.base(), sheet);
+  const EnergyModel deploying(sheet, energy);
   DeploymentStudy study{};
-  study.sheet = sheet;
+  study.sheet = energy;
   study.options = options;
   study.mass_t = deploying.mass_t();
   study.equilibria = find_equilibria(deploying);
   study.friction = find_friction_limits(deploying, options.from_deg);
   study.run = deploy(deploying, wells_of(study.equilibria), options);
   if (forces) {
-    study.forces = find_joint_forces(deploying, model.shape(), model.base(), study.run, *forces);
+    study.forces =
+        find_joint_forces(deploying, sheet.model().shape(), sheet.base(), study.run, *forces);
   }
-  if (sheet.springs.rest_deg == 0) return study;
+  if (energy.springs.rest_deg == 0) return study;
   Eigen::VectorXd lengths_mm, rates_mm;
-  way.find_lengths(way.x_of(sheet.springs.rest_deg), lengths_mm, rates_mm);
-  for (int d = 0; d < model.mechanism().diagonal_count(); ++d) {
+  const FoldingWay& way = *sheet.way();
+  way.find_lengths(way.x_of(energy.springs.rest_deg), lengths_mm, rates_mm);
+  for (int d = 0; d < sheet.mechanism().diagonal_count(); ++d) {
     (rates_mm(d) > 0 ? study.pulls_from_above : study.pulls_from_below).push_back(d);
   }
   return study;
 }
 
-std::optional<double> critical_friction_in_motion(const FoldingWay& way, const Model& model,
-                                                  const EnergyOptions& sheet,
+std::optional<double> critical_friction_in_motion(const Sheet& sheet, const EnergyOptions& energy,
                                                   const DeploymentOptions& options,
                                                   double relative) {
-  EnergyOptions tried = sheet;
+  EnergyOptions tried = energy;
   const auto arrives = [&](double friction_n_mm_per_mm) {
     tried.joints.friction_n_mm_per_mm = friction_n_mm_per_mm;
-    const EnergyModel deploying(way, model.shape(), model.base(), tried);
+    const EnergyModel deploying(sheet, tried);
     const Outcome outcome =
         deploy(deploying, wells_of(find_equilibria(deploying)), options).outcome;
     return outcome == Outcome::passed_flat || outcome == Outcome::latched ||
            outcome == Outcome::flat;
   };
   tried.joints.friction_n_mm_per_mm = 0;
-  const EnergyModel without(way, model.shape(), model.base(), tried);
+  const EnergyModel without(sheet, tried);
   const auto bound = find_friction_limits(without, options.from_deg).critical_n_mm_per_mm;
   if (!bound || !arrives(0)) return {};
   double arriving = 0, held = *bound * (1 + relative);  // no damping lets it bear more
@@ -195,13 +196,10 @@ StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const ReleaseOptions& op
   if constexpr (!has("SUNDIALS")) return NoResult::not_in_this_build;
   const StudyResult<ReleaseOptions> fitted = validated_release(sheet, options);
   if (!fitted) return fitted.obstacle();
-  const FoldingWay* const way = sheet.way();
   const DeploymentOptions& motion = fitted->motion;
-  DeploymentStudy study =
-      study_deployment(*way, sheet.model(), options.sheet, motion, options.forces);
+  DeploymentStudy study = study_deployment(sheet, options.sheet, motion, options.forces);
   if (options.sheet.joints.damping_n_mm_s_per_mm > 0) {
-    study.friction.critical_n_mm_per_mm =
-        critical_friction_in_motion(*way, sheet.model(), options.sheet, motion);
+    study.friction.critical_n_mm_per_mm = critical_friction_in_motion(sheet, options.sheet, motion);
   }
   study.seeks_damping = options.seeks_damping;
   if (options.seeks_damping) {

@@ -62,14 +62,13 @@ std::optional<LeastDamping> least_damping(const std::function<Deployment(double)
 
 /// `options.from_deg` and the angles at which springs and creases are relaxed must lie on the way.
 /// With the forces in the joints if `forces` says how.
-DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
-                                 const EnergyOptions& sheet, const DeploymentOptions& options,
+DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy,
+                                 const DeploymentOptions& options,
                                  const std::optional<JointForcesOptions>& forces = {});
 
 /// The largest crease friction with which it gets to flat, damping and all, by letting it go again
 /// and again: to `relative` of itself. None if it does not get there without friction.
-std::optional<double> critical_friction_in_motion(const FoldingWay& way, const Model& model,
-                                                  const EnergyOptions& sheet,
+std::optional<double> critical_friction_in_motion(const Sheet& sheet, const EnergyOptions& energy,
                                                   const DeploymentOptions& options,
                                                   double relative = 1e-4);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/kinematics/diagonals.hpp"
+#include "solver/linear/newton.hpp"
 #include "solver/records/function_recorder.hpp"
 #include "solver/sheet/way_solver.hpp"
 
@@ -191,6 +193,29 @@ const FoldingWay* Sheet::way(int stations) const {
                 .first;
   }
   return found->second ? &*found->second : nullptr;
+}
+
+const Sheet::Pose& Sheet::at(double pilot_deg) const {
+  const auto known = poses_.find(pilot_deg);
+  if (known != poses_.end()) return known->second;
+  assert(way() != nullptr);
+  const FoldingWay& path = *way();
+  Pose pose{path.stations().front().state, true, {}, {}, {}};
+  path.find_state(path.x_of(pilot_deg), pose.state);
+  if (!model().has_spare_equations()) {
+    pose.is_closed =
+        Newton(mechanism()).correct(path.geometry(), pose.state).end == NewtonEnd::converged;
+  }
+  pose.vertices_mm = model().shape().vertices_mm(path.geometry(), pose.state);
+  pose.fold_deg.resize(std::ssize(pose.state.creases));
+  for (Index c = 0; c < pose.fold_deg.size(); ++c) {
+    pose.fold_deg(c) =
+        mechanism().side * angle_deg(pose.state.creases[static_cast<std::size_t>(c)]);
+  }
+  pose.length_mm.resize(mechanism().diagonal_count());
+  folded_lengths(mechanism(), path.geometry(), pose.state, pose.length_mm.data());
+  pose.length_mm *= mechanism().panel_width_mm;
+  return poses_.emplace(pilot_deg, std::move(pose)).first->second;
 }
 
 Index Sheet::rows_up_to_d() const {

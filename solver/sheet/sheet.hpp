@@ -88,6 +88,18 @@ class Sheet {
   /// The path as functions of one coordinate, solved at so many stations; null: it is lost.
   const FoldingWay* way(int stations = kWayStations) const;
 
+  /// The sheet where its pilot has one angle.
+  struct Pose {
+    FoldState<double> state;
+    bool is_closed;                ///< whether the correction converged
+    Eigen::Matrix3Xd vertices_mm;  ///< the first panel stays where it is
+    Eigen::VectorXd fold_deg;      ///< of the creases, valleys positive
+    Eigen::VectorXd length_mm;     ///< of the diagonals
+  };
+  /// The way's state, closed once more with the pilot held: between stations the way is off by what
+  /// would stress panels, near a limit by micrometres. The way must be there and reach the angle.
+  const Pose& at(double pilot_deg) const;
+
   /// How many rows of the history lie up to D: the flat sheet not among them.
   Eigen::Index rows_up_to_d() const;
   /// How many are shown: those, or of a sheet that deploys from nothing the ones that are folded
@@ -114,6 +126,7 @@ class Sheet {
   mutable std::optional<std::optional<Metrics>> metrics_;
   mutable std::shared_ptr<const Outline> outline_;
   mutable std::map<int, std::optional<FoldingWay>> ways_;  // by their stations
+  mutable std::map<double, Pose> poses_;                   // by pilot_deg
 };
 
 /// How many rows from the first on have every crease on its side, and none folded past 180 degrees

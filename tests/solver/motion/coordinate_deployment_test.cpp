@@ -21,12 +21,12 @@ constexpr double kReleased_deg = 36, kStiffness = 50, kApart_rad = 1e-4;
 
 struct GradedSheet : testing::Test {
   GradedSheet() {
-    const auto way = way_of(model, vertices_mm).value();
-    study = study_deployment(way, model, {}, {.from_deg = kReleased_deg}, JointForcesOptions{});
+    const FoldingWay& way = *own.sheet.way();
+    study = study_deployment(own.sheet, {}, {.from_deg = kReleased_deg}, JointForcesOptions{});
     FoldState<double> state = way.stations().front().state;
     way.find_state(way.x_of(0.5), state);
-    coordinates.emplace(family.base, vertices_mm, model.shape().vertices_mm(way.geometry(), state),
-                        0.5);
+    coordinates.emplace(family.base, vertices_mm,
+                        own.model.shape().vertices_mm(way.geometry(), state), 0.5);
   }
 
   // Angles must go up from call to call.
@@ -55,7 +55,7 @@ struct GradedSheet : testing::Test {
 
   const CarriedFamily family{"miura-graded-6x6"};
   const FlatVertices vertices_mm = family.vertices(family.draws(1, kSeed), 0);
-  const Model model{family.base};
+  const OwnSheet own{family.base, vertices_mm - family.base.sheet.vertices_mm};
   DeploymentStudy study;
   std::optional<VertexCoordinates> coordinates;
 };

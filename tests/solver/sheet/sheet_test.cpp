@@ -67,6 +67,31 @@ TEST_F(Table1Sheet, FindsEachOnce) {
   }
 }
 
+// Rigid panels, and the angles and lengths that close steps find at a sample.
+TEST_F(Table1Sheet, HasAPoseAtAnAngle) {
+  const Eigen::Matrix3Xd& at_mm = found.at(36).vertices_mm;
+  for (const std::array<int, 4>& corners : found.panels().corners) {
+    for (const int a : corners) {
+      for (const int b : corners) {
+        EXPECT_NEAR((at_mm.col(a) - at_mm.col(b)).norm(),
+                    (found.point_mm(a) - found.point_mm(b)).norm(), 1e-9);
+      }
+    }
+  }
+  EXPECT_TRUE(found.at(36).is_closed);
+  EXPECT_EQ(&found.at(36), &found.at(36));
+  const auto& stations = found.history().stations;
+  ASSERT_EQ(stations[35].sample, 36);
+  const Eigen::VectorXd fold_deg = found.history().fold_angle_deg.row(35),
+                        length_mm = found.history().length_mm.row(35);
+  EXPECT_LT((found.at(36).fold_deg - fold_deg).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((found.at(36).length_mm - length_mm).cwiseAbs().maxCoeff(), 1e-8);
+  int d = 0;
+  for (const Diagonal& diagonal : found.mechanism().diagonals) {
+    EXPECT_NEAR((at_mm.col(diagonal.from) - at_mm.col(diagonal.to)).norm(), length_mm(d++), 1e-8);
+  }
+}
+
 TEST_F(Table1Sheet, FindsWhatIsFoundAnew) {
   expect_same(found.record(), record_path(own.model, found.vertices_mm()));
   const FoldingHistory history = record_history(own.model, found.vertices_mm());
