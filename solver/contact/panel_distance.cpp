@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace misalign::solver {
@@ -16,6 +17,7 @@ struct PolygonPlane {
 };
 
 PolygonPlane plane_of(const PolygonCorners& polygon) {
+  assert(polygon.cols() >= 3);
   // Of the widest triangle from the first corner: where corners are cut off, edges may be short.
   Vector3d normal = Vector3d::Zero();
   for (Index k = 2; k < polygon.cols(); ++k) {
@@ -86,6 +88,7 @@ void look_at_face(const PolygonCorners& face, const PolygonCorners& points, cons
 }  // namespace
 
 Separation separation_of(const PolygonCorners& a, const PolygonCorners& b) {
+  assert(a.cols() >= 3 && b.cols() >= 2);
   Separation closest{std::numeric_limits<double>::infinity(), {}, {}, {}};
   look_at_face(a, b, [&](const Vector3d& on_a, const Vector3d& on_b, const Vector3d& normal) {
     take_closer(on_a, on_b, normal, closest);
@@ -102,6 +105,7 @@ Separation separation_of(const PolygonCorners& a, const PolygonCorners& b) {
       look_at_segments(p, u, q, v, closest);
     }
   }
+  assert(closest.distance < std::numeric_limits<double>::infinity());
   return closest;
 }
 

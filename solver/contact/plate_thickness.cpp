@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -26,6 +27,7 @@ std::vector<std::array<bool, 4>> trimmed_corners(const Panels& panels) {
     for (const int panel : {pair.a, pair.b}) {
       const auto& corners = panels.corners[static_cast<std::size_t>(panel)];
       const auto at = std::find(corners.begin(), corners.end(), pair.joint) - corners.begin();
+      assert(at < 4 && "the vertex is one of both panels");
       trimmed[static_cast<std::size_t>(panel)][static_cast<std::size_t>(at)] = true;
     }
   }
@@ -68,6 +70,7 @@ PolygonCorners clipped(const PolygonCorners& polygon, const Vector3d& on, const 
 // Half the largest thickness whose tapers on one side leave something of a panel whole.
 double half_thickness(const PolygonCorners& trimmed, const std::vector<FoldLine>& folds,
                       const std::vector<double>& tangents, const FlatVertices& vertices_mm) {
+  assert(folds.size() == tangents.size());
   if (folds.empty()) return kUnlimited;
   const double size_mm = (trimmed.colwise() - trimmed.col(0)).colwise().norm().maxCoeff();
   double least = 0, most = size_mm;  // no fold of less than 90 degrees takes that away
@@ -86,6 +89,7 @@ double half_thickness(const PolygonCorners& trimmed, const std::vector<FoldLine>
 }
 
 std::vector<double> largest_angles(const Panels& panels, const PanelMotion& motion, double end) {
+  assert(end >= 0);
   std::vector<double> largest(panels.folds.size());
   const int looks = static_cast<int>(std::ceil(kLooksPerStation * end / motion.step()));
   for (int k = 1; k <= looks; ++k) {
@@ -119,6 +123,7 @@ std::vector<PolygonCorners> trimmed_panels(const Panels& panels, const FlatVerti
             corners_mm[k] + along_mm * (corners_mm[other] - corners_mm[k]).normalized();
       }
     }
+    assert(next == outline.cols());
     outlines.push_back(outline);
   }
   return outlines;
@@ -146,6 +151,7 @@ double largest_trim_mm(const Panels& panels, const FlatVertices& vertices_mm) {
 TaperLimit taper_limit(const Panels& panels, const std::vector<PolygonCorners>& trimmed,
                        const FlatVertices& vertices_mm, const std::vector<double>& largest_rad) {
   TaperLimit limit{kUnlimited, -1};
+  assert(trimmed.size() == panels.corners.size() && largest_rad.size() == panels.folds.size());
   for (std::size_t panel = 0; panel < trimmed.size(); ++panel) {
     for (const int side : {1, -1}) {
       std::vector<FoldLine> folds;  // with the panel on their left
@@ -171,6 +177,7 @@ TaperLimit taper_limit(const Panels& panels, const std::vector<PolygonCorners>& 
 PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion, double end,
                                  const ThicknessOptions& options) {
   const FlatVertices& vertices_mm = motion.way().from_a1_mm();
+  assert(options.trim_mm >= 0 && options.slack > 0 && options.slack < 1);
   const auto trimmed = trimmed_panels(panels, vertices_mm, options.trim_mm);
   PlateThickness result{};
   result.largest_rad = largest_angles(panels, motion, end);
