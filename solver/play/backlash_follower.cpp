@@ -1,6 +1,7 @@
 #include "solver/play/backlash_follower.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -36,6 +37,7 @@ CloseStepOptions step_options() {
 // One more angle to look at, and solver steps on the way there.
 void add_station(PathPlan& plan, double pilot_deg) {
   const double from_deg = plan.stations.empty() ? pilot_deg : plan.stations.back().pilot_deg;
+  assert(plan.stations.empty() || pilot_deg > from_deg);
   const int steps =
       std::max(1, static_cast<int>(std::ceil((pilot_deg - from_deg) / kLongestStep_deg - 1e-9)));
   for (int k = 1; k <= steps; ++k) {
@@ -46,6 +48,7 @@ void add_station(PathPlan& plan, double pilot_deg) {
 
 // Samples from the start up to D.
 PathPlan plan_up(const BacklashStart& sheet, double sample_deg) {
+  assert(sample_deg > 0);
   PathPlan plan;
   add_station(plan, sheet.start_deg);
   for (int k = 1; k <= sheet.own_sample; ++k) {
@@ -56,6 +59,7 @@ PathPlan plan_up(const BacklashStart& sheet, double sample_deg) {
 
 // Samples from the start down to `from_deg`, and on to flat; as angles below the start.
 PathPlan plan_down(const BacklashStart& sheet, double sample_deg, const BacklashOptions& options) {
+  assert(options.from_deg >= 0 && options.flat_step_deg > 0);
   PathPlan plan;
   add_station(plan, 0);
   const auto add = [&](double pilot_deg) {
@@ -242,6 +246,7 @@ BacklashStart prepare_backlash(const Model& model, const FlatVertices& vertices_
     sheet.shortest_crease_widths = std::min(sheet.shortest_crease_widths, length);
   }
   if (sheet.own_deg <= options.from_deg) return sheet;
+  assert(sheet.shortest_crease_widths > 0);
   const double middle_deg = 0.5 * (options.from_deg + sheet.own_deg);
   std::vector<double> before(mechanism.diagonals.size()), lengths(before);
   flat_lengths(mechanism, sheet.geometry, before.data());
@@ -301,6 +306,7 @@ void BacklashFollower::find_start(const JointOffsets& offsets, double scale) {
 BacklashTrial BacklashFollower::trial(const JointOffsets& offsets, double scale,
                                       bool only_whether) {
   BacklashTrial trial;
+  assert(scale >= 0);
   loosen(model_.mechanism(), sheet_.geometry, offsets, scale, loose_);
   start_ = sheet_.start;
   Branch up(*this, up_, true, only_whether);
@@ -325,6 +331,7 @@ BacklashTrial BacklashFollower::trial(const JointOffsets& offsets, double scale,
   trial.lost = down.branch_end();
   trial.lost_deg = down.branch_end_deg();
   trial.gap_widths = std::max(up.gap(), down.gap());
+  assert(trial.one_way_from_deg <= trial.one_way_to_deg);
   return trial;
 }
 
