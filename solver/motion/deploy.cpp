@@ -1,6 +1,7 @@
 #include "solver/motion/deploy.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "generated/features.hpp"
@@ -35,6 +36,7 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const ReleaseOptions&
   };
   const Springs& springs = options.sheet.springs;
   check("from_deg", "", options.motion.from_deg);
+  assert(springs.stiffness_n_per_mm > 0);
   check("rest_deg", "", springs.rest_deg);
   check("hinge_rest_deg", "", options.sheet.joints.rest_deg);
   for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
@@ -87,6 +89,7 @@ DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
                                  const EnergyOptions& sheet, const DeploymentOptions& options,
                                  const std::optional<JointForcesOptions>& forces) {
   const EnergyModel deploying(way, model.shape(), model.base(), sheet);
+  assert(std::abs(options.from_deg) <= way.end_deg() && "it is let go on its way");
   DeploymentStudy study{};
   study.sheet = sheet;
   study.options = options;
@@ -111,6 +114,7 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
                                                   const DeploymentOptions& options,
                                                   double relative) {
   EnergyOptions tried = sheet;
+  assert(relative > 0 && relative < 1);
   const auto arrives = [&](double friction_n_mm_per_mm) {
     tried.joints.friction_n_mm_per_mm = friction_n_mm_per_mm;
     const EnergyModel deploying(way, model.shape(), model.base(), tried);
@@ -124,6 +128,7 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
   const auto bound = find_friction_limits(without, options.from_deg).critical_n_mm_per_mm;
   if (!bound || !arrives(0)) return {};
   double arriving = 0, held = *bound * (1 + relative);  // no damping lets it bear more
+  assert(held > arriving);
   while (held - arriving > relative * held) {
     const double middle = (arriving + held) / 2;
     (arrives(middle) ? arriving : held) = middle;
@@ -141,6 +146,7 @@ std::optional<LeastDamping> least_damping(const std::function<Deployment(double)
     resting *= 4;
   }
   while (resting - passing > kDampingWithin * resting) {
+    assert(passing < resting);
     const double middle = passing > 0 ? std::sqrt(passing * resting) : resting / 2;
     Deployment tries = let_go(middle);
     if (tries.outcome == Outcome::passed_flat) {
