@@ -13,6 +13,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cassert>
 #include <vector>
 
 #include "solver/bending/saddle_plate.hpp"
@@ -55,6 +56,7 @@ class ElasticSheet {
   Eigen::Index panels() const { return static_cast<Eigen::Index>(plates_.size()); }
   Eigen::Index diagonals() const { return static_cast<Eigen::Index>(diagonals_.size()); }
   const std::array<int, 4>& corners(Eigen::Index panel) const {
+    assert(panel >= 0 && panel < panels());
     return corners_[static_cast<std::size_t>(panel)];
   }
   double panel_width_mm() const { return panel_width_mm_; }
