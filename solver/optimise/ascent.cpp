@@ -106,12 +106,14 @@ Ascent::Ascent(const Sheet& start, AscentStart fitted)
       box_mm_(kFirstBox * options_.amplitude_mm),
       now_{std::make_unique<const Sheet>(solver_, start.shifts_mm()),
            point_of(start.shifts_mm(), options_), fitted.value} {
+  assert(options_.amplitude_mm > 0 && now_.value > 0);
   found_.options = options_;
   found_.from_deg = *options_.deploying.from_deg;
   found_.taken.push_back({now_.point, now_.value});
 }
 
 void Ascent::advance() {
+  assert(!finished_);
   options_.watch();
   if (!linearization_) {
     begin_step();
@@ -138,6 +140,7 @@ void Ascent::end(StopReason why) {
 }
 
 void Ascent::take_step(Feasible next) {
+  assert(next.value > now_.value && "each step does better");
   now_ = std::move(next);
   set_springs(options_, now_.point);
   found_.taken.push_back({now_.point, now_.value});
@@ -146,6 +149,7 @@ void Ascent::take_step(Feasible next) {
 
 // Of a step of free shifts: the box shrinks until one is right.
 void Ascent::try_box() {
+  assert(linearization_ && box_mm_ > 0);
   if (box_mm_ < std::max(kLastBox * options_.amplitude_mm, options_.grid_mm / 2)) {
     return give_up_box();
   }
@@ -230,6 +234,7 @@ double Ascent::least_foreseen() const {
 }
 
 double Ascent::goal_after(const Flip& flip) const {
+  assert(linearization_ && !linearization_->goals.empty());
   double least = std::numeric_limits<double>::infinity();
   for (const LocalGoal& one : linearization_->goals) {
     least = std::min(least, (one.amount + flip.along(one.row)) / one.over);
@@ -275,6 +280,7 @@ void Ascent::find_limits() {
   for (std::size_t k = 0; k < inside.reached.size(); ++k) {
     const LocalRow& one = *inside.reached[k];
     const double price = inside.price(best, static_cast<Index>(k));
+    assert(best.price.size() == inside.scales.size());
     if (price == 0) continue;
     switch (one.kind) {
       case LocalRow::Kind::stroke:

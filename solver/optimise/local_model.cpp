@@ -143,6 +143,7 @@ class Builder {
 
   // Diagonals go one way up to D: at an angle they have not been longer or shorter before.
   void add_strokes(double limit) {
+    assert(limit >= 0);
     const AngleGradients here = at(sheet_.deploys_from_deg());
     for (Index d = 0; d < here.length_mm.size(); ++d) {
       const double longer_mm = here.length_mm(d) - flat_.length_mm(d);
@@ -154,6 +155,7 @@ class Builder {
   }
 
   void add_forces(double most_n) {
+    assert(most_n >= 0);
     const SpringChanges springs(changes_);
     const AngleGradients here = at(*options_.deploying.from_deg);
     const VectorXd forces_n = springs.forces_n(here);

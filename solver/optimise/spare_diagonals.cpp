@@ -1,6 +1,7 @@
 #include "solver/optimise/spare_diagonals.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "solver/motion/actuation.hpp"
@@ -14,6 +15,7 @@ std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const EnergyMo
                                               double from_deg) {
   const FoldingWay& way = *sheet.way();
   const double sample_deg = sheet.model().sample_deg();
+  assert(sample_deg > 0 && from_deg > 0);
   std::vector<double> angles_deg;
   for (double k = std::ceil(kSlopeFrom_deg / sample_deg); k * sample_deg < from_deg; ++k) {
     angles_deg.push_back(k * sample_deg);
@@ -31,6 +33,7 @@ std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const EnergyMo
   found.few = few_diagonals(moments, kShareOfFew);
   const auto spare = static_cast<double>(moments.cols() - std::ssize(found.few.diagonals));
   found.amount = spare + std::clamp(found.few.share_of_fewer / kShareOfFew, 0.0, 1.0);
+  assert(found.amount >= 0 && found.amount <= static_cast<double>(moments.cols()));
   return found;
 }
 

@@ -1,5 +1,7 @@
 #include "solver/optimise/spring_changes.hpp"
 
+#include <cassert>
+
 namespace misalign::solver {
 
 using Eigen::VectorXd;
@@ -31,12 +33,14 @@ VectorXd SpringChanges::forces_n(const AngleGradients& here) const {
 }
 
 VectorXd SpringChanges::forces_row(const AngleGradients& here, const VectorXd& weights) const {
+  assert(weights.size() == rest_mm_.size());
   return changes_.variables.row(
       n_per_mm() * weights.transpose() * (here.length_by_mm - rest_by_mm_),
       weights.dot(here.length_mm - rest_mm_), weights.dot(side_));
 }
 
 VectorXd SpringChanges::energy_row(const AngleGradients& here, const VectorXd& forces_n) const {
+  assert(forces_n.size() == rest_mm_.size() && n_per_mm() > 0);
   const VectorXd longer_mm = forces_n / n_per_mm();
   return changes_.variables.row(
       forces_n.transpose() * (here.length_by_mm - rest_by_mm_),
