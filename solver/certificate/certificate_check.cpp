@@ -1,6 +1,7 @@
 #include "solver/certificate/certificate_check.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "solver/certificate/panel_check.hpp"
 
@@ -118,6 +119,7 @@ class Checker {
   };
 
   const char* check(const PathInterval& interval, const Claims& claims) {
+    assert(!claims.contact || panels_ != nullptr);
     const char* unproven = "no curve of single states is proven within its box";
     const auto question = [&](const ProvenInterval& whole, const ProvenSubinterval& subinterval) {
       const Proof folds = folds_rightly(subinterval, claims);
@@ -161,6 +163,7 @@ class Checker {
         signs_.push_back(value_at(slope, ArbNumber(0.0)) < ArbNumber(0.0) ? -1 : 1);
       }
     }
+    assert(signs_.size() == subinterval.slopes.size());
     Proof proof = Proof::holds;
     for (std::size_t d = 0; d < signs_.size() && proof != Proof::fails; ++d) {
       proof = both(proof, is_positive(times(signs_[d], subinterval.slopes[d])));
@@ -189,6 +192,7 @@ class Checker {
     const std::vector<ArbNumber> kept =
         prover_.unknowns(interval, places, tau_at(interval, interval.middle));
     const std::vector<ArbNumber> found = interval.unknowns_at(interval.middle);
+    assert(kept.size() <= found.size());
     for (std::size_t j = 0; j < kept.size(); ++j) {
       if (!(size_of(kept[j] - found[j]) < ArbNumber(kMiddleBox))) return false;
     }
@@ -198,6 +202,7 @@ class Checker {
   // Whether a state lies where that subinterval has no other than its own.
   static bool is_within(const ProvenSubinterval& subinterval, const ArbNumber& s,
                         const std::vector<ArbNumber>& unknowns) {
+    assert(unknowns.size() >= subinterval.guess.size());
     const ArbNumber place = (s - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
     if (!arb_le(size_of(place)[0], ArbNumber(1.0)[0])) return false;
     for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
@@ -219,6 +224,7 @@ class Checker {
   }
 
   bool joins(const ProvenInterval& next) const {
+    assert(!next.subintervals.empty() && "only what is proven is joined");
     if (last_.subintervals.empty()) return next.interval.from_deg == 0;
     const ArbNumber tau = half_tangent(ArbNumber(next.interval.from_deg));
     const IntervalProver::JointPlaces places =
@@ -227,6 +233,7 @@ class Checker {
   }
 
   const char* check_closing(const PathInterval& closing) {
+    assert(is_event(certificate_.end) && certificate_.where >= 0);
     // What the path of a crease goes through must be what is said: its sine keeps its sign while
     // its cosine changes, or the other way about.
     const Claims claims{certificate_.end == CertificateEnd::sign_changed,

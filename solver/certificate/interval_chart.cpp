@@ -1,6 +1,7 @@
 #include "solver/certificate/interval_chart.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -33,6 +34,7 @@ Chart::Ball turned_from(const Quaternion<double>& q) {
 }  // namespace
 
 HalfAngle<Ball> half_angle_ball(double angle_deg) {
+  assert(std::abs(angle_deg) <= 360 && "the series falls from its first term on");
   constexpr double kHalfDegree_rad = 0.0087266462599716478846;  // pi / 360, rounded
   const Ball x = Ball(angle_deg) * Ball::number(kHalfDegree_rad, 2 * kUnit * kHalfDegree_rad);
   const Ball xx = x * x;
@@ -95,6 +97,7 @@ void add_spring_ends(const Mechanism& mechanism, const FlatVertices& vertices_mm
 }  // namespace
 
 SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
+  assert(vertices_mm.cols() == mechanism.vertices);
   SheetGeometry<Ball> geometry;
   const auto difference = [&](int row, Eigen::Index from, Eigen::Index to) {
     return Ball(vertices_mm(row, to)) - Ball(vertices_mm(row, from));
@@ -116,6 +119,9 @@ SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices
 
 IntervalChart::IntervalChart(const Mechanism& mechanism, const PathInterval& interval)
     : mechanism_(&mechanism), interval_(interval) {
+  assert(interval.from_deg >= 0 && interval.from_deg < interval.to_deg && interval.to_deg <= 180);
+  assert(interval.middle.creases.size() == mechanism.creases.size());
+  assert(interval.middle.balls.size() == mechanism.balls.size());
   if (interval.graded) {
     const Ball low = squared_tangent_of(interval.from_deg),
                high = squared_tangent_of(interval.to_deg);
@@ -129,6 +135,7 @@ IntervalChart::IntervalChart(const Mechanism& mechanism, const PathInterval& int
     half_width_ = std::max(turn_between(pilot_, half_angle_ball(interval.from_deg)).bound(),
                            turn_between(pilot_, half_angle_ball(interval.to_deg)).bound());
   }
+  assert(half_width_ > 0);
   place_joints();
 }
 
@@ -219,6 +226,7 @@ double IntervalChart::angle_deg_until(double s) const {
 }
 
 IntervalChart::PlainState IntervalChart::plain(const std::vector<Ball>& x, double pilot_deg) const {
+  assert(std::ssize(x) >= mechanism_->equations);
   const Ball tau = is_graded() ? tangent_of(pilot_deg) : Ball(1.0), sigma = tau * tau;
   PlainState state;
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
@@ -241,6 +249,8 @@ IntervalChart::PlainState IntervalChart::plain(const std::vector<Ball>& x, doubl
 }
 
 std::vector<Ball> IntervalChart::unknowns(const PlainState& state, double pilot_deg) const {
+  assert(state.creases.size() == joints_.creases.size());
+  assert(state.balls.size() == joints_.balls.size());
   const Ball tau = is_graded() ? tangent_of(pilot_deg) : Ball(1.0), sigma = tau * tau;
   std::vector<Ball> x(mechanism_->equations);
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {

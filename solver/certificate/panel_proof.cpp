@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "solver/certificate/conditions.hpp"
@@ -31,11 +32,13 @@ Bounds bounds_of(const Vector3d& direction, const GradedVector<JacobianModel>& p
       direction.x() * point.x + direction.y() * point.y + direction.z() * point.z;
   double steepest = 0;
   for (int k = 1; k <= kJacobianDegree; ++k) steepest += k * std::abs(f.c[k]);
+  assert(from <= to && -1 <= from && to <= 1 && "models are known there alone");
   JacobianModel p = f;
   p.radius = 0;
   const Ball middle = value_at(p, Ball(0.5 * (from + to)));
   const double reach =
       kUp * (middle.radius + f.radius + (0.5 * (to - from) + 4 * kUnit) * steepest);
+  assert(!(reach < 0));
   return {middle.c[0] - kUp * reach, middle.c[0] + kUp * reach};
 }
 
@@ -77,6 +80,7 @@ PanelProof::PanelProof(const FoldedShape& shape, const Panels& panels)
 PanelProof::Apart PanelProof::look(const TubeProver& prover, const PathTube& tube,
                                    double resolution) const {
   const std::vector<Corners> corners = prover.place_panels(tube, shape_, panels_);
+  assert(corners.size() == panels_.facets.size() && resolution > 0);
   Apart apart;
   for (const ComparedPanels& panels : compared_) {
     const Corners &a = corners[panels.a], &b = corners[panels.b];
@@ -88,6 +92,7 @@ PanelProof::Apart PanelProof::look(const TubeProver& prover, const PathTube& tub
     const double until = holds_until(are, apart.until, resolution);
     if (until < apart.until) apart = {until, panels.pair};
   }
+  assert(apart.until >= -1 && apart.until <= 1);
   return apart;
 }
 

@@ -33,6 +33,7 @@ Eigen::VectorXd rounded_up(const Eigen::VectorXd& sums) { return kUp * sums.arra
 // A vector that |I - C J| makes smaller, its largest entry 1: its eigenvector, but for small
 // entries.
 Eigen::VectorXd find_weights(const Eigen::MatrixXd& deviation) {
+  assert(deviation.rows() == deviation.cols() && deviation.allFinite());
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(deviation.rows());
   for (int k = 0; k < 8; ++k) {
     const Eigen::VectorXd image = deviation * weights;
@@ -93,6 +94,7 @@ Eigen::MatrixXd TubeProver::inverse_at(const IntervalChart& chart, const std::ve
                                        double s) const {
   const int n = mechanism_.equations;
   std::vector<double> residual(n), values;
+  assert(std::ssize(x) == mechanism_.unknowns);
   with_closure<double>(chart, sheet_, x.data(), s,
                        [&](const auto& closure) { closure.evaluate(residual.data(), &values); });
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, n);
@@ -174,6 +176,7 @@ template <int Degree>
 Eigen::VectorXd TubeProver::bound_product(const std::vector<TaylorModel<Degree>>& residual) const {
   const int n = mechanism_.equations;
   Eigen::VectorXd most = Eigen::VectorXd::Zero(n);
+  assert(std::ssize(residual) == n);
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(n, Degree + kInversePowers);
   for (int j = 0; j < n; ++j) {
     for (int power = 0; power < kInversePowers; ++power) {
@@ -240,12 +243,14 @@ void TubeProver::find_deviation(const PathTube& tube, double box) {
 }
 
 Eigen::VectorXd TubeProver::times_deviation(const Eigen::VectorXd& radii) const {
+  assert(radii.size() == deviation_.cols());
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(radii.size());
   for (Eigen::Index j = 0; j < radii.size(); ++j) sum += radii[j] * deviation_.col(j);
   return rounded_up(sum);
 }
 
 TubeProver::End TubeProver::prove(const PathInterval& interval, double box, PathTube& tube) {
+  assert(box > 0 && box < 1);
   tube.chart = IntervalChart(mechanism_, interval);
   error_ = contraction_ = kInfinite;
   if (!solve_middle(tube.chart)) return End::no_state;
@@ -281,6 +286,8 @@ double TubeProver::estimate_error(const std::vector<PathModel>& residual) const 
 Eigen::VectorXd TubeProver::bound_solution(const PathTube& tube,
                                            const Eigen::VectorXd& most) const {
   if (!most.allFinite()) return Eigen::VectorXd::Constant(most.size(), kInfinite);
+  assert(tube.contraction < 1 && "else nothing is bounded");
+  assert(most.size() == tube.radii.size() && tube.radii.minCoeff() > 0);
   const double largest = (most.array() / tube.radii.array()).maxCoeff();
   Eigen::VectorXd errors = rounded_up(kUp * (largest / (1 - tube.contraction)) * tube.radii);
   for (int k = 0; k < 2; ++k) errors = errors.cwiseMin(rounded_up(most + times_deviation(errors)));
@@ -288,6 +295,7 @@ Eigen::VectorXd TubeProver::bound_solution(const PathTube& tube,
 }
 
 std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {
+  assert(std::ssize(tube.path) == mechanism_.unknowns);
   using Moving = Dual<PathModel>;
   const int n = mechanism_.equations;
   const double half_width = tube.chart.half_width();
