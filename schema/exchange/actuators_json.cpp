@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/preload_json.hpp"
 
@@ -18,6 +20,7 @@ Json numbers_json(const std::vector<double>& numbers) {
 }  // namespace
 
 std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal) {
+  assert(diagonal >= 0 && diagonal < mechanism.diagonal_count());
   return solver::line_label(mechanism.diagonals[diagonal].from, mechanism.diagonals[diagonal].to);
 }
 
@@ -46,6 +49,8 @@ Json limits_json(const solver::Actuation& actuation) {
 }
 
 Json actuation_json(const FoldingView& view, const solver::Actuation& actuation) {
+  assert(actuation.from_row >= 0 && actuation.from_row < actuation.force_n.rows());
+  assert(actuation.force_n.cols() == view.mechanism.diagonal_count());
   const solver::Mechanism& mechanism = view.mechanism;
   Json forces = Json::array();
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
@@ -74,6 +79,8 @@ Json actuation_json(const FoldingView& view, const solver::Actuation& actuation)
 
 Json actuation_history_json(const FoldingView& view, const solver::Actuation& actuation) {
   Json json = actuation_json(view, actuation);
+  assert(actuation.pilot_deg.size() == actuation.energy_n_mm.size());
+  assert(actuation.pilot_deg.size() == actuation.moment_n_mm.size());
   for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
     Json& force = json["forces"][static_cast<std::size_t>(d)]["history_n"] = Json::array();
     for (Eigen::Index row = 0; row < actuation.force_n.rows(); ++row) {

@@ -1,5 +1,7 @@
 #include "schema/exchange/contact_json.hpp"
 
+#include <cassert>
+
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/pattern_file.hpp"
 
@@ -19,6 +21,7 @@ const char* kind_name(solver::ContactKind kind) {
 }
 
 Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel) {
+  assert(panel >= 0 && panel < std::ssize(panels.facets));
   return facet_json(base, panels.facets[static_cast<std::size_t>(panel)]);
 }
 
@@ -26,6 +29,7 @@ Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel
 Json joint_json(const solver::Panels& panels, const solver::PanelPair& pair) {
   if (pair.kind == solver::ContactKind::apart) return nullptr;
   if (pair.kind == solver::ContactKind::vertex) return solver::vertex_label(pair.joint);
+  assert(pair.joint >= 0 && pair.joint < std::ssize(panels.folds));
   const solver::FoldLine& fold = panels.folds[static_cast<std::size_t>(pair.joint)];
   return solver::line_label(fold.a, fold.b);
 }
@@ -76,6 +80,7 @@ Json contact_json(const Pattern& base, const solver::Panels& panels,
 Json contact_study_json(const Pattern& base, const solver::Panels& panels,
                         const solver::ContactStudy& study) {
   Json clearance = {{"pilot_deg", study.pilot_deg}};
+  assert(study.pilot_deg.size() == study.clearances.size());
   for (const solver::Clearance& least : study.clearances) {
     clearance["apart_mm"].push_back(finite_or_null(least.apart_mm));
     clearance["vertex_deg"].push_back(least.vertex_deg);

@@ -1,6 +1,7 @@
 #include "schema/exchange/fold_export.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "schema/pattern/carried_pattern.hpp"
 #include "schema/pattern/filled_mesh.hpp"
@@ -15,6 +16,7 @@ using Eigen::Index;
 std::vector<int> crease_of_edge(const solver::CreasePattern& sheet,
                                 const solver::Mechanism& mechanism) {
   std::vector<int> creases(sheet.edges.size(), -1);
+  assert(sheet.edges.size() == mechanism.edges.size());
   for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
     creases[mechanism.creases[i].edge] = static_cast<int>(i);
   }
@@ -34,6 +36,7 @@ Json coordinates_json(const Eigen::MatrixXd& points_mm) {
 // Angles of one row; flat if there is none. A crease may be closed a little (kOverFoldBand_deg)
 // beyond 180 degrees, which readers need not understand.
 Json angles_json(const FoldingView& view, const std::vector<int>& crease_of_edge, Index row) {
+  assert(row < view.history.fold_angle_deg.rows());
   Json list = Json::array();
   for (const int crease : crease_of_edge) {
     const double angle = crease >= 0 && row >= 0 ? view.history.fold_angle_deg(row, crease) : 0.0;
@@ -87,6 +90,7 @@ class Fillers {
 
  private:
   solver::FoldedFiller folded(const solver::Filler& filler, Index row) const {
+    assert(row >= 0 && row < std::ssize(view_.sheet.shapes_mm()));
     return solver::folded_filler(filler, view_.base.base, flat_mm_,
                                  view_.sheet.shapes_mm()[static_cast<std::size_t>(row)]);
   }
@@ -120,6 +124,7 @@ Json folded_fold_json(const FoldingView& view, const std::vector<Index>& rows,
       rows.empty() ? std::vector<MeshFiller>{} : fillers.lettered(rows.back());
   for (const Index row : rows) {
     Json frame = frame_json(view.history.stations[row].pilot_deg);
+    assert(row >= 0 && row < std::ssize(view.history.stations));
     Json points = coordinates_json(view.sheet.shapes_mm()[static_cast<std::size_t>(row)]),
          angles = angles_json(view, creases, row);
     fillers.add_folded(row, points, angles);
