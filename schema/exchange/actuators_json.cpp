@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/preload_json.hpp"
 
 namespace misalign::schema {
 
 std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal) {
+  assert(diagonal >= 0 && diagonal < mechanism.diagonal_count());
   return solver::line_label(mechanism.diagonals[diagonal].from, mechanism.diagonals[diagonal].to);
 }
 
@@ -36,6 +39,8 @@ Json limits_json(const solver::Actuation& actuation) {
 }
 
 Json actuation_json(const FoldingView& view, const solver::Actuation& actuation) {
+  assert(actuation.from_row >= 0 && actuation.from_row < actuation.force_n.rows());
+  assert(actuation.force_n.cols() == view.mechanism.diagonal_count());
   const solver::Mechanism& mechanism = view.mechanism;
   Json forces = Json::array();
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
@@ -64,6 +69,8 @@ Json actuation_json(const FoldingView& view, const solver::Actuation& actuation)
 
 Json actuation_history_json(const FoldingView& view, const solver::Actuation& actuation) {
   Json json = actuation_json(view, actuation);
+  assert(actuation.pilot_deg.size() == actuation.energy_n_mm.size());
+  assert(actuation.pilot_deg.size() == actuation.moment_n_mm.size());
   for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
     json["forces"][static_cast<std::size_t>(d)]["history_n"] =
         json_list(actuation.force_n.col(d), std::identity());

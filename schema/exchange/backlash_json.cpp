@@ -1,6 +1,7 @@
 #include "schema/exchange/backlash_json.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "schema/files/json_values.hpp"
 #include "solver/play/tolerance.hpp"
@@ -42,6 +43,7 @@ ShareOfTrials one_way_share(const solver::Backlash& backlash, double up_to_deg) 
 
 Json backlash_json(const solver::Backlash& backlash, std::optional<double> threshold_deg) {
   const std::vector<double> left = backlash.left_over();
+  assert(!left.empty() && "a study has trials");
   Json ends = Json::object();
   for (const solver::BacklashTrial::BranchEnd end :
        {solver::BacklashTrial::BranchEnd::flat, solver::BacklashTrial::BranchEnd::turns,

@@ -1,5 +1,7 @@
 #include "schema/exchange/bent_panels_json.hpp"
 
+#include <cassert>
+
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
@@ -41,6 +43,7 @@ Json preload_json(const solver::PreloadStudy& study) {
 Json bent_panels_json(const BentSheet& sheet) {
   const auto& [material, study, advice, preload] = sheet;
   const solver::BentFriction& friction = study.friction;
+  assert(!study.angles.empty() && study.from_deg > study.options.to_deg);
   const solver::BentAngle& most = study.most_bent();
   Json json = {{"material", material_json(material)},
                {"thickness_mm", study.thickness_mm},

@@ -1,5 +1,7 @@
 #include "schema/exchange/contact_json.hpp"
 
+#include <cassert>
+
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
@@ -11,6 +13,7 @@ const char* kind_name(solver::ContactKind kind) {
 }
 
 Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel) {
+  assert(panel >= 0 && panel < std::ssize(panels.facets));
   return facet_json(base, panels.facets[static_cast<std::size_t>(panel)]);
 }
 
@@ -18,6 +21,7 @@ Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel
 Json joint_json(const solver::Panels& panels, const solver::PanelPair& pair) {
   if (pair.kind == solver::ContactKind::apart) return nullptr;
   if (pair.kind == solver::ContactKind::vertex) return solver::vertex_label(pair.joint);
+  assert(pair.joint >= 0 && pair.joint < std::ssize(panels.folds));
   const solver::FoldLine& fold = panels.folds[static_cast<std::size_t>(pair.joint)];
   return solver::line_label(fold.a, fold.b);
 }

@@ -1,6 +1,7 @@
 #include "schema/exchange/fold_export.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/carried_pattern.hpp"
@@ -16,6 +17,7 @@ using Eigen::Index;
 std::vector<int> crease_of_edge(const solver::CreasePattern& sheet,
                                 const solver::Mechanism& mechanism) {
   std::vector<int> creases(sheet.edges.size(), -1);
+  assert(sheet.edges.size() == mechanism.edges.size());
   for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
     creases[mechanism.creases[i].edge] = static_cast<int>(i);
   }
@@ -80,6 +82,7 @@ class Fillers {
 
  private:
   solver::FoldedFiller folded(const solver::Filler& filler, Index row) const {
+    assert(row >= 0 && row < std::ssize(view_.sheet.shapes_mm()));
     return solver::folded_filler(filler, view_.base.base, flat_mm_,
                                  view_.sheet.shapes_mm()[static_cast<std::size_t>(row)]);
   }
@@ -113,6 +116,7 @@ Json folded_fold_json(const FoldingView& view, const std::vector<Index>& rows,
       rows.empty() ? std::vector<MeshFiller>{} : fillers.lettered(rows.back());
   for (const Index row : rows) {
     Json frame = frame_json(view.history.stations[row].pilot_deg);
+    assert(row >= 0 && row < std::ssize(view.history.stations));
     Json points = coordinates_json(view.sheet.shapes_mm()[static_cast<std::size_t>(row)]),
          angles = angles_json(view, creases, row);
     fillers.add_folded(row, points, angles);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 #include <iterator>
 
@@ -27,6 +28,7 @@ std::string ends(int from, int to) {
 }
 
 bool is_shown(double pilot_deg, const FoldingView& view, double every_deg) {
+  assert(every_deg >= 0);
   constexpr double kSame_deg = 1e-9;
   if (every_deg == 0) return true;
   const double reached_deg = view.history.verdict.deploys_from_sample * view.sample_deg;
@@ -46,6 +48,7 @@ std::string diagonal_rows(const RowKey& key, const FoldingView& view,
                           const solver::Actuation& actuation, double every_deg) {
   const std::string sheet = csv_cell(key.value) + ",";
   std::vector<std::string> names;  // of the diagonals: what no row changes
+  assert(std::ssize(actuation.pilot_deg) == actuation.force_n.rows());
   for (std::size_t d = 0; d < view.mechanism.diagonals.size(); ++d) {
     const solver::Diagonal& diagonal = view.mechanism.diagonals[d];
     const auto& hole = view.base.base.sheet.places[view.mechanism.loops[diagonal.loop].hole];

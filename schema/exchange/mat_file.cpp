@@ -2,6 +2,7 @@
 
 #include <matio.h>
 
+#include <cassert>
 #include <filesystem>
 #include <limits>
 #include <new>
@@ -54,6 +55,7 @@ MatValue MatValue::matrix(const std::string& name, const Eigen::MatrixXd& number
 
 MatValue MatValue::box(const std::string& name, const std::array<std::size_t, 3>& dimensions,
                        std::span<const double> numbers) {
+  assert(numbers.size() == dimensions[0] * dimensions[1] * dimensions[2]);
   return MatValue(doubles(name, {dimensions.begin(), dimensions.end()}, numbers.data()));
 }
 

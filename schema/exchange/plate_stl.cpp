@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <cassert>
 #include <iterator>
 
 namespace misalign::schema {
@@ -14,6 +15,7 @@ using Eigen::Vector3d;
 // Of the panel with these corners, counter-clockwise: along its first edge, across it, upwards.
 Matrix3d axes_of(const Vector3d& first, const Vector3d& second, const Vector3d& last) {
   const Vector3d along = (second - first).normalized();
+  assert(first != second && first != last);
   const Vector3d up = along.cross(last - first).normalized();
   Matrix3d axes;
   axes << along, up.cross(along), up;
@@ -28,6 +30,7 @@ std::string plate_stl(const Pattern& base, const solver::Panels& panels,
                       const Eigen::Matrix3Xd& shape_mm) {
   std::string text;
   const auto out = std::back_inserter(text);
+  assert(solids.size() <= panels.corners.size() && shape_mm.cols() == flat_mm.cols());
   for (std::size_t panel = 0; panel < solids.size(); ++panel) {
     const auto& corners = panels.corners[panel];
     const auto flat = [&](std::size_t k) {
@@ -46,6 +49,7 @@ std::string plate_stl(const Pattern& base, const solver::Panels& panels,
       vertices_mm.push_back(folded(0) + rotation * (vertex - flat(0)));
     }
     for (const std::vector<int>& face : solids[panel].faces) {
+      assert(face.size() >= 3);
       for (std::size_t k = 2; k < face.size(); ++k) {
         const std::array<Vector3d, 3> p{vertices_mm[static_cast<std::size_t>(face[0])],
                                         vertices_mm[static_cast<std::size_t>(face[k - 1])],

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -31,6 +32,7 @@ constexpr double kSoftSprings = 1e12;
 // stiffness, and false position on these (Illinois) takes few steps.
 std::optional<double> least_stiffness(const BentWay& way, BendMethod method, double wanted,
                                       double much, double critical_of_much) {
+  assert(wanted > 0 && much > 0 && wanted <= critical_of_much);
   struct Point {
     double mm_per_n, above;  // one over the stiffness; one over the friction, less what is wanted
   };
@@ -49,6 +51,7 @@ std::optional<double> least_stiffness(const BentWay& way, BendMethod method, dou
   const double close = method == BendMethod::linear ? 1.003 : 1.03;
   int stiffer_in_turn = 0;  // negative: softer
   while (soft.mm_per_n > close * stiff.mm_per_n) {
+    assert(stiff.above <= 0 && soft.above > 0);
     // At least this far into the bracket, also where springs so soft overcome nothing.
     const double share = std::clamp(stiff.above / (stiff.above - soft.above), 0.02, 0.98);
     const auto next = at(stiff.mm_per_n + share * (soft.mm_per_n - stiff.mm_per_n));
@@ -79,6 +82,7 @@ std::optional<double> least_thickness(const Sheet& sheet, const BentPanels& stud
   if (!suffices(enough_mm)) return {};
   while (enough_mm > 1.003 * little_mm) {
     const double middle_mm = std::sqrt(enough_mm * little_mm);
+    assert(little_mm < middle_mm && middle_mm < enough_mm);
     (suffices(middle_mm) ? enough_mm : little_mm) = middle_mm;
   }
   return enough_mm;

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -64,6 +65,7 @@ class HeldStiffness {
 };
 
 HeldStiffness::HeldStiffness(const MatrixXd& a, const VectorXd& g) : g_(g) {
+  assert(a.rows() == a.cols() && a.rows() == g.size());
   beta_ = a.diagonal().mean() / g.squaredNorm();
   MatrixXd b = a;
   b.selfadjointView<Eigen::Lower>().rankUpdate(g, beta_);
@@ -73,6 +75,7 @@ HeldStiffness::HeldStiffness(const MatrixXd& a, const VectorXd& g) : g_(g) {
 }
 
 MatrixXd HeldStiffness::lower(const MatrixXd& r) const {
+  assert(is_positive_ && r.rows() == g_.size());
   MatrixXd lower = factors_.matrixL().solve(r);
   lower -= lower_g_ * (lower_g_.transpose() * lower) / lower_g_.squaredNorm();
   return lower;
@@ -83,6 +86,7 @@ MatrixXd HeldStiffness::upper(const MatrixXd& lower) const {
 }
 
 HeldStiffness::Step HeldStiffness::solve(const VectorXd& r, double c) const {
+  assert(is_positive_ && r.size() == g_.size());
   const VectorXd lower = factors_.matrixL().solve(r);
   const double mu = (lower_g_.dot(lower) - c) / lower_g_.squaredNorm();
   return {factors_.matrixU().solve(lower - mu * lower_g_), mu + beta_ * c};
@@ -107,11 +111,14 @@ BentFollower::BentFollower(const ElasticSheet& sheet, const Matrix3Xd& folded_mm
       free_(coordinates_but(sheet.coordinates(), sheet.supports(folded_mm))),
       load_{sheet.turned_mm(folded_mm), sheet.lengths_mm(folded_mm)} {
   state_.at_mm = folded_mm;
+  assert(n_per_mm > 0 && folded_mm.cols() == sheet.vertices());
+  assert(std::ssize(free_) == sheet.coordinates() - 6 && "the first panel is held still");
 }
 
 BentFollower::~BentFollower() = default;
 
 bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
+  assert(relaxed_mm.size() == sheet_.diagonals());
   if (!held_ && !correct(load_, sheet_.panel_width_mm(), state_)) return false;
   const Load from = load_;
   double left = 1;  // of the way to the new load
@@ -185,6 +192,7 @@ double BentFollower::move(const VectorXd& by, double share, State& state) const 
 }
 
 std::optional<Compliance> find_compliance(const ElasticSheet& sheet, const Matrix3Xd& folded_mm) {
+  assert(folded_mm.cols() == sheet.vertices());
   const std::vector<int> free = coordinates_but(sheet.coordinates(), sheet.supports(folded_mm));
   const MatrixXd bend = sheet.panels_energy(folded_mm).bend(free, free);
   const HeldStiffness held(bend, sheet.turned_slope(folded_mm)(free));
@@ -196,6 +204,7 @@ std::optional<Compliance> find_compliance(const ElasticSheet& sheet, const Matri
 }
 
 BentState bend(const Compliance& compliance, const DiagonalSprings& springs) {
+  assert(springs.n_per_mm > 0 && springs.relaxed_mm.size() == compliance.lengths_mm.size());
   const VectorXd pull = compliance.lengths_mm - springs.relaxed_mm;
   MatrixXd give = compliance.mm_per_n;
   give.diagonal().array() += 1 / springs.n_per_mm;

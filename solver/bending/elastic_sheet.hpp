@@ -13,6 +13,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cassert>
 #include <vector>
 
 #include "solver/bending/elastic_panel.hpp"
@@ -41,6 +42,7 @@ class ElasticSheet {
   Eigen::Index panels() const { return static_cast<Eigen::Index>(plates_.size()); }
   Eigen::Index diagonals() const { return static_cast<Eigen::Index>(diagonals_.size()); }
   const std::array<int, 4>& corners(Eigen::Index panel) const {
+    assert(panel >= 0 && panel < panels());
     return corners_[static_cast<std::size_t>(panel)];
   }
   double panel_width_mm() const { return panel_width_mm_; }

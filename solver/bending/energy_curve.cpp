@@ -1,5 +1,6 @@
 #include "solver/bending/energy_curve.hpp"
 
+#include <cassert>
 #include <cmath>
 
 #include "solver/pattern/half_angle.hpp"
@@ -20,6 +21,7 @@ VectorXd EnergyCurve::Series::points(double low, double high, int count) {
 EnergyCurve::Series::Series(double low, double high, const VectorXd& values)
     : low_(low), high_(high), coefficients_(values.size()) {
   const Index last = values.size() - 1;
+  assert(low < high && last >= 1);
   const auto half = [&](Index k) { return k == 0 || k == last ? 0.5 : 1.0; };
   for (Index j = 0; j <= last; ++j) {
     double sum = 0;
@@ -49,6 +51,8 @@ EnergyCurve::Series::Value EnergyCurve::Series::at(double place) const {
 EnergyCurve::EnergyCurve(double least_deg, double most_deg, const VectorXd& above_flat_n_mm,
                          const VectorXd& reference_n_mm, const VectorXd& turned_mm)
     : least_deg_(least_deg), most_deg_(most_deg) {
+  assert(least_deg > 0 && least_deg < most_deg);
+  assert(turned_mm.minCoeff() > 0 && reference_n_mm.size() == turned_mm.size());
   const double low = std::log(least_deg), high = std::log(most_deg);
   share_ = {low, high, above_flat_n_mm.cwiseQuotient(reference_n_mm)};
   log_reference_ = {low, high, reference_n_mm.array().log()};
@@ -60,6 +64,7 @@ VectorXd EnergyCurve::angles_deg(double least_deg, double most_deg, int count) {
 }
 
 EnergyCurve::At EnergyCurve::at(double pilot_deg) const {
+  assert(pilot_deg > 0);
   const double place = std::log(pilot_deg);
   const auto share = share_.at(place), reference = log_reference_.at(place),
              turned = log_turned_.at(place);

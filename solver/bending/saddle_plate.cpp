@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -20,6 +21,7 @@ double area_of(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.
 // (Golub & Welsch 1969).
 struct Quadrature {
   explicit Quadrature(int count) {
+    assert(count > 0);
     MatrixXd recurrence = MatrixXd::Zero(count, count);
     for (int k = 1; k < count; ++k) {
       recurrence(k, k - 1) = recurrence(k - 1, k) = k / std::sqrt(4.0 * k * k - 1);
@@ -81,6 +83,7 @@ struct Product {
 // Those that leave the corners where they are, and creases straight. Edges go round: v low, u high,
 // v high, u low.
 std::vector<Product> free_functions(int degree, const std::array<bool, 4>& is_straight) {
+  assert(degree >= 2);
   std::vector<Product> functions;
   for (int k = 2; k <= degree; ++k) {
     if (!is_straight[0]) functions.push_back({k, 0});
@@ -193,6 +196,7 @@ struct Relaxed {
 };
 
 Relaxed relax(const Plate& plate, double poisson) {
+  assert(poisson > -1 && poisson < 1);
   MatrixXd rooted;
   VectorXd weights;
   plate.find_curvatures(rooted, weights);

@@ -1,6 +1,7 @@
 #include "solver/certificate/certificate_check.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "solver/certificate/panel_check.hpp"
 
@@ -118,6 +119,7 @@ class Checker {
   };
 
   const char* check(const PathInterval& interval, const Claims& claims) {
+    assert(!claims.contact || panels_ != nullptr);
     const char* unproven = "no curve of single states is proven within its box";
     const auto question = [&](const ProvenInterval& whole,
                               const ProvenInterval::Subinterval& subinterval) {
@@ -162,6 +164,7 @@ class Checker {
         signs_.push_back(value_at(slope, ArbNumber(0.0)) < ArbNumber(0.0) ? -1 : 1);
       }
     }
+    assert(signs_.size() == subinterval.slopes.size());
     Proof proof = Proof::holds;
     for (std::size_t d = 0; d < signs_.size() && proof != Proof::fails; ++d) {
       proof = both(proof, is_positive(times(signs_[d], subinterval.slopes[d])));
@@ -196,6 +199,7 @@ class Checker {
   // Whether a state lies where that subinterval has no other than its own.
   static bool is_within(const ProvenInterval::Subinterval& subinterval, const ArbNumber& s,
                         const std::vector<ArbNumber>& unknowns) {
+    assert(unknowns.size() >= subinterval.guess.size());
     const ArbNumber place = (s - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
     if (!(size_of(place) <= ArbNumber(1.0))) return false;
     for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
@@ -217,6 +221,7 @@ class Checker {
   }
 
   bool joins(const ProvenInterval& next) const {
+    assert(!next.subintervals.empty() && "only what is proven is joined");
     if (last_.subintervals.empty()) return next.interval.from_deg == 0;
     const ArbNumber tau = half_tangent(ArbNumber(next.interval.from_deg));
     const IntervalProver::JointPlaces places =
@@ -225,6 +230,7 @@ class Checker {
   }
 
   const char* check_closing(const PathInterval& closing) {
+    assert(is_event(certificate_.end) && certificate_.where >= 0);
     // What the path of a crease goes through must be what is said: its sine keeps its sign while
     // its cosine changes, or the other way about.
     const Claims claims{certificate_.end == CertificateEnd::sign_changed,

@@ -111,6 +111,7 @@ class TubeContinuation {
 
   // With a state near that in its middle. It sets the diagonals' directions.
   bool begin_with(double to_deg, FoldState<double> middle) {
+    assert(to_deg > 0 && to_deg <= certificate_.asked_deg);
     PathTube tube;
     const PathInterval interval{0, to_deg, true, 0, std::move(middle)};
     if (prover_.prove(interval, kLargestBox, tube) != TubeProver::End::proven) return false;
@@ -177,6 +178,7 @@ class TubeContinuation {
     assert(tries_ <= kMostTries);
     PathTube tube;
     const double width = to - at_deg();
+    assert(width > 0);
     const TubeProver::End end =
         prover_.prove(interval_to(to), kLargestBox * std::clamp(width, 0.01, 1.0), tube);
     if (end == TubeProver::End::proven && join(last_, tube)) return consider(std::move(tube));
@@ -212,6 +214,7 @@ class TubeContinuation {
   // A proven interval counts, or a shorter one is to be tried, or the way ends here.
   bool consider(PathTube tube) {
     const double from = at_deg(), width = tube.chart.interval().to_deg - from;
+    assert(width > 0 && tube.chart.interval().to_deg <= certificate_.asked_deg);
     const double resolution = std::min(0.01, 0.02 * kClosing_deg / width);
     const Obstacle first = first_obstacle(tube, prover_.find_slopes(tube), resolution);
     if (first.until == 1) {
@@ -257,6 +260,7 @@ class TubeContinuation {
   }
 
   void accept(PathTube tube) {
+    assert(tube.chart.interval().from_deg == at_deg() && tube.chart.interval().to_deg > at_deg());
     certificate_.intervals.push_back(kept(tube));
     last_ = std::move(tube);
   }
@@ -282,6 +286,8 @@ Certifier::Certifier(const Model& model, bool contact)
 Certifier::~Certifier() = default;
 
 Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg) {
+  assert(vertices_mm.cols() == workspace_->model.mechanism().vertices);
+  assert(asked_deg >= 0 && asked_deg <= 180);
   if (!rounds_as_proven()) {
     Certificate nothing;
     nothing.asked_deg = asked_deg;

@@ -1,5 +1,6 @@
 #include "solver/certificate/conditions.hpp"
 
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -7,6 +8,7 @@ namespace {
 
 // Whether f > 0 on [from, to]: by its value in the middle, and how far it can fall from there.
 bool is_positive(const PathModel& f, double steepest, double from, double to) {
+  assert(from <= to && -1 <= from && to <= 1 && "models are known there alone");
   const Ball middle(0.5 * (from + to));
   const Ball value = polynomial_at(f, middle);
   const double half = 0.5 * (to - from) + 4 * kUnit;
@@ -19,6 +21,7 @@ std::vector<Condition> conditions_of(const Mechanism& mechanism, const PathTube&
                                      const std::vector<PathModel>& slopes,
                                      const std::vector<int>& directions) {
   std::vector<Condition> conditions;
+  assert(slopes.size() == directions.size());
   for (std::size_t d = 0; d < slopes.size(); ++d) {
     conditions.push_back({CertificateEnd::reversal, static_cast<int>(d),
                           static_cast<double>(directions[d]) * slopes[d]});
@@ -38,6 +41,7 @@ std::vector<Condition> conditions_of(const Mechanism& mechanism, const PathTube&
 }
 
 double positive_until(const PathModel& f, double resolution) {
+  assert(resolution > 0);
   double steepest = 0;
   for (int k = 1; k <= kPathDegree; ++k) steepest += k * std::abs(f.c[k]);
   steepest *= kUp;

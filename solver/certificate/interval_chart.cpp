@@ -1,6 +1,7 @@
 #include "solver/certificate/interval_chart.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -102,6 +103,7 @@ HalfAngle<Ball> half_angle_ball(double angle_deg) {
 }
 
 SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
+  assert(vertices_mm.cols() == mechanism.vertices);
   SheetGeometry<Ball> geometry;
   const Ball width(mechanism.panel_width_mm);
   for (int v = 0; v < vertices_mm.cols(); ++v) {
@@ -121,6 +123,9 @@ SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices
 
 IntervalChart::IntervalChart(const Mechanism& mechanism, const PathInterval& interval)
     : mechanism_(&mechanism), interval_(interval) {
+  assert(interval.from_deg >= 0 && interval.from_deg < interval.to_deg && interval.to_deg <= 180);
+  assert(interval.middle.creases.size() == mechanism.creases.size());
+  assert(interval.middle.balls.size() == mechanism.balls.size());
   if (interval.graded) {
     const Ball low = squared_tangent_of(interval.from_deg),
                high = squared_tangent_of(interval.to_deg);
@@ -134,6 +139,7 @@ IntervalChart::IntervalChart(const Mechanism& mechanism, const PathInterval& int
     half_width_ = std::max(turn_between(pilot_, half_angle_ball(interval.from_deg)).bound(),
                            turn_between(pilot_, half_angle_ball(interval.to_deg)).bound());
   }
+  assert(half_width_ > 0);
   place_joints();
 }
 
@@ -215,6 +221,7 @@ double IntervalChart::angle_deg_until(double s) const {
 }
 
 IntervalChart::PlainState IntervalChart::plain(const std::vector<Ball>& x, double pilot_deg) const {
+  assert(std::ssize(x) >= mechanism_->equations);
   const Ball tau = is_graded() ? tangent_of(pilot_deg) : Ball(1.0), sigma = tau * tau;
   PlainState state;
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
@@ -237,6 +244,8 @@ IntervalChart::PlainState IntervalChart::plain(const std::vector<Ball>& x, doubl
 }
 
 std::vector<Ball> IntervalChart::unknowns(const PlainState& state, double pilot_deg) const {
+  assert(state.creases.size() == joints_.creases.size());
+  assert(state.balls.size() == joints_.balls.size());
   const Ball tau = is_graded() ? tangent_of(pilot_deg) : Ball(1.0), sigma = tau * tau;
   std::vector<Ball> x(mechanism_->equations);
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {

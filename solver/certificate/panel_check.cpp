@@ -1,5 +1,7 @@
 #include "solver/certificate/panel_check.hpp"
 
+#include <cassert>
+
 namespace misalign::solver {
 namespace {
 
@@ -56,6 +58,7 @@ bool are_apart_along(const ComparedPanels& panels, const Eigen::Vector3d& direct
 bool are_panels_apart(const ComparedPanels& panels, const Corners& a, const Corners& b,
                       double middle, double half, int& parts) {
   constexpr double kShortest = 0x1p-26;
+  assert(half > 0 && middle - half >= -1 && middle + half <= 1);
   constexpr int kMostParts = 10000;
   if (++parts > kMostParts) return false;
   const auto direction = separating_direction(panels, corners_at(a, middle), corners_at(b, middle));
@@ -76,6 +79,7 @@ PanelCheck::PanelCheck(const FoldedShape& shape, const Panels& panels)
 Proof PanelCheck::are_apart(const IntervalProver& prover, const ProvenInterval& interval,
                             const ProvenInterval::Subinterval& subinterval) const {
   const auto corners = prover.place_panels(interval, subinterval, shape_, panels_);
+  assert(corners.size() == panels_.facets.size());
   for (const ComparedPanels& panels : compared_) {
     int parts = 0;
     if (!are_panels_apart(panels, corners[panels.a], corners[panels.b], 0, 1, parts)) {

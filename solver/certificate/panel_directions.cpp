@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 
 #include "solver/contact/panel_distance.hpp"
 
@@ -50,6 +51,7 @@ std::vector<ComparedPanels> compared_panels(const Panels& panels) {
     if (pair.kind == ContactKind::crease) continue;
     const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
     const bool joined = pair.kind == ContactKind::vertex;
+    assert(a < b && b < panels.corners.size());
     compared.push_back({pair.kind, a, b, joined ? corner_of(panels.corners[a], pair.joint) : 0,
                         joined ? corner_of(panels.corners[b], pair.joint) : 0,
                         static_cast<int>(p)});
@@ -64,6 +66,7 @@ std::optional<Vector3d> separating_direction(const ComparedPanels& panels, const
     if (!(separation.distance > 0)) return std::nullopt;
     return separation.direction;
   }
+  assert(panels.kind == ContactKind::vertex && panels.vertex_of_a < 4 && panels.vertex_of_b < 4);
   std::array<Vector3d, 4> arms;
   for (int k = 0; k < 2; ++k) {
     const int side = k == 0 ? 1 : 3;

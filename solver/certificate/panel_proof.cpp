@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "solver/certificate/conditions.hpp"
@@ -29,6 +30,7 @@ Enclosure enclose(const Vector3d& direction, const GradedVector<JacobianModel>& 
   const Ball middle = polynomial_at(f, Ball(0.5 * (from + to)));
   const double reach =
       kUp * (middle.radius + f.radius + (0.5 * (to - from) + 4 * kUnit) * steepest);
+  assert(!(reach < 0));
   return {middle.c[0] - kUp * reach, middle.c[0] + kUp * reach};
 }
 
@@ -70,6 +72,7 @@ PanelProof::PanelProof(const FoldedShape& shape, const Panels& panels)
 PanelProof::Apart PanelProof::prove(const TubeProver& prover, const PathTube& tube,
                                     double resolution) const {
   const std::vector<Corners> corners = prover.place_panels(tube, shape_, panels_);
+  assert(corners.size() == panels_.facets.size() && resolution > 0);
   Apart apart;
   for (const ComparedPanels& panels : compared_) {
     const Corners &a = corners[panels.a], &b = corners[panels.b];
@@ -81,6 +84,7 @@ PanelProof::Apart PanelProof::prove(const TubeProver& prover, const PathTube& tu
     const double until = holds_until(are, apart.until, resolution);
     if (until < apart.until) apart = {until, panels.pair};
   }
+  assert(apart.until >= -1 && apart.until <= 1);
   return apart;
 }
 

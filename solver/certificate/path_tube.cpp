@@ -1,11 +1,13 @@
 #include "solver/certificate/path_tube.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace misalign::solver {
 
 double PathTube::isolation() const {
   double least = 1;
+  assert(std::ssize(path) >= radii.size() && radii.minCoeff() > 0);
   for (Eigen::Index i = 0; i < radii.size(); ++i) {
     least = std::min(least, 0.9 * radii[i] - path[i].radius);
   }
@@ -14,6 +16,8 @@ double PathTube::isolation() const {
 
 bool join(const PathTube& before, const PathTube& after) {
   const double at_deg = after.chart.interval().from_deg;
+  assert(at_deg == before.chart.interval().to_deg && "an interval begins where the last one ends");
+  assert(before.radii.size() == after.radii.size());
   const Ball s = before.chart.place_of(at_deg), s_after = after.chart.place_of(at_deg);
   std::vector<Ball> x(before.radii.size());
   for (std::size_t j = 0; j < x.size(); ++j) x[j] = value_at(before.path[j], s);

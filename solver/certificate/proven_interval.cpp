@@ -1,5 +1,6 @@
 #include "solver/certificate/proven_interval.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -37,6 +38,7 @@ void add_ends(const Mechanism& mechanism, SheetGeometry<ArbNumber>& geometry) {
 
 SheetGeometry<ArbNumber> place_in_balls(const Mechanism& mechanism,
                                         const FlatVertices& vertices_mm) {
+  assert(vertices_mm.cols() == mechanism.vertices);
   SheetGeometry<ArbNumber> geometry;
   for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
     const ArbNumber width(mechanism.panel_width_mm);
@@ -77,6 +79,7 @@ IntervalProver::IntervalProver(const Mechanism& mechanism, const FlatVertices& v
 }
 
 void IntervalProver::begin(ProvenInterval& interval) const {
+  assert(interval.interval.from_deg < interval.interval.to_deg);
   // So that both ends are within [-1, 1] for certain: more than the middle's rounding takes.
   constexpr double kMore = 1 + 1e-12, kRounding = 4 * std::numeric_limits<double>::epsilon();
   const ArbNumber low(interval.interval.from_deg), high(interval.interval.to_deg);
@@ -121,6 +124,8 @@ void IntervalProver::begin(ProvenInterval& interval) const {
 
 void IntervalProver::begin_joints(ProvenInterval& interval, const HalfAngle<double>& pilot) const {
   const FoldState<double>& state = interval.interval.middle;
+  assert(state.creases.size() == mechanism_.creases.size());
+  assert(state.balls.size() == mechanism_.balls.size());
   const double tau = std::sqrt(interval.sigma);
   for (std::size_t i = 0; i < state.creases.size(); ++i) {
     const bool is_pilot = static_cast<int>(i) == mechanism_.pilot;
@@ -147,6 +152,8 @@ IntervalProver::JointPlaces IntervalProver::places(const ProvenInterval& interva
                                                    const std::vector<ArbNumber>& unknowns,
                                                    const ArbNumber& tau) const {
   const ArbNumber order = interval.interval.graded ? tau : ArbNumber(1.0);
+  assert(interval.lines.creases.size() == mechanism_.creases.size());
+  assert(std::ssize(unknowns) >= mechanism_.equations);
   JointPlaces places;
   for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
     const JointLines::Crease& line = interval.lines.creases[i];
@@ -174,6 +181,8 @@ std::vector<ArbNumber> IntervalProver::unknowns(const ProvenInterval& interval,
                                                 const JointPlaces& places,
                                                 const ArbNumber& tau) const {
   std::vector<ArbNumber> x(mechanism_.unknowns);
+  assert(places.creases.size() == mechanism_.creases.size());
+  assert(places.balls.size() == mechanism_.balls.size());
   for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
     const JointLines::Crease& line = interval.lines.creases[i];
     const auto& [c, s] = places.creases[i];
@@ -215,6 +224,8 @@ Proof IntervalProver::prove(const PathInterval& interval, const Question& questi
 Proof IntervalProver::cover(ProvenInterval& interval, double low, double high,
                             const Eigen::VectorXd& start, int depth, const Question& question) {
   constexpr int kMostCuts = 10;
+  assert(-1 <= low && low < high && high <= 1);
+  assert(depth <= kMostCuts);
   // Uneven, so that neither an interval's middle nor any place that is asked for is between two.
   constexpr double kCut = 0.4375;
   Subinterval subinterval{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}};

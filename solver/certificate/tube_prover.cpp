@@ -1,6 +1,7 @@
 #include "solver/certificate/tube_prover.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -187,6 +188,7 @@ void TubeProver::find_deviation(const PathTube& tube, double box) {
 }
 
 TubeProver::End TubeProver::prove(const PathInterval& interval, double box, PathTube& tube) {
+  assert(box > 0 && box < 1);
   tube.chart = IntervalChart(mechanism_, interval);
   error_ = contraction_ = kInfinite;
   if (!solve_middle(tube.chart)) return End::no_state;
@@ -213,6 +215,7 @@ TubeProver::End TubeProver::prove(const PathInterval& interval, double box, Path
 }
 
 std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {
+  assert(std::ssize(tube.path) == mechanism_.unknowns);
   using Moving = Dual<PathModel>;
   const int n = mechanism_.equations;
   const double half_width = tube.chart.half_width();

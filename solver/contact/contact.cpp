@@ -1,6 +1,7 @@
 #include "solver/contact/contact.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "solver/studies/angle_of_use.hpp"
 
@@ -23,11 +24,13 @@ StudyResult<ContactStudy> contact(const Sheet& sheet, const ContactOptions& opti
   if (!motion) return NoResult::path_lost;
   const FoldingWay& way = motion->way();
   const double known = motion->resolved_until();
+  assert(known > 0 && known <= way.end());
   study.deploys_from_deg = sheet.deploys_from_deg();
   study.end_deg = way.end_deg();
   study.known_until_deg = way.pilot_deg(known);
   const ContactFinder finder(sheet.panels(), *motion);
   study.first = finder.first(known);
+  assert(!study.first || study.first->x <= known);
   const double last_deg = study.first ? study.first->pilot_deg : study.known_until_deg;
   for (double pilot_deg = 0; pilot_deg <= last_deg; pilot_deg += kClearanceStep_deg) {
     study.pilot_deg.push_back(pilot_deg);

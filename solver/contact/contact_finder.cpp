@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -15,14 +16,17 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // The corners before and after one, seen from it.
 std::array<Vector3d, 2> arms_of(const PolygonCorners& corners, int at) {
+  assert(corners.cols() == 4 && at >= 0 && at < 4);
   return {corners.col((at + 3) % 4) - corners.col(at), corners.col((at + 1) % 4) - corners.col(at)};
 }
 
 // The sector that a panel is of at a corner, out to `radius_mm` at least: a triangle.
 PolygonCorners sector_of(const PolygonCorners& corners, int at, double radius_mm) {
+  assert(radius_mm > 0);
   const auto [before, after] = arms_of(corners, at);
   const Vector3d one = after.normalized(), other = before.normalized();
   const double cos_half = (one + other).norm() / 2;
+  assert(cos_half > 0 && "corners of a panel are convex");
   const double side_mm = 1.01 * radius_mm / cos_half;
   PolygonCorners sector(3, 3);
   sector << corners.col(at), corners.col(at) + side_mm * one, corners.col(at) + side_mm * other;
@@ -31,6 +35,7 @@ PolygonCorners sector_of(const PolygonCorners& corners, int at, double radius_mm
 
 // Of a unit vector from the sector between two.
 double angle_from_sector(const Vector3d& ray, const Vector3d& one, const Vector3d& other) {
+  assert(std::abs(ray.norm() - 1) < 1e-6);
   const Vector3d normal = one.cross(other).normalized();
   const double height = normal.dot(ray);
   const Vector3d foot = ray - height * normal;
@@ -87,6 +92,7 @@ std::unique_ptr<GapWalk> ContactFinder::walk_of(const PanelPair& pair) const {
   // Two sectors with one apex meet where the one's chord, b's diagonal, meets the other.
   const int at_a = corner_of(panels_.corners[pair.a], pair.joint);
   const int at_b = corner_of(panels_.corners[pair.b], pair.joint);
+  assert(at_a < 4 && at_b < 4 && "both panels have the vertex");
   const auto [before, after] = arms_of(b, at_b);
   PolygonCorners chord(3, 2);
   chord << b.col((at_b + 3) % 4), b.col((at_b + 1) % 4);
@@ -96,6 +102,7 @@ std::unique_ptr<GapWalk> ContactFinder::walk_of(const PanelPair& pair) const {
 }
 
 std::optional<Contact> ContactFinder::first(double end) const {
+  assert(end >= 0);
   std::optional<Contact> first;
   for (const PanelPair& pair : pairs_) {
     const std::unique_ptr<GapWalk> walk = walk_of(pair);
@@ -104,6 +111,7 @@ std::optional<Contact> ContactFinder::first(double end) const {
     const auto* polygons = dynamic_cast<const PolygonWalk*>(walk.get());
     first = contact_of(pair, polygons ? polygons->separation() : Separation{}, x);
   }
+  assert(!first || (first->x >= 0 && first->x <= end));
   return first;
 }
 

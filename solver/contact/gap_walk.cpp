@@ -1,6 +1,7 @@
 #include "solver/contact/gap_walk.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,7 @@ double first_root(double f, double b, double a) {
 }  // namespace
 
 const PolygonCorners& GapWalk::rates(int node) const {
+  assert(node < motion_.nodes());
   const auto slot = static_cast<std::size_t>(node & 3);
   if (nodes_[slot] != node) find_rates(node, rates_[slot]);
   nodes_[slot] = node;
@@ -28,6 +30,7 @@ const PolygonCorners& GapWalk::rates(int node) const {
 
 const GapWalk::Segment& GapWalk::segment(int index) const {
   if (index == segment_index_) return segment_;
+  assert(index >= 0 && index <= motion_.nodes());
   segment_index_ = index;
   auto& [from, to, error] = segment_;
   const int last = motion_.nodes() - 1;
@@ -52,6 +55,8 @@ const GapWalk::Segment& GapWalk::segment(int index) const {
 }
 
 double GapWalk::certain_until(double level_mm, double end) const {
+  assert(x_ >= 0 && x_ <= end);
+  assert(gaps_mm_.minCoeff() > level_mm && "the gap is open where it was last looked at");
   const double step = motion_.step();
   const double place = x_ / step + 0.5;
   int index = std::min(static_cast<int>(place), motion_.nodes());
@@ -105,6 +110,7 @@ void PolygonWalk::find_rates(int node, PolygonCorners& rates) const {
 }
 
 double first_touch(GapWalk& walk, double touch_mm, double end) {
+  assert(touch_mm > 0 && end >= 0);
   for (double x = 0;; x = walk.certain_until(touch_mm / 2, end)) {
     if (walk.move_to(x) <= touch_mm) return x;
     if (x >= end) return std::numeric_limits<double>::infinity();
@@ -112,6 +118,8 @@ double first_touch(GapWalk& walk, double touch_mm, double end) {
 }
 
 bool lower_to_least(GapWalk& walk, double slack, double end, double& least_mm, double& at_x) {
+  assert(slack > 0 && slack < 1 && end >= 0);
+  assert(least_mm > 0);
   bool is_less = false;
   for (double x = 0;; x = walk.certain_until((1 - slack) * least_mm, end)) {
     const double gap_mm = walk.move_to(x);

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cassert>
 #include <functional>
 
 #include "solver/pattern/half_angle.hpp"
@@ -30,6 +31,7 @@ struct Box {
 };
 
 Box box_along(const Matrix3d& axes, const Matrix3Xd& points_mm) {
+  assert(axes.isUnitary(1e-9));
   const Matrix3Xd along_mm = axes.transpose() * points_mm;
   return {axes, along_mm.rowwise().maxCoeff() - along_mm.rowwise().minCoeff()};
 }
@@ -58,6 +60,7 @@ Box descended(Box best, const Matrix3Xd& points_mm) {
 }  // namespace
 
 Vector3d least_box_mm(const Matrix3Xd& points_mm) {
+  assert(points_mm.cols() > 0 && points_mm.allFinite());
   const Matrix3Xd centred_mm = points_mm.colwise() - points_mm.rowwise().mean();
   const Matrix3d principal =
       Eigen::JacobiSVD<Matrix3d>(centred_mm * centred_mm.transpose(), Eigen::ComputeFullU)

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace misalign::solver {
@@ -16,6 +17,7 @@ struct PolygonPlane {
 };
 
 PolygonPlane plane_of(const PolygonCorners& polygon) {
+  assert(polygon.cols() >= 3);
   // Of the widest triangle from the first corner: where corners are cut off, edges may be short.
   Vector3d normal = Vector3d::Zero();
   for (Index k = 2; k < polygon.cols(); ++k) {
@@ -87,6 +89,7 @@ void compare_with_face(const PolygonCorners& face, const PolygonCorners& points,
 }  // namespace
 
 Separation separation_of(const PolygonCorners& a, const PolygonCorners& b) {
+  assert(a.cols() >= 3 && b.cols() >= 2);
   Separation closest{std::numeric_limits<double>::infinity(), {}, {}, {}};
   compare_with_face(a, b, [&](const Vector3d& on_a, const Vector3d& on_b, const Vector3d& normal) {
     keep_closer(on_a, on_b, normal, closest);
@@ -104,6 +107,7 @@ Separation separation_of(const PolygonCorners& a, const PolygonCorners& b) {
       compare_segments(p, u, q, v, closest);
     }
   }
+  assert(closest.distance < std::numeric_limits<double>::infinity());
   return closest;
 }
 

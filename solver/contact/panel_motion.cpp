@@ -43,6 +43,7 @@ PanelMotion::Pose pose_of(const Pose<double>& pose, double width_mm) {
 
 // The last row of differences of a row of values.
 Eigen::MatrixXd eighth_differences(Eigen::MatrixXd values) {
+  assert(values.cols() >= SmoothTable::kPoints);
   for (int order = 0; order < SmoothTable::kPoints; ++order) {
     const Index last = values.cols() - 1;
     values = (values.rightCols(last) - values.leftCols(last)).eval();
@@ -62,6 +63,8 @@ PanelMotion::PanelMotion(const Model& model, const FoldingWay& way, const Panels
       residual_(static_cast<std::size_t>(model.mechanism().unknowns)),
       work_(residual_),
       turn_(residual_) {
+  assert(panels.corners.size() == panels.facets.size());
+  assert(panels.folds.size() == model.mechanism().creases.size());
   for (const std::array<int, 4>& corners : panels.corners) {
     PolygonCorners polygon(3, 4);
     for (int k = 0; k < 4; ++k) {
@@ -98,6 +101,8 @@ void PanelMotion::place_at_stations() {
   poses_.emplace_back(way_.table(values, parities_of(count)));
   smooth_until_ = smooth_part(values);
   resolved_until_ = resolved_part();
+  assert(smooth_until_ >= 0 && smooth_until_ <= way_.end());
+  assert(resolved_until_ > 0 && resolved_until_ <= way_.end());
 }
 
 double PanelMotion::smooth_part(const Eigen::MatrixXd& poses) const {
@@ -153,6 +158,7 @@ PanelMotion::Pose PanelMotion::pose(double x, int panel) const {
 }
 
 double PanelMotion::crease_rad(double x, int crease) const {
+  assert(x >= 0 && crease >= 0 && crease < std::ssize(panels_.folds));
   if (x > smooth_until_) {
     solve(x);
     return angle_rad(state_.creases[static_cast<std::size_t>(crease)]);
@@ -196,6 +202,7 @@ void PanelMotion::solve(double x) const {
 }
 
 double PanelMotion::crease_rate(int node, int crease) const {
+  assert(node >= 0 && node < nodes() && crease >= 0 && crease < std::ssize(panels_.folds));
   const int column = model_.mechanism().creases[static_cast<std::size_t>(crease)].column;
   return way_.stations()[static_cast<std::size_t>(node)].rates[static_cast<std::size_t>(column)];
 }

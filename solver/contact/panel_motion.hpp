@@ -1,6 +1,7 @@
 // Poses of every panel along a folding way, and their rates at the way's stations.
 #pragma once
 
+#include <cassert>
 #include <optional>
 #include <vector>
 
@@ -51,6 +52,7 @@ class PanelMotion {
   double step() const { return step_; }
   int nodes() const { return static_cast<int>(way_.stations().size()); }
   const MovingPose& at_node(int node, int panel) const {
+    assert(node >= 0 && node < nodes() && panel >= 0 && panel < panels());
     return nodes_[static_cast<std::size_t>(node * panels() + panel)];
   }
   /// How fast a crease turns at a node, rad per unit of x.

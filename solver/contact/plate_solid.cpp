@@ -1,6 +1,7 @@
 #include "solver/contact/plate_solid.hpp"
 
 #include <Eigen/Geometry>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -13,6 +14,7 @@ using Eigen::Vector3d;
 constexpr double kOnPlane_mm = 1e-9;
 
 PlateSolid prism_of(const PolygonCorners& outline, double thickness_mm) {
+  assert(outline.cols() >= 3 && thickness_mm >= 0);
   PlateSolid prism;
   const int count = static_cast<int>(outline.cols());
   std::vector<int> below, above;
@@ -34,6 +36,7 @@ PlateSolid prism_of(const PolygonCorners& outline, double thickness_mm) {
 
 // Cuts off what lies beyond the plane through `on` with this normal, and closes the cut.
 void cut_off(const Vector3d& on, const Vector3d& normal, PlateSolid& solid) {
+  assert(std::abs(normal.norm() - 1) < 1e-9);
   std::vector<double> beyond;
   for (const Vector3d& vertex : solid.vertices_mm) {
     const double by_mm = normal.dot(vertex - on);
@@ -45,6 +48,7 @@ void cut_off(const Vector3d& on, const Vector3d& normal, PlateSolid& solid) {
         on_edges.try_emplace(std::minmax(from, to), static_cast<int>(solid.vertices_mm.size()));
     if (is_new) {
       const auto [i, k] = at->first;
+      assert(beyond[static_cast<std::size_t>(i)] * beyond[static_cast<std::size_t>(k)] < 0);
       const double share =
           beyond[static_cast<std::size_t>(i)] /
           (beyond[static_cast<std::size_t>(i)] - beyond[static_cast<std::size_t>(k)]);
@@ -107,12 +111,14 @@ void drop_unused(PlateSolid& solid) {
 std::vector<PlateSolid> plate_solids(const Panels& panels, const FlatVertices& vertices_mm,
                                      double thickness_mm, double trim_mm,
                                      const std::vector<double>& largest_rad) {
+  assert(largest_rad.size() == panels.folds.size());
   std::vector<PlateSolid> solids;
   for (const PolygonCorners& outline : trimmed_panels(panels, vertices_mm, trim_mm)) {
     solids.push_back(prism_of(outline, thickness_mm));
   }
   for (std::size_t k = 0; k < panels.folds.size(); ++k) {
     const FoldLine& fold = panels.folds[k];
+    assert(std::abs(fold.sign) == 1 && largest_rad[k] >= 0);
     Vector3d a, b;
     a << vertices_mm.col(fold.a) - vertices_mm.col(0), 0;
     b << vertices_mm.col(fold.b) - vertices_mm.col(0), 0;

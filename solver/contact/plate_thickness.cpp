@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -66,6 +67,7 @@ PolygonCorners clipped(const PolygonCorners& polygon, const Vector3d& on, const 
 // Half the largest thickness whose tapers on one side leave something of a panel whole.
 double half_thickness(const PolygonCorners& trimmed, const std::vector<FoldLine>& folds,
                       const std::vector<double>& tangents, const FlatVertices& vertices_mm) {
+  assert(folds.size() == tangents.size());
   if (folds.empty()) return kUnlimited;
   const double size_mm = (trimmed.colwise() - trimmed.col(0)).colwise().norm().maxCoeff();
   double least = 0, most = size_mm;  // no fold of less than 90 degrees takes that away
@@ -84,6 +86,7 @@ double half_thickness(const PolygonCorners& trimmed, const std::vector<FoldLine>
 }
 
 std::vector<double> largest_angles(const Panels& panels, const PanelMotion& motion, double end) {
+  assert(end >= 0);
   std::vector<double> largest(panels.folds.size());
   const int angles = static_cast<int>(std::ceil(kAnglesPerStation * end / motion.step()));
   for (int k = 1; k <= angles; ++k) {
@@ -117,6 +120,7 @@ std::vector<PolygonCorners> trimmed_panels(const Panels& panels, const FlatVerti
             corners_mm[k] + along_mm * (corners_mm[other] - corners_mm[k]).normalized();
       }
     }
+    assert(next == outline.cols());
     outlines.push_back(outline);
   }
   return outlines;

@@ -29,6 +29,7 @@ Index row_of_use(const Sheet& sheet, std::optional<double> from_deg) {
 
 // Rows of the actuation that are samples up to the angle of use, and that itself.
 bool is_used(const FoldingHistory& history, const Actuation& actuation, std::size_t station) {
+  assert(station < history.stations.size());
   const auto row = static_cast<Index>(station) + 1;
   if (row > actuation.from_row) return false;
   const int sample = history.stations[station].sample;
@@ -78,6 +79,7 @@ std::vector<double> free_lengths_mm(const Sheet& sheet, const Actuators& actuato
   const FoldingHistory& history = sheet.history();
   std::vector<double> free_mm = history.flat_mm;
   if (!actuators.preload.is_any() || history.length_mm.rows() == 0) return free_mm;
+  assert(actuators.stiffness_n_per_mm > 0);
   const Eigen::VectorXd preload_n = actuators.preload.forces_n(sheet.mechanism().diagonals);
   for (std::size_t d = 0; d < free_mm.size(); ++d) {
     const bool lengthens = history.length_mm(0, static_cast<Index>(d)) > free_mm[d];
@@ -90,6 +92,7 @@ std::vector<double> free_lengths_mm(const Sheet& sheet, const Actuators& actuato
 // What the diagonals take up over what the span does. Both stand still together, flat and where a
 // sheet lies folded flat: then there is none.
 double advantage(const FoldingHistory& history, Index row, double span_mm_per_deg) {
+  assert(row >= 0 && row < history.slope_mm_per_deg.rows());
   constexpr double kStill = 1e-9;  // of the diagonals' lengths, per radian: what rates are off by
   const double still_mm_per_deg =
       kStill * kRadPerDeg * std::reduce(history.flat_mm.begin(), history.flat_mm.end());
@@ -100,6 +103,7 @@ double advantage(const FoldingHistory& history, Index row, double span_mm_per_de
 }  // namespace
 
 double Actuation::largest_force_n() const {
+  assert(from_row >= 0 && from_row < force_n.rows());
   return force_n.topRows(from_row + 1).cwiseAbs().maxCoeff();
 }
 
@@ -121,6 +125,7 @@ Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<
                       .few = {},
                       .over_stroke = {}};
   actuation.force_n.setZero(stations + 1, diagonals);
+  assert(actuation.from_row <= stations);
   actuation.moment_by_n_mm.setZero(stations + 1, diagonals);
   using Lengths = Eigen::Map<const Eigen::RowVectorXd>;
   const Lengths free_mm(actuation.free_mm.data(), diagonals);

@@ -1,6 +1,7 @@
 #include "solver/motion/deploy.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "generated/features.hpp"
@@ -35,6 +36,7 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const ReleaseOptions&
   };
   const Springs& springs = options.sheet.springs;
   check("from_deg", "", options.motion.from_deg);
+  assert(springs.stiffness_n_per_mm > 0);
   check("rest_deg", "", springs.rest_deg);
   check("hinge_rest_deg", "", options.sheet.joints.rest_deg);
   for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
@@ -125,6 +127,7 @@ std::optional<double> critical_friction_in_motion(const Sheet& sheet, const Ener
   const auto bound = find_friction_limits(without, options.from_deg).critical_n_mm_per_mm;
   if (!bound || !arrives(0)) return {};
   double arriving = 0, held = *bound * (1 + relative);  // no damping lets it bear more
+  assert(held > arriving);
   while (held - arriving > relative * held) {
     const double middle = (arriving + held) / 2;
     (arrives(middle) ? arriving : held) = middle;
@@ -142,6 +145,7 @@ std::optional<LeastDamping> least_damping(const std::function<Deployment(double)
     resting *= 4;
   }
   while (resting - passing > kDampingWithin * resting) {
+    assert(passing < resting);
     const double middle = passing > 0 ? std::sqrt(passing * resting) : resting / 2;
     Deployment tries = let_go(middle);
     if (tries.outcome == Outcome::passed_flat) {

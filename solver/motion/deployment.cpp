@@ -1,6 +1,7 @@
 #include "solver/motion/deployment.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -42,6 +43,8 @@ class Run {
                         ? MotionMethod::backward_differences
                         : MotionMethod::adams,
                     way_.end(), std::abs(from_x_), options.relative_tolerance) {
+    assert(std::abs(from_x_) < way_.end() && "the way reaches beyond the start");
+    assert(options.row_deg > 0 && options.time_limit_s > 0);
     for (const double x : wells_x) wells_.push_back(well_at(x));
   }
 
@@ -66,6 +69,7 @@ class Run {
   double acceleration(double x, double rate) const {
     const EnergyAt here = sheet_.at(x);
     const double speed = rate / unit_s_;  // per second
+    assert(here.mass > 0);
     const double force = -here.mass_slope * speed * speed / 2 - here.slope -
                          direction_ * here.friction - here.damping * speed;
     return unit_s_ * unit_s_ * force / here.mass;
@@ -107,6 +111,7 @@ class Run {
 
   // By a stop at flat; there it stays if what is left does not take it out of flat's neighbourhood.
   std::optional<Outcome> bounced(const MotionState& here) {
+    assert(*options_.restitution >= 0 && *options_.restitution < 1);
     const MotionState back{here.time, 0, -*options_.restitution * here.rate};
     const EnergyAt flat = sheet_.at(0), beside = sheet_.at(way_.x_of(options_.flat_deg));
     if (flat.potential + kinetic(flat, back.rate) <= beside.potential) {
@@ -120,6 +125,7 @@ class Run {
 
   void set_off(const MotionState& from) { move(from, sheet_.at(from.x).slope > 0 ? -1 : 1); }
   void move(const MotionState& from, int direction) {
+    assert(std::abs(direction) == 1);
     direction_ = direction;
     integrator_.start(from);
     integrator_.stop_at(options_.time_limit_s / unit_s_);
@@ -208,6 +214,7 @@ class Run {
 
   // When the pilot has this angle: by Newton's method on the integrator's own polynomial.
   MotionState passing(double pilot_deg, const MotionState& before, const MotionState& after) const {
+    assert(before.time <= after.time && before.x != after.x);
     const double x = way_.x_of(pilot_deg);
     double time = before.time + (after.time - before.time) * (x - before.x) / (after.x - before.x);
     MotionState here = integrator_.state_at(time);

@@ -1,5 +1,6 @@
 #include "solver/motion/energy_model.hpp"
 
+#include <cassert>
 #include <cmath>
 
 #include "solver/motion/moving_mass.hpp"
@@ -15,10 +16,12 @@ VectorXd relaxed_lengths(const FoldingWay& way, const Springs& springs) {
   way.find_lengths(way.x_of(springs.rest_deg), relaxed_mm, rates);
   if (springs.rest_deg == 0) relaxed_mm = way.flat_mm();
   for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
+    assert(diagonal >= 0 && diagonal < relaxed_mm.size());
     way.find_lengths(way.x_of(rest_deg), lengths_mm, rates);
     relaxed_mm(diagonal) = lengths_mm(diagonal);
   }
   if (springs.preload.is_any()) {
+    assert(springs.stiffness_n_per_mm > 0);
     const VectorXd forces_n = springs.preload.forces_n(way.mechanism().diagonals);
     relaxed_mm -= forces_n.cwiseProduct(sides_of_diagonals(way)) / springs.stiffness_n_per_mm;
   }
@@ -37,6 +40,7 @@ SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
                               const PerforatedSheet& base, const EnergyOptions& options) {
   const Panels panels = panels_of(base, way.mechanism());
   const std::optional<int> held = options.held ? std::optional(options.held->panel) : std::nullopt;
+  assert(!held || (*held >= 0 && *held < std::ssize(panels.facets)));
   SheetMover mover(shape, way, panels, options.plates, held);
   Eigen::MatrixXd values(4, static_cast<Index>(way.stations().size()));
   Index k = 0;
@@ -57,6 +61,7 @@ double mass_of_all(const FoldingWay& way, const PerforatedSheet& base, const Pla
   for (const PanelMass& mass : panel_masses(plates, panels.corners, way.from_a1_mm())) {
     mass_t += mass.mass_t;
   }
+  assert(mass_t > 0);
   return mass_t;
 }
 
@@ -138,6 +143,7 @@ EnergyModel::Turning EnergyModel::turning(double x) const {
 }
 
 EnergyAt EnergyModel::at(double x) const {
+  assert(options_.springs.stiffness_n_per_mm >= 0 && options_.joints.stiffness_n_mm_per_mm >= 0);
   EnergyAt here{};
   masses_.find(x, 0, 1, mass_, mass_rate_);
   here.mass = mass_(0);
@@ -147,6 +153,7 @@ EnergyAt EnergyModel::at(double x) const {
   here.springs_n_mm = stiffness * springs.energy;
   here.potential = here.springs_n_mm + rest.energy;
   here.slope = stiffness * springs.slope + rest.slope;
+  assert(here.springs_n_mm >= 0 && std::isfinite(here.potential));
   const JointResistance& joints = options_.joints;
   if (!joints.slows_down()) return here;
   const Turning turning = this->turning(x);  // leaves the creases' rates
@@ -154,6 +161,7 @@ EnergyAt EnergyModel::at(double x) const {
       joints.friction_n_mm_per_mm * turning.creases_mm + joints.ball_friction_n_mm * turning.balls;
   here.damping =
       joints.damping_n_mm_s_per_mm * crease_mm_.dot(angle_rates_.cwiseProduct(angle_rates_));
+  assert(here.friction >= 0 && here.damping >= 0);
   return here;
 }
 

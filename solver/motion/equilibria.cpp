@@ -1,6 +1,7 @@
 #include "solver/motion/equilibria.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -24,7 +25,9 @@ double still_n_mm(const EnergyModel& sheet) {
 }
 
 double root_of_slope(const EnergyModel& sheet, double low, double high) {
+  assert(low < high);
   const bool rises = sheet.at(high).slope > 0;
+  assert((sheet.at(low).slope > 0) != rises);
   for (int k = 0; k < 60; ++k) {
     const double middle = (low + high) / 2;
     ((sheet.at(middle).slope > 0) == rises ? high : low) = middle;
@@ -35,6 +38,7 @@ double root_of_slope(const EnergyModel& sheet, double low, double high) {
 Equilibrium equilibrium_at(const EnergyModel& sheet, double x, bool is_well) {
   constexpr double kStep = 1e-4;
   const double rate = sheet.way().pilot_rate(x);
+  assert(rate > 0 && "the pilot turns where there is an equilibrium");
   const double bend = (sheet.at(x + kStep).slope - sheet.at(x - kStep).slope) / (2 * kStep);
   return {x, sheet.way().pilot_deg(x), sheet.at(x).potential, bend / (rate * rate), is_well};
 }
@@ -63,6 +67,7 @@ class DescentToFlat {
 
   /// From a place before it, by Simpson's rule.
   Descent down_to(double x, const Descent& before) const {
+    assert(x <= before.x);
     const auto& [u, v, w] =
         std::tuple(sheet_.turning(before.x), sheet_.turning((x + before.x) / 2), sheet_.turning(x));
     const double sixth = (before.x - x) / 6;
@@ -134,6 +139,7 @@ double stall_of(const EnergyModel& sheet, const std::vector<Descent>& path) {
       continue;
     }
     double held_x = at.x;
+    assert(held_x < moves_x);
     for (int k = 0; k < 50; ++k) {
       const double middle = (held_x + moves_x) / 2;
       (is_held(middle) ? held_x : moves_x) = middle;
@@ -170,6 +176,7 @@ std::vector<Equilibrium> find_equilibria(const EnergyModel& sheet) {
 
 FrictionLimits find_friction_limits(const EnergyModel& sheet, double from_deg) {
   const double from_x = sheet.way().x_of(from_deg);
+  assert(from_x > 0);
   const DescentToFlat descent(sheet, from_x);
   const double stiffness = sheet.options().springs.stiffness_n_per_mm;
   const JointResistance& joints = sheet.options().joints;

@@ -23,6 +23,7 @@ struct SetOfColumns {
 // Every set once, each from the one before by one column (Gray's order): the best of each size.
 std::vector<SetOfColumns> best_of_each_size(const Eigen::MatrixXd& moments) {
   const auto count = static_cast<unsigned>(moments.cols());
+  assert(moments.cols() <= kMostForEverySet);
   std::vector<SetOfColumns> best(count + 1);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(moments.rows());
   std::uint32_t set = 0;
@@ -70,6 +71,7 @@ std::pair<std::vector<int>, std::vector<int>> thinned_out(const Eigen::MatrixXd&
       const double left = (sum - moments.col(*column)).minCoeff();
       if (left > best) best = left, least_missed = column;
     }
+    assert(least_missed != kept.end());
     std::vector<int> fewer = kept;
     fewer.erase(fewer.begin() + (least_missed - kept.begin()));
     if (best < wanted) return {kept, fewer};
@@ -93,6 +95,7 @@ FewDiagonals few_diagonals(const Eigen::MatrixXd& moments, double share) {
   assert(moments.rows() > 0 && moments.cols() > 0);
   const double all = moments.rowwise().sum().minCoeff();
   assert(all > 0);
+  assert(share > 0 && share <= 1);
   const double wanted = share * all;
   FewDiagonals few;
   if (moments.cols() <= kMostForEverySet) {
@@ -109,6 +112,7 @@ FewDiagonals few_diagonals(const Eigen::MatrixXd& moments, double share) {
     few.proven = few.diagonals.size() <= at_least(moments, wanted);
   }
   few.share = least_sum(moments, few.diagonals) / all;
+  assert(few.share >= (1 - 1e-6) * share);
   few.share_of_fewer = few.fewer.empty() ? 0 : least_sum(moments, few.fewer) / all;
   return few;
 }

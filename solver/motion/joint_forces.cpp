@@ -79,6 +79,7 @@ Eigen::MatrixXd Reactions::reactions_matrix() const {
     for (int i = 0; i < 3; ++i) add(to, from, at_mm, Vector3d::Unit(i), Vector3d::Zero());
   }
   add_moment(mechanism_.pilot, loads_.hinges()[static_cast<std::size_t>(mechanism_.pilot)].axis);
+  assert(next == matrix.cols());
   return matrix;
 }
 
@@ -93,6 +94,7 @@ Eigen::MatrixXd Reactions::self_stresses() const {
       Eigen::MatrixXd::Zero(3 * static_cast<Index>(whole.size()), count() + 1);
   for (std::size_t w = 0; w < whole.size(); ++w) {
     for (const Passage& passage : whole[w]->passages) {
+      assert(!passage.ball && "round a whole vertex there are creases alone");
       const auto crease = static_cast<std::size_t>(passage.joint);
       const Hinge& hinge = loads_.hinges()[crease];
       const int left = loads_.panel_of(mechanism_.creases[crease].left);
@@ -113,6 +115,7 @@ Eigen::MatrixXd Reactions::self_stresses() const {
 // The panels' balance without one panel's, which follows from the others' (the held one's is what
 // holds it), and no share of any self-stress: as many equations as unknowns.
 VectorXd Reactions::solve(const VectorXd& loads) {
+  assert(loads.size() == PanelLoads::kOfPanel * loads_.panels());
   const Eigen::MatrixXd matrix = reactions_matrix(), stresses = self_stresses();
   const Index panels = matrix.rows() - PanelLoads::kOfPanel,
               first = PanelLoads::kOfPanel * loads_.held().value_or(0);
@@ -196,6 +199,7 @@ JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape
   }
   forces.reactions = reactions.count();
   forces.rank = reactions.rank();
+  assert(forces.rank <= forces.reactions);
   return forces;
 }
 

@@ -1,6 +1,7 @@
 #include "solver/motion/joint_tree.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "solver/pattern/disjoint_sets.hpp"
 
@@ -15,11 +16,13 @@ struct Joint {
 
 int panel_of(const Panels& panels, int facet) {
   const auto at = std::lower_bound(panels.facets.begin(), panels.facets.end(), facet);
+  assert(at != panels.facets.end() && *at == facet);
   return static_cast<int>(at - panels.facets.begin());
 }
 
 // The pilot, the other creases, and ball joints.
 std::vector<Joint> joints_of(const Mechanism& mechanism, const Panels& panels) {
+  assert(panels.folds.size() == mechanism.creases.size());
   std::vector<Joint> joints;
   for (int i = 0; i < static_cast<int>(panels.folds.size()); ++i) {
     joints.push_back({false, i, panels.folds[i].left, panels.folds[i].right});
@@ -50,6 +53,7 @@ class Growth {
         }
       }
     } while (hang_by_a_ball());
+    assert(tree_.branches.size() + 1 == reached_.size() && "joints hold all panels together");
     return tree_;
   }
 

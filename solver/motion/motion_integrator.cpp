@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <new>
 #include <utility>
 
@@ -113,6 +114,7 @@ MotionIntegrator::~MotionIntegrator() = default;
 
 void MotionIntegrator::start(const MotionState& state) {
   assert(std::isfinite(state.x) && std::isfinite(state.rate));
+  assert(std::abs(state.x) <= cvode_->end);
   state_ = state;
   double* const y = N_VGetArrayPointer(cvode_->y);
   y[0] = state.x;
@@ -135,6 +137,7 @@ MotionIntegrator::Stop MotionIntegrator::step() {
   CVodeGetRootInfo(cvode_->memory, found.data());
   if (found[kEnd] != 0) return Stop::at_end;
   if (found[kRest] != 0) return Stop::at_rest;
+  assert(found[kZero] != 0);
   return Stop::at_zero;
 }
 

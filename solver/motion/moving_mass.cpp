@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <cassert>
 
 namespace misalign::solver {
 namespace {
@@ -36,6 +37,7 @@ RigidMotion rigid_motion(const MovingPanels& sheet) {
     momentum += panel.mass_t * panel.velocity;
   }
   const Vector3d centre = sheet.centre_mm();
+  assert(mass_t > 0);
   Matrix3d inertia = Matrix3d::Zero();
   for (const MovingPanel& panel : sheet.panels) {
     const Vector3d arm = panel.centre_mm - centre;
@@ -71,11 +73,13 @@ Vector3d MovingPanels::centre_mm() const {
     mass_t += panel.mass_t;
     moment += panel.mass_t * panel.centre_mm;
   }
+  assert(mass_t > 0);
   return moment / mass_t;
 }
 
 MovingPanels SheetMover::move(const FoldState<double>& state, const double* rates) {
   const double width_mm = way_.mechanism().panel_width_mm;
+  assert(!held_ || (*held_ >= 0 && *held_ < std::ssize(masses_)));
   shape_.place(way_.geometry(), state, points_);
   shape_.move(way_.geometry(), points_, rates, twists_);
   MovingPanels sheet{{}, Vector3d::Zero()};

@@ -1,6 +1,7 @@
 #include "solver/motion/panel_loads.hpp"
 
 #include <Eigen/Geometry>
+#include <cassert>
 #include <cmath>
 
 #include "solver/kinematics/diagonals.hpp"
@@ -64,6 +65,7 @@ void PanelLoads::pose(const DeploymentRow& at) {
   moved_ = {0, 0};
   if (in_motion_) {
     const EnergyAt here = sheet_.at(at.x);
+    assert(here.mass > 0);
     const double friction = at.x_rate == 0 ? 0 : std::copysign(here.friction, at.x_rate);
     const double force = -here.mass_slope * at.x_rate * at.x_rate / 2 - here.slope - friction -
                          here.damping * at.x_rate;
@@ -84,6 +86,7 @@ void PanelLoads::pose(const DeploymentRow& at) {
 }
 
 VectorXd PanelLoads::find() {
+  assert(hinges_.size() == mechanism().creases.size() && "the sheet is posed");
   VectorXd loads = VectorXd::Zero(kOfPanel * panels());
   add_springs(loads);
   add_joints(loads);
@@ -95,6 +98,7 @@ VectorXd PanelLoads::find() {
 void PanelLoads::add(int panel, const Vector3d& at_mm, const Vector3d& force_n,
                      const Vector3d& moment_n_mm, VectorXd& loads) const {
   const Index first = kOfPanel * panel;
+  assert(panel >= 0 && panel < panels() && loads.size() == kOfPanel * panels());
   const Vector3d arm_mm = at_mm - moving_.panels[static_cast<std::size_t>(panel)].centre_mm;
   loads.segment<3>(first) += force_n;
   loads.segment<3>(first + 3) += arm_mm.cross(force_n) + moment_n_mm;
@@ -102,6 +106,7 @@ void PanelLoads::add(int panel, const Vector3d& at_mm, const Vector3d& force_n,
 
 // m a = F and dH/dt = M, the frame of the first panel turning itself.
 void PanelLoads::add_inertia(VectorXd& loads) const {
+  assert(loads.size() == momenta_.functions());
   VectorXd momenta, slopes;
   momenta_.find(x_, 0, momenta_.functions(), momenta, slopes);
   const Vector3d frame_spin = moving_.frame_spin * moved_.rate;
@@ -131,6 +136,7 @@ void PanelLoads::add_springs(VectorXd& loads) const {
       return panels_at_[static_cast<std::size_t>(loop.corners[at])];
     };
     const auto at_from = panels_at(diagonal.from_corner), at_to = panels_at(diagonal.to_corner);
+    assert(!at_from.empty() && !at_to.empty());
     const auto end_mm = [&](int panel, int corner) {
       if (at_vertices) return place_mm(panel, loop.corners[static_cast<std::size_t>(corner)]);
       const Vec3<double> end = spring_end(mechanism(), way_.geometry(), loop, corner);
@@ -151,6 +157,7 @@ void PanelLoads::add_springs(VectorXd& loads) const {
 // About creases: the right panel turns by -rho about a -> b, so what resists rho pushes it on.
 void PanelLoads::add_joints(VectorXd& loads) const {
   const VectorXd resisting = sheet_.crease_moments_n_mm(x_, moved_.rate);
+  assert(resisting.size() == std::ssize(hinges_));
   for (std::size_t k = 0; k < hinges_.size(); ++k) {
     const Crease& crease = mechanism().creases[k];
     const double moment = resisting(static_cast<Index>(k));
@@ -173,6 +180,7 @@ void PanelLoads::add_joints(VectorXd& loads) const {
 }
 
 void PanelLoads::add_weight(VectorXd& loads) const {
+  assert(loads.size() == kOfPanel * panels());
   if (!held_) return;
   Vector3d gravity = sheet_.options().held->gravity_mm_per_s2;
   gravity.z() *= mechanism().side;

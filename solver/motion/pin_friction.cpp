@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -21,6 +22,7 @@ struct Load {
 // What the pins of a hinge carry across themselves, N.
 Load load_of_hinge(const Vector3d& force_n, const Vector3d& moment_n_mm, const Vector3d& axis,
                    double length_mm) {
+  assert(length_mm > 0 && std::abs(axis.norm() - 1) < 1e-6);
   const Vector3d across_n = force_n - force_n.dot(axis) * axis,
                  couple_n = moment_n_mm.cross(axis) / length_mm;
   return {across_n.norm(), (across_n / 2 + couple_n).norm() + (across_n / 2 - couple_n).norm()};
@@ -41,6 +43,7 @@ PinStudy loads_at(const EnergyModel& sheet, const Model& model,
   const JointForces forces = find_joint_forces(sheet, model.shape(), model.base(), held,
                                                {.in_motion = false, .from_deg = 0});
   PinStudy study{};
+  assert(forces.pilot_deg.size() == pilot_deg.size());
   VectorXd angles_rad, rates, ball_rates;
   for (std::size_t k = 0; k < pilot_deg.size(); ++k) {
     const double x = held.rows[k].x, pilot_rate = way.pilot_rate(x);
@@ -74,6 +77,7 @@ PinStudy loads_at(const EnergyModel& sheet, const Model& model,
 
 // Between two rows, of something that goes as a power of the angle there.
 double integral(double a_deg, double a, double b_deg, double b) {
+  assert(a_deg > b_deg && b_deg > 0);
   if (!(a > 0) || !(b > 0)) return 0.5 * (a + b) * (a_deg - b_deg) * kRadPerDeg;
   const double power = std::log(a / b) / std::log(a_deg / b_deg);
   return (a * a_deg - b * b_deg) * kRadPerDeg / (power + 1);
@@ -83,6 +87,7 @@ double integral(double a_deg, double a, double b_deg, double b) {
 void find_critical(const EnergyModel& sheet, PinFriction& friction) {
   const FoldingWay& way = sheet.way();
   const std::vector<PinRow>& rows = friction.rows;
+  assert(rows.size() >= 2 && rows.front().pilot_deg > rows.back().pilot_deg);
   const double start_n_mm = sheet.at(way.x_of(rows.front().pilot_deg)).potential;
   double taken = 0, least_mm = rows.front().locks_mm();
   const auto see = [&](double x) {
@@ -104,6 +109,7 @@ void find_critical(const EnergyModel& sheet, PinFriction& friction) {
 }  // namespace
 
 const PinRow& PinFriction::locks_first() const {
+  assert(!rows.empty());
   return *std::ranges::min_element(rows, {}, &PinRow::locks_mm);
 }
 
@@ -121,6 +127,7 @@ std::optional<double> PinFriction::stall_deg(double mu_r_mm) const {
 StudyResult<PinStudy> study_pins(const Sheet& sheet, const ReleaseOptions& deploying, double own_mm,
                                  double to_deg) {
   const StudyResult<ReleaseOptions> fitted = validated_release(sheet, deploying);
+  assert(to_deg > 0);
   if (!fitted) return fitted.obstacle();
   const double from_deg = fitted->motion.from_deg;
   if (to_deg >= from_deg) {

@@ -1,5 +1,7 @@
 #include "solver/motion/plates.hpp"
 
+#include <cassert>
+
 namespace misalign::solver {
 namespace {
 
@@ -21,6 +23,7 @@ PanelMass triangle(double area_density, const std::array<Vector2d, 3>& corners_m
 // Both, by the parallel axis theorem.
 PanelMass sum_of(const PanelMass& one, const PanelMass& other) {
   const double mass_t = one.mass_t + other.mass_t;
+  assert(mass_t > 0);
   const Vector2d apart_mm = other.centre_mm - one.centre_mm;
   return {mass_t, one.centre_mm + other.mass_t / mass_t * apart_mm,
           one.spread + other.spread +

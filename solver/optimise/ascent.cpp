@@ -1,6 +1,7 @@
 #include "solver/optimise/ascent.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -38,6 +39,7 @@ Ascent::Ascent(const Sheet& start, Optimised fitted)
       result_(std::move(fitted)) {}
 
 void Ascent::advance() {
+  assert(!finished_);
   options_.watch();
   if (!linearization_) {
     begin_step();
@@ -64,6 +66,7 @@ void Ascent::end(Optimised::StopReason why) {
 }
 
 void Ascent::take_step(Feasible next) {
+  assert(next.value > now_.value && "each step does better");
   now_ = std::move(next);
   set_springs(options_, now_.point);
   result_.taken.push_back({now_.point, now_.value});
@@ -72,6 +75,7 @@ void Ascent::take_step(Feasible next) {
 
 // Of a step of free shifts: the box shrinks until one is right.
 void Ascent::try_box() {
+  assert(linearization_ && box_mm_ > 0);
   if (box_mm_ < std::max(kLastBox * options_.amplitude_mm, options_.grid_mm / 2)) {
     return give_up_box();
   }
@@ -156,6 +160,7 @@ double Ascent::least_foreseen() const {
 }
 
 double Ascent::goal_after(const Flip& flip) const {
+  assert(linearization_ && !linearization_->goals.empty());
   double least = std::numeric_limits<double>::infinity();
   for (const LocalGoal& one : linearization_->goals) {
     least = std::min(least, (one.amount + flip.along(one.row)) / one.over);
@@ -201,6 +206,7 @@ void Ascent::find_limits() {
   for (std::size_t k = 0; k < inside.reached.size(); ++k) {
     const LocalModel::Row& one = *inside.reached[k];
     const double price = inside.price(best, static_cast<Index>(k));
+    assert(best.price.size() == inside.scales.size());
     if (price == 0) continue;
     switch (one.kind) {
       case LocalModel::Row::Kind::stroke:

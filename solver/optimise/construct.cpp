@@ -1,6 +1,7 @@
 #include "solver/optimise/construct.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -136,6 +137,7 @@ double least_stroke(const ParallelFamily& family, const Eigen::Matrix2Xd& shifts
 double share_for(const ParallelFamily& family, const Eigen::Matrix2Xd& shifts_mm,
                  const HalfAngle<double>& pilot, double stroke) {
   double low = 0, high = 1;
+  assert(stroke <= least_stroke(family, shifts_mm, pilot));
   for (int step = 0; step < kScaleSteps; ++step) {
     const double middle = (low + high) / 2;
     (least_stroke(family, shifts_mm * middle, pilot) < stroke ? low : high) = middle;
@@ -209,6 +211,7 @@ StudyResult<ConstructStudy> construct(const PerforatedSheet& base, const Paralle
   }
   const Eigen::Matrix2Xd unit = family.shifts_mm(coordinates);
   const double largest = unit.cwiseAbs().maxCoeff();
+  assert(largest > 0 && options.amplitude_mm > 0);
   study.shifts_mm = unit * (options.amplitude_mm * (1 - kAmplitudePart) / largest);
   if (options.stroke) {
     const double most = least_stroke(family, study.shifts_mm, pilot);

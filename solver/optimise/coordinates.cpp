@@ -1,6 +1,7 @@
 #include "solver/optimise/coordinates.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -13,6 +14,7 @@ Coordinates::Coordinates(const OptimiseOptions& options)
       shifts_(are_free() ? options.moves.cols() : 2 * std::ssize(options.shifted)) {}
 
 const OptimiseOptions::Range* Coordinates::range(Index k) const {
+  assert(k >= 0 && k < count());
   if (k < shifts_) return nullptr;
   return k == shifts_ && options_.stiffness_n_per_mm ? &*options_.stiffness_n_per_mm
                                                      : &*options_.preload_n;
@@ -29,11 +31,13 @@ VectorXd Coordinates::of(const DesignPoint& point) const {
   };
   add(options_.stiffness_n_per_mm, point.stiffness_n_per_mm);
   add(options_.preload_n, point.preload_n);
+  assert(next == count());
   return own_mm;
 }
 
 DesignPoint Coordinates::after(const DesignPoint& point, const VectorXd& change_mm) const {
   DesignPoint next = point;
+  assert(change_mm.size() == count());
   const VectorXd moved_mm = are_free() ? VectorXd(options_.moves * change_mm.head(shifts_))
                                        : VectorXd(change_mm.head(shifts_));
   const double most_mm = largest_mm(0);
@@ -63,6 +67,7 @@ double Coordinates::largest_mm(Index k) const {
 VectorXd Coordinates::row(const Eigen::RowVectorXd& by_vertices, double by_stiffness,
                           double by_preload) const {
   VectorXd of_shifted(2 * std::ssize(options_.shifted));
+  assert(by_vertices.size() % 2 == 0);
   Index k = 0;
   for (const int vertex : options_.shifted) {
     of_shifted(k++) = by_vertices(2 * vertex);
@@ -90,6 +95,7 @@ void set_springs(OptimiseOptions& options, const DesignPoint& point) {
 }
 
 double on_grid(double mm, double grid_mm) {
+  assert(grid_mm >= 0);
   return grid_mm > 0 ? std::round(mm / grid_mm) * grid_mm : mm;
 }
 

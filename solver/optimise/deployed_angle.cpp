@@ -1,6 +1,7 @@
 #include "solver/optimise/deployed_angle.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
 #include "solver/optimise/path_gradients.hpp"
@@ -28,6 +29,7 @@ std::optional<double> folded_flat_deg(const Sheet& sheet) {
   if (is_beyond(before_deg) || !is_beyond(beyond_deg)) return about_deg;
   while (beyond_deg - before_deg > kFromLimit_deg) {
     const double middle_deg = (before_deg + beyond_deg) / 2;
+    assert(before_deg < middle_deg && middle_deg < beyond_deg);
     (is_beyond(middle_deg) ? beyond_deg : before_deg) = middle_deg;
   }
   return before_deg;
@@ -36,6 +38,7 @@ std::optional<double> folded_flat_deg(const Sheet& sheet) {
 }  // namespace
 
 double goes_until_deg(const Sheet& sheet) {
+  assert(sheet.way());
   const auto& reverses_deg = sheet.record().extremes.reverses_deg;
   return std::min(
       {sheet.way()->end_deg(), reverses_deg.value_or(180), folded_flat_deg(sheet).value_or(180)});

@@ -1,6 +1,7 @@
 #include "solver/optimise/local_goals.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -78,6 +79,7 @@ std::vector<LocalGoal> bent_energies(SheetChanges& changes) {
 }
 
 LocalGoal between(const LocalGoal& high, const LocalGoal& low) {
+  assert(high.row.size() == low.row.size());
   return {high.amount - low.amount, high.over - low.over, high.row - low.row};
 }
 
@@ -101,6 +103,7 @@ struct Section {
 
 // How the norm of a section's row changes, per mm: by the row of a sheet that is shifted along it.
 RowVectorXd norm_by_mm(SheetChanges& changes, const Section& section, SheetSolver& solver) {
+  assert(section.by_mm.size() == changes.sheet.shifts_mm().size());
   const RowVectorXd along = section.by_mm.normalized();
   const Matrix2Xd shifts_mm =
       changes.sheet.shifts_mm() +
@@ -246,6 +249,7 @@ std::vector<LocalGoal> local_spare_diagonals(SheetChanges& changes) {
     fewer.push_back(of(chosen));
   }
   const LocalGoal& least = *std::ranges::min_element(all, {}, &LocalGoal::amount);
+  assert(all.size() == fewer.size());
   for (LocalGoal& one : fewer) {
     one.over = least.amount;
     one.row -= one.amount / least.amount * least.row;

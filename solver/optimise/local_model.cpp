@@ -151,6 +151,7 @@ class Builder {
   }
 
   void add_forces(double most_n) {
+    assert(most_n >= 0);
     const SpringChanges springs(changes_);
     const PathGradients::AtAngle here = changes_.at(*options_.deploying.from_deg);
     const VectorXd forces_n = springs.forces_n(here);

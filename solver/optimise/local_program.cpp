@@ -1,6 +1,7 @@
 #include "solver/optimise/local_program.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -10,12 +11,15 @@ using Eigen::VectorXd;
 
 VectorXd LocalProgram::change_mm(const LinearOptimum& best) const {
   const Index count = (linear.gain.size() - 1) / 2;
+  assert(best.x.size() >= 2 * count);
   return box_mm * (best.x.head(count) - best.x.segment(count, count));
 }
 
 // Entries of about 1, as the simplex method wants them.
 LocalProgram local_program(const LocalModel& model, double box_mm) {
   const Index count = model.coordinates, goals = std::ssize(model.goals);
+  assert(box_mm > 0 && goals > 0);
+  assert(model.rise_mm.size() == count && model.fall_mm.size() == count);
   const double goal = model.goal(VectorXd::Zero(count));
   LocalProgram program{{}, {}, {}, box_mm, 0};
   for (const LocalModel::Row& one : model.rows) {
@@ -50,6 +54,7 @@ LocalProgram local_program(const LocalModel& model, double box_mm) {
   linear.rows.bottomLeftCorner(2 * count, 2 * count).setIdentity();
   linear.bounds.tail(2 * count) << (model.rise_mm / box_mm).min(1).max(0),
       (model.fall_mm / box_mm).min(1).max(0);
+  assert(linear.bounds.minCoeff() >= 0 && "no change is feasible");
   return program;
 }
 

@@ -1,6 +1,7 @@
 #include "solver/optimise/low_slopes.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,7 @@ constexpr double kStandsStill = 1e-4;
 }  // namespace
 
 std::vector<LowSlope> low_slopes(const Sheet& sheet, double to_deg) {
+  assert(sheet.way() && to_deg > 0);
   const FoldingWay& way = *sheet.way();
   const double to_x = way.x_of(std::min(to_deg, way.end_deg()));
   const int count = kSlopesPerStation * static_cast<int>(way.stations().size());
@@ -34,6 +36,7 @@ std::vector<LowSlope> low_slopes(const Sheet& sheet, double to_deg) {
     slopes.push_back(kRadPerDeg / (way.pilot_rate(x) * sine) * side.cwiseProduct(rates_mm));
   }
   std::vector<LowSlope> lows;
+  assert(angles_deg.size() == slopes.size());
   for (Index d = 0; d < side.size(); ++d) {
     for (std::size_t k = 0; k < slopes.size(); ++k) {
       const double here = slopes[k](d);

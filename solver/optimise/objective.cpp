@@ -1,6 +1,7 @@
 #include "solver/optimise/objective.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
@@ -19,6 +20,7 @@ double stroke(const Sheet& sheet) {
 }
 
 double force_n(const Sheet& sheet, const ReleaseOptions& deploying) {
+  assert(sheet.way() && deploying.from_deg);
   const EnergyModel rigid(sheet, deploying.sheet);
   return rigid.spring_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
 }
@@ -45,6 +47,7 @@ bool fits(const Sheet& sheet, const OptimiseOptions& options) {
 }
 
 bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
+  assert(sheet.way() && options.deploys_from_sample > 0);
   const double to_deg = sheet.sample_deg(options.deploys_from_sample);
   const auto& reverses_deg = sheet.record().extremes.reverses_deg;
   if (reverses_deg && *reverses_deg <= to_deg) return false;

@@ -42,6 +42,7 @@ struct PathGradients::Workspace {
   // Minus what holds the closure while `rates` (one per unknown) are those of a quantity: adds that
   // to its own gradient.
   void hold_closed(VectorXd& of_quantity) {
+    assert(of_quantity.size() == coordinates());
     const VectorXd weights = -lu.solve_transposed(rates.head(mechanism.equations));
     gradient.add_closure(weights.data(), of_quantity.data());
   }

@@ -1,6 +1,7 @@
 #include "solver/optimise/spare_diagonals.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "solver/motion/actuation.hpp"
@@ -14,6 +15,7 @@ std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const EnergyMo
                                               double from_deg) {
   const FoldingWay& way = *sheet.way();
   const double sample_deg = sheet.model().sample_deg();
+  assert(sample_deg > 0 && from_deg > 0);
   std::vector<double> angles_deg;
   for (double k = std::ceil(kSlopeFrom_deg / sample_deg); k * sample_deg < from_deg; ++k) {
     angles_deg.push_back(k * sample_deg);

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "solver/contact/contact.hpp"
@@ -28,6 +29,7 @@ constexpr double kOnEdge = 1e-9;
 // it whatever the others do; else of the first three.
 VectorXd weights_of(const Vector3d& at, const PolygonCorners& corners) {
   const Index count = corners.cols();
+  assert(count >= 3);
   VectorXd weights = VectorXd::Zero(count);
   for (Index k = 0; k < count; ++k) {
     const Index next = (k + 1) % count;
@@ -49,6 +51,7 @@ struct PlacedPanel {
   PlacedPanel(const std::array<int, 4>& of, const FlatVertices& vertices_mm,
               const Eigen::Matrix3Xd& folded_mm, const PolygonCorners& flat_mm)
       : corners(of), of_corners(4, flat_mm.cols()) {
+    assert(folded_mm.cols() == vertices_mm.cols());
     PolygonCorners flat(3, 4), folded(3, 4);
     for (int k = 0; k < 4; ++k) {
       const int vertex = corners[static_cast<std::size_t>(k)];
@@ -82,6 +85,7 @@ RowVectorXd taper_by_mm(const Sheet& sheet, const PathGradients::AtAngle& end,
   const FlatVertices& from_a1_mm = sheet.way()->from_a1_mm();
   const Eigen::VectorXd side = end.fold_deg.cwiseSign();
   RowVectorXd by_mm(2 * from_a1_mm.cols());
+  assert(std::ssize(now.largest_rad) == side.size() && end.fold_by_mm.cols() == by_mm.size());
   const auto limit_mm = [&](Index k, double change_mm) {
     FlatVertices vertices_mm = from_a1_mm;
     vertices_mm(k % 2, k / 2) += change_mm;

@@ -1,6 +1,7 @@
 #include "solver/play/backlash.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -70,12 +71,14 @@ std::vector<double> Backlash::one_way_to_deg() const {
 }
 
 std::vector<double> Backlash::left_over() const {
+  assert(backlash_mm > 0);
   return sorted(trials, [this](const BacklashTrial& trial) {
     return std::optional(trial.gap_widths * panel_width_mm / backlash_mm);
   });
 }
 
 double quantile(const std::vector<double>& values, double share) {
+  assert(!values.empty() && share >= 0 && share <= 1);
   const auto count = std::max(1.0, std::ceil(share * static_cast<double>(values.size())));
   return values[static_cast<std::size_t>(count) - 1];
 }

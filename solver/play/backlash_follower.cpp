@@ -1,6 +1,7 @@
 #include "solver/play/backlash_follower.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
 #include <utility>
 
@@ -223,6 +224,7 @@ void BacklashFollower::find_start(const JointOffsets& offsets, double scale) {
 BacklashTrial BacklashFollower::trial(const JointOffsets& offsets, double scale,
                                       bool only_whether) {
   BacklashTrial trial;
+  assert(scale >= 0);
   loosen(model_.mechanism(), sheet_.geometry, offsets, scale, loose_);
   start_ = sheet_.start;
   Branch up(*this, up_, true, only_whether);
@@ -247,6 +249,7 @@ BacklashTrial BacklashFollower::trial(const JointOffsets& offsets, double scale,
   trial.lost = down.branch_end();
   trial.lost_deg = down.branch_end_deg();
   trial.gap_widths = std::max(up.gap(), down.gap());
+  assert(trial.one_way_from_deg <= trial.one_way_to_deg);
   return trial;
 }
 

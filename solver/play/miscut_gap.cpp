@@ -22,6 +22,7 @@ struct HeldPoint {
 std::vector<HeldPoint> points_of(const Sheet& sheet) {
   const std::vector<int>& facets = sheet.panels().facets;
   const auto column = [&](int facet) -> Index {
+    assert(std::ranges::binary_search(facets, facet) && "joints hold panels that are there");
     const auto panel = std::ranges::lower_bound(facets, facet) - facets.begin();
     return panel == 0 ? -1 : 6 * (panel - 1);
   };
@@ -47,6 +48,7 @@ Matrix3d moved_by_spin(const Vec3<double>& at) {
 
 // Per copy the largest distance that is left of three rows a point.
 Eigen::VectorXd largest_mm(const Eigen::MatrixXd& left_mm) {
+  assert(left_mm.rows() % 3 == 0);
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(left_mm.cols());
   for (Index point = 0; point < left_mm.rows(); point += 3) {
     largest = largest.cwiseMax(left_mm.middleRows(point, 3).colwise().norm().transpose());
@@ -57,6 +59,8 @@ Eigen::VectorXd largest_mm(const Eigen::MatrixXd& left_mm) {
 }  // namespace
 
 double MiscutGap::quantile_mm(double share, Index k) const {
+  assert(share >= 0 && share <= 1);
+  assert(open_mm.rows() > 0 && k >= 0 && k < open_mm.cols());
   Eigen::VectorXd sorted = open_mm.col(k);
   std::ranges::sort(sorted);
   const auto last = static_cast<double>(sorted.size() - 1);
@@ -64,6 +68,7 @@ double MiscutGap::quantile_mm(double share, Index k) const {
 }
 
 Index MiscutGap::worst_angle() const {
+  assert(open_mm.cols() > 0);
   Index worst = 0;
   for (Index k = 1; k < open_mm.cols(); ++k) {
     if (quantile_mm(0.5, k) > quantile_mm(0.5, worst)) worst = k;
@@ -74,6 +79,7 @@ Index MiscutGap::worst_angle() const {
 MiscutGap find_miscut_gaps(const Sheet& sheet, const std::vector<Eigen::Matrix2Xd>& errors_mm,
                            const std::vector<Index>& rows) {
   assert(!errors_mm.empty() && !rows.empty());
+  assert(errors_mm.front().cols() == sheet.vertices_mm().cols());
   const std::vector<HeldPoint> points = points_of(sheet);
   const Index unknowns = 6 * (std::ssize(sheet.panels().facets) - 1);
   SheetGeometry<double> geometry;
@@ -85,6 +91,7 @@ MiscutGap find_miscut_gaps(const Sheet& sheet, const std::vector<Eigen::Matrix2X
   FoldedPoints<double> folded;
   for (Index k = 0; k < std::ssize(rows); ++k) {
     const auto row = static_cast<std::size_t>(rows[static_cast<std::size_t>(k)]);
+    assert(row < sheet.states().size());
     study.pilot_deg.push_back(sheet.history().stations[row].pilot_deg);
     sheet.model().shape().place(geometry, sheet.states()[row].state, folded);
     moves.setZero();

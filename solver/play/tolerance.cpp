@@ -1,6 +1,7 @@
 #include "solver/play/tolerance.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -13,11 +14,13 @@ void MiscutCopies::add(const Verdict& verdict) {
     return;
   }
   const auto sample = static_cast<std::size_t>(verdict.deploys_from_sample);
+  assert(verdict.deploys_from_sample >= 0);
   of_sample.resize(std::max(of_sample.size(), sample + 1));
   ++of_sample[sample];
 }
 
 void MiscutCopies::add(const MiscutCopies& others) {
+  assert(others.undecided <= others.trials);
   trials += others.trials;
   undecided += others.undecided;
   of_sample.resize(std::max(of_sample.size(), others.of_sample.size()));
@@ -25,12 +28,14 @@ void MiscutCopies::add(const MiscutCopies& others) {
 }
 
 std::uint64_t MiscutCopies::from(int sample) const {
+  assert(sample >= 0);
   const auto first = std::min(static_cast<std::size_t>(sample), of_sample.size());
   return std::accumulate(of_sample.begin() + static_cast<std::ptrdiff_t>(first), of_sample.end(),
                          std::uint64_t{0});
 }
 
 int MiscutCopies::quantile(double share) const {
+  assert(share >= 0 && share <= 1);
   const double wanted = std::max(std::ceil(share * static_cast<double>(decided())), 1.0);
   std::uint64_t counted = 0;
   for (std::size_t sample = 0; sample < of_sample.size(); ++sample) {
@@ -51,6 +56,7 @@ double MiscutCopies::mean_sample() const {
 
 double largest_miscut_mm(const CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm) {
   CreasePattern sheet = base;
+  assert(shifts_mm.cols() == base.vertex_count());
   sheet.vertices_mm += shifts_mm;
   return largest_safe_amplitude_mm(sheet, all_vertices(sheet));
 }

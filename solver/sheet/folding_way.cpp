@@ -32,6 +32,7 @@ double WayCoordinate::pilot_rate(double x) const {
 }
 
 double WayCoordinate::x_of(double pilot_rad) const {
+  assert(limit_rad >= 0);
   if (limit_rad <= 0) return pilot_rad;
   const double sine = std::clamp(pilot_rad / limit_rad, -1.0, 1.0);
   return angle_rad({std::sqrt((1 - sine) * (1 + sine)), sine}) / 2;
@@ -56,6 +57,7 @@ FoldingWay::FoldingWay(const Mechanism& mechanism, const FlatVertices& drawn_mm,
       joints_(table_of_joints()) {
   assert(drawn_mm.cols() == mechanism.vertices);
   assert(step > 0 && end > 0);
+  assert(end <= joints_.end() * (1 + 1e-9));
   flat_lengths(mechanism, geometry_, flat_mm_.data());
   flat_mm_ *= mechanism.panel_width_mm;
 }
@@ -72,6 +74,7 @@ SmoothTable FoldingWay::table_of_joints() const {
   for (Index k = 0; k < count; ++k) {
     const FoldState<double>& state = stations_[static_cast<std::size_t>(k)].state;
     assert(std::ssize(state.creases) == creases() && std::ssize(state.balls) == balls());
+    assert(std::ssize(stations_[static_cast<std::size_t>(k)].rates) == mechanism_->unknowns);
     double* value = values.col(k).data();
     folded_lengths(*mechanism_, geometry_, state, value);
     for (Index d = 0; d < diagonals(); ++d) *value++ *= mechanism_->panel_width_mm;
@@ -129,6 +132,7 @@ std::optional<double> FoldingWay::over_folded_deg() const {
   }
   if (beyond_x == 0 && is_beyond(end_)) beyond_x = end_;
   if (beyond_x == 0) return {};
+  assert(below_x < beyond_x);
   for (int k = 0; k < 50; ++k) {
     const double middle = (below_x + beyond_x) / 2;
     (is_beyond(middle) ? beyond_x : below_x) = middle;
@@ -154,6 +158,7 @@ void FoldingWay::find_rates(double x, Eigen::VectorXd& rates) const {
 }
 
 void FoldingWay::find_state(double x, FoldState<double>& state) const {
+  assert(std::ssize(state.creases) == creases() && std::ssize(state.balls) == balls());
   const Index first = diagonals();
   for (Index k = 0; k < creases(); ++k) {
     state.creases[static_cast<std::size_t>(k)] = half_angle_of_rad(joints_.value(x, first + k));

@@ -21,6 +21,7 @@ using Eigen::Index;
 constexpr double kShownOverFold_deg = 1e-3;
 
 Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices& flat_mm) {
+  assert(shape_mm.cols() == flat_mm.cols());
   Eigen::Matrix3Xd place_mm = Eigen::Matrix3Xd::Zero(3, flat_mm.cols());
   place_mm.topRows<2>() = flat_mm;
   const Eigen::Isometry3d moved(Eigen::umeyama(shape_mm, place_mm, false));
@@ -38,6 +39,7 @@ std::pair<int, int> farthest_apart(const FlatVertices& vertices_mm) {
       if (length > kLongerBy * longest) longest = length, span = {a, b};
     }
   }
+  assert(span.first != span.second);
   return span;
 }
 
@@ -192,6 +194,7 @@ const FoldingWay* Sheet::way(int stations) const {
                          solve_way(model(), vertices_mm_, *outline_, stations, with.close_follower))
                 .first;
   }
+  assert(!found->second || std::ssize(found->second->stations()) <= stations);
   return found->second ? &*found->second : nullptr;
 }
 
@@ -235,6 +238,7 @@ Index Sheet::rows_shown() const {
 }
 
 std::vector<Index> Sheet::rows_to_show(double step_deg) const {
+  assert(step_deg > 0);
   std::vector<Index> rows;
   const Index end = rows_shown();
   for (Index row = 0; row < end; ++row) {
@@ -247,6 +251,7 @@ std::vector<Index> Sheet::rows_to_show(double step_deg) const {
 
 Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history, double band_deg) {
   const Eigen::MatrixXd& angle_deg = history.fold_angle_deg;
+  assert(angle_deg.rows() == 0 || angle_deg.cols() == std::ssize(mechanism.creases));
   for (Index row = 0; row < angle_deg.rows(); ++row) {
     for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
       const double angle = angle_deg(row, static_cast<Index>(i));

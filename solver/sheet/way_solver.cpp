@@ -1,5 +1,7 @@
 #include "solver/sheet/way_solver.hpp"
 
+#include <cassert>
+
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/linear/held_correction.hpp"
 #include "solver/model/base_path.hpp"
@@ -13,6 +15,7 @@ constexpr double kFirst_deg = 2;
 // A state near flat with every joint turned `share` times as far: near the path's own there, since
 // its fold angles are in proportion to the pilot's to second order.
 FoldState<double> in_proportion(const FoldState<double>& state, double share) {
+  assert(share > 0);
   FoldState<double> other = state;
   for (HalfAngle<double>& rho : other.creases) rho = half_angle_of_rad(share * angle_rad(rho));
   for (Quaternion<double>& q : other.balls) {
@@ -120,6 +123,7 @@ std::optional<FoldingWay> solve_way(const Model& model, const FlatVertices& vert
                                     const PathOutline& outline, int station_count,
                                     PathFollower<double>& close_follower) {
   if (!outline.has_near()) return {};
+  assert(station_count >= SmoothTable::kPoints);
   const double end_rad = outline.path.fold_limit_deg * kRadPerDeg;
   const WayCoordinate coordinate{outline.path.end == PathEnd::fold_limit ? end_rad : 0};
   const double end = coordinate.x_of(end_rad), step = end / station_count;
@@ -136,6 +140,7 @@ std::optional<FoldingWay> solve_way(const Model& model, const FlatVertices& vert
   std::vector<WayStation> stations =
       StationKeeper(model, {&geometry, &near, &plan}, close_follower).keep();
   const std::size_t solved = stations.size();
+  assert(solved <= plan.stations.size());
   if (2 * solved < plan.stations.size() || solved < SmoothTable::kPoints) return {};
   for (std::size_t k = 0; k < solved; ++k) {
     const double rate = coordinate.pilot_rate((static_cast<double>(k) + 0.5) * step);
@@ -148,6 +153,7 @@ std::optional<FoldingWay> solve_way(const Model& model, const FlatVertices& vert
 }
 
 FoldingWay way_on_base(const Model& model, const FlatVertices& vertices_mm, int station_count) {
+  assert(station_count >= SmoothTable::kPoints && !model.path().stations.empty());
   const BasePath path(model.mechanism(), model.base());
   const double end = model.path().stations.back().pilot_deg * kRadPerDeg;
   const double step = end / station_count;
