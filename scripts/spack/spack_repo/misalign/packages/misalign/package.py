@@ -10,7 +10,7 @@ class Misalign(CMakePackage):
     license("MIT")
 
     # It has no address to be fetched from: `spack develop` names its folder.
-    version("1.0.0")
+    version("1.1.0")
 
     variant("report", default=True, description="Carry the page of `misalign report` (npm packages)")
     variant("python", default=False, description="Build the Python module")
