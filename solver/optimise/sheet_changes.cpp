@@ -32,25 +32,17 @@ VectorXd SpringChanges::forces_n(const PathGradients::AtAngle& here) const {
   return n_per_mm() * (here.length_mm - rest_mm_) + preload_n_;
 }
 
-<<<<<<< HEAD:solver/optimise/sheet_changes.cpp
 VectorXd SpringChanges::forces_row(const PathGradients::AtAngle& here,
                                    const VectorXd& weights) const {
-=======
-VectorXd SpringChanges::forces_row(const AngleGradients& here, const VectorXd& weights) const {
   assert(weights.size() == rest_mm_.size());
->>>>>>> asserts:solver/optimise/spring_changes.cpp
   return changes_.variables.row(
       n_per_mm() * weights.transpose() * (here.length_by_mm - rest_by_mm_),
       weights.dot(here.length_mm - rest_mm_), weights.dot(side_));
 }
 
-<<<<<<< HEAD:solver/optimise/sheet_changes.cpp
 VectorXd SpringChanges::energy_row(const PathGradients::AtAngle& here,
                                    const VectorXd& forces_n) const {
-=======
-VectorXd SpringChanges::energy_row(const AngleGradients& here, const VectorXd& forces_n) const {
   assert(forces_n.size() == rest_mm_.size() && n_per_mm() > 0);
->>>>>>> asserts:solver/optimise/spring_changes.cpp
   const VectorXd longer_mm = forces_n / n_per_mm();
   return changes_.variables.row(
       forces_n.transpose() * (here.length_by_mm - rest_by_mm_),
