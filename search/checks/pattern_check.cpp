@@ -8,6 +8,7 @@
 #include "schema/files/features.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "solver/pattern/parallel_family.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::search {
 namespace {

@@ -9,6 +9,7 @@
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
 #include "search/terminal/stopwatch.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::search {
 namespace {

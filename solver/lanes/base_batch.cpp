@@ -4,7 +4,7 @@
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/lanes/batch.hpp"
 #include "solver/lanes/lanes.hpp"
-#include "solver/records/base_history.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::solver {
 namespace {

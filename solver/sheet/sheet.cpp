@@ -9,6 +9,7 @@
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/linear/newton.hpp"
 #include "solver/records/function_recorder.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "solver/sheet/way_solver.hpp"
 
 namespace misalign::solver {
@@ -55,17 +56,17 @@ struct SheetSolver::Workspace {
   explicit Workspace(const Model& model)
       : follower(model.mechanism(), model.elimination()),
         close_follower(model.mechanism(), model.elimination()),
-        functions(model, follower, close_follower),
-        recorder(model, close_follower, &keep) {}
+        recorder(model, close_follower, &keep),
+        functions(model, follower, close_follower, recorder) {}
 
   PathFollower<double, LongSteps> follower;
   PathFollower<double> close_follower;
-  FunctionRecorder<double> functions;
   std::vector<WayStation> states;  // of the path that is recorded
   const StationVisitor keep = [this](const Station&, const PathPoint& point) {
     states.push_back({point.state, point.rates});
   };
   Recorder<double> recorder;
+  FunctionRecorder<double> functions;
 };
 
 SheetSolver::SheetSolver(const Model& model)
@@ -97,7 +98,7 @@ const PathRecord& Sheet::record() const {
   }
   SheetSolver::Workspace& with = solver_.workspace();
   ++solver_.followed_.as_functions;
-  record_ = measure_paths(SheetBlock(vertices_mm_), with.functions, with.recorder).front();
+  record_ = with.functions.record(SheetBlock(vertices_mm_)).front();
   with.states.clear();  // of a path that had to be followed closely: nobody asks for them
   assert(record_->flat.size() == mechanism().diagonals.size());
   return *record_;

@@ -8,6 +8,7 @@
 #include "search/draws/draw.hpp"
 #include "search/ranks/messages.hpp"
 #include "search/sheets/folding_model.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {

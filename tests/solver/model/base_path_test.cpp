@@ -7,7 +7,7 @@
 
 #include "solver/judging/base_judge.hpp"
 #include "solver/lanes/batch.hpp"
-#include "solver/records/base_history.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "solver/sheet/sheet.hpp"
 #include "tests/solver/few_holes.hpp"
 
