@@ -9,7 +9,6 @@
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
 #include "search/terminal/stopwatch.hpp"
-#include "solver/records/record_sheet.hpp"
 
 namespace misalign::search {
 namespace {
@@ -199,13 +198,6 @@ void DrawEvaluator::record(schema::UnitRecord& unit) {
 const std::vector<solver::Verdict>& DrawEvaluator::judge(const schema::DrawRange& block) {
   make(block);
   return batch_->judge(made_.shifts);
-}
-
-solver::FoldingHistory DrawEvaluator::history(std::uint64_t draw) {
-  make({draw, draw + 1});
-  solver::FlatVertices vertices_mm;
-  model_.displace(made_.shifts.of(0), vertices_mm);
-  return solver::record_history(model_, vertices_mm);
 }
 
 Eigen::Matrix2Xd DrawEvaluator::shifts_mm(std::uint64_t draw) const {
