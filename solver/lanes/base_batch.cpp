@@ -1,5 +1,5 @@
-// Batch of a model with spare equations: of sheets that fold by their base's own fold angles, in
-// closed form and without lanes.
+// Batch of an overconstrained model: of sheets that fold by their base's own fold angles, in closed
+// form and without lanes.
 #include "solver/judging/base_judge.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/lanes/batch.hpp"

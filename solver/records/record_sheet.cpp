@@ -11,7 +11,7 @@ namespace misalign::solver {
 
 FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit) {
-  if (model.has_spare_equations()) return record_on_base(model, vertices_mm, visit);
+  if (model.is_overconstrained()) return record_on_base(model, vertices_mm, visit);
   PathFollower<double> follower(model.mechanism(), model.elimination());
   Recorder<double> recorder(model, follower, visit);
   return std::move(recorder.record(SheetBlock(vertices_mm)).front());
@@ -28,7 +28,7 @@ FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_m
 
 FoldingHistory record_on_base(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit) {
-  assert(model.has_spare_equations());
+  assert(model.is_overconstrained());
   HistoryObserver observer(model, lanes_of<double>(), visit);
   BasePath path(model.mechanism(), model.base());
   const SheetBlock sheet(vertices_mm);

@@ -92,7 +92,7 @@ Sheet::Sheet(SheetSolver& solver, Eigen::Matrix2Xd shifts_mm, std::string name)
 
 const PathRecord& Sheet::record() const {
   if (record_) return *record_;
-  if (model().has_spare_equations()) {
+  if (model().is_overconstrained()) {
     record_ = record_of(history(), mechanism());
     return *record_;
   }
@@ -106,7 +106,7 @@ const PathRecord& Sheet::record() const {
 
 const FoldingHistory& Sheet::history() const {
   if (history_) return *history_;
-  if (model().has_spare_equations()) {
+  if (model().is_overconstrained()) {
     const StationVisitor keep = [this](const Station&, const PathPoint& point) {
       states_.push_back({point.state, point.rates});
     };
@@ -179,7 +179,7 @@ const std::vector<double>& Sheet::span_slope_mm_per_deg() const {
 const FoldingWay* Sheet::way(int stations) const {
   assert(stations >= SmoothTable::kPoints);
   auto found = ways_.find(stations);
-  if (found == ways_.end() && model().has_spare_equations()) {
+  if (found == ways_.end() && model().is_overconstrained()) {
     found = ways_.emplace(stations, way_on_base(model(), vertices_mm_, stations)).first;
   }
   if (found == ways_.end()) {
@@ -206,7 +206,7 @@ const Sheet::Pose& Sheet::at(double pilot_deg) const {
   const FoldingWay& path = *way();
   Pose pose{path.stations().front().state, true, {}, {}, {}};
   path.find_state(path.x_of(pilot_deg), pose.state);
-  if (!model().has_spare_equations()) {
+  if (!model().is_overconstrained()) {
     pose.is_closed =
         Newton(mechanism()).correct(path.geometry(), pose.state).end == NewtonEnd::converged;
   }
