@@ -42,7 +42,7 @@ void read_required_stop(ObjectReader& accept, std::optional<RequiredStop>& stop)
 // Whether all creases of its sheets come to 180 degrees at once on paths that are followed, where
 // rounding would decide; with fewer holes paths are known in closed form.
 bool closes_at_180(const Campaign& campaign) {
-  return campaign.misalignment.parallel && !has_spare_equations(campaign.pattern.base);
+  return campaign.misalignment.parallel && !is_overconstrained(campaign.pattern.base);
 }
 
 void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double base_end_deg,

@@ -7,7 +7,7 @@
 namespace misalign::schema {
 namespace {
 
-// Whether a sheet with too many constraints folds all the same: `constraints` says that they are.
+// Whether an overconstrained sheet folds all the same: `constraints` says that they are.
 void check_member(const std::string& where, const std::string& constraints, const Pattern& pattern,
                   InputFaults& faults) {
   const solver::CreasePattern& sheet = pattern.base.sheet;
@@ -48,7 +48,7 @@ std::string hole_advice(const solver::CreasePattern& sheet) {
 
 }  // namespace
 
-bool has_spare_equations(const solver::PerforatedSheet& base) {
+bool is_overconstrained(const solver::PerforatedSheet& base) {
   const solver::Mechanism mechanism = solver::build_mechanism(base);
   return mechanism.equations >= mechanism.unknowns;
 }
@@ -57,7 +57,7 @@ bool closes_at_180(const solver::PerforatedSheet& base, const Eigen::Matrix2Xd& 
   double misfit_rad = 0;
   return base.folding.end_deg() >= 180 && !shifts_mm.isZero(0) &&
          solver::parallel_misfit(base, shifts_mm).mm <= solver::kMemberWithin_mm &&
-         !has_spare_equations(base) &&
+         !is_overconstrained(base) &&
          std::holds_alternative<std::vector<solver::BaseHole>>(
              solver::base_holes(base, misfit_rad));
 }

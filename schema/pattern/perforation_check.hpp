@@ -10,15 +10,15 @@ namespace misalign::schema {
 /// Which perforations are no fault.
 enum class Perforations {
   of_one_freedom,  ///< whatever the shifts
-  /// Also those with too many constraints, where the shifts keep to the base's parallel family: the
-  /// sheet folds in one way all the same.
+  /// Also overconstrained ones, where the shifts keep to the base's parallel family: the sheet
+  /// folds in one way all the same.
   of_one_path,
   any
 };
 
 /// Whether it has more equations than unknowns, by fewer holes than count to one degree of freedom:
 /// only members of its parallel family fold.
-bool has_spare_equations(const solver::PerforatedSheet& base);
+bool is_overconstrained(const solver::PerforatedSheet& base);
 
 /// Whether these shifts, of which one is not zero, make a member of the parallel family of a base
 /// that folds flat, on a path that has to be followed: all its creases come to 180 degrees at once,
@@ -26,7 +26,7 @@ bool has_spare_equations(const solver::PerforatedSheet& base);
 bool closes_at_180(const solver::PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm);
 
 /// Adds a fault at `where` if they leave another number of degrees of freedom than one; the
-/// pattern's shifts matter where there are too many constraints.
+/// pattern's shifts matter where it is overconstrained.
 void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,
                        InputFaults& faults);
 

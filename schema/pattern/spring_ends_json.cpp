@@ -148,7 +148,7 @@ void read_spring_ends(ObjectReader& reader, Pattern& pattern) {
   read_points(place, pattern);
   place.refuse_unknown_keys();
   if (reader.faults().count() > before || ends.at_vertices()) return;
-  if (has_spare_equations(pattern.base)) {
+  if (is_overconstrained(pattern.base)) {
     reader.faults().add(springs.name("attach"),
                         "sheets with so few holes are judged by closed forms of their vertices",
                         "write \"vertices\", or take more holes");

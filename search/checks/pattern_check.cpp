@@ -8,6 +8,7 @@
 #include "schema/files/features.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "solver/pattern/parallel_family.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::search {
 namespace {
@@ -104,7 +105,7 @@ PatternVerification verify_pattern(const std::string& path) {
   verification.pattern = chosen.pattern;
   verification.verdict = computed["verdict"];
   ShapeReport& report = verification.report;
-  verification.is_on_base = sheet.model().has_spare_equations();
+  verification.is_on_base = sheet.model().is_overconstrained();
   if (verification.is_on_base) {
     verification.apart_mm = largest_difference(history.length_mm, lengths_by_formula_mm(sheet));
     const double limit_mm =

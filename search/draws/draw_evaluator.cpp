@@ -200,13 +200,6 @@ const std::vector<solver::Verdict>& DrawEvaluator::judge(const schema::DrawRange
   return batch_->judge(made_.shifts);
 }
 
-solver::FoldingHistory DrawEvaluator::history(std::uint64_t draw) {
-  make({draw, draw + 1});
-  solver::FlatVertices vertices_mm;
-  model_.displace(made_.shifts.of(0), vertices_mm);
-  return solver::record_history(model_, vertices_mm);
-}
-
 Eigen::Matrix2Xd DrawEvaluator::shifts_mm(std::uint64_t draw) const {
   return shifts_of_draw(campaign_, draw);
 }

@@ -63,8 +63,6 @@ class DrawEvaluator {
 
   /// Verdicts of a range of draws no larger than a block, each on its full path.
   const std::vector<solver::Verdict>& judge(const schema::DrawRange& block);
-  /// Everything about one draw, accepted or not: of an optimising search the sheet it starts from.
-  solver::FoldingHistory history(std::uint64_t draw);
   /// Shifts of one draw, one column per vertex of the sheet.
   Eigen::Matrix2Xd shifts_mm(std::uint64_t draw) const;
 

@@ -29,7 +29,7 @@ struct Gradients {
 Gradients gradients_of(const PatternSource& source, const std::vector<double>& stations_deg) {
   Subject subject(source.sheet, {});
   const solver::Sheet& sheet = subject.sheet;
-  const bool is_overconstrained = sheet.model().has_spare_equations();
+  const bool is_overconstrained = sheet.model().is_overconstrained();
   if (is_overconstrained || !sheet.way()) {
     throw study_error(
         is_overconstrained ? solver::NoResult::overconstrained : solver::NoResult::path_lost,

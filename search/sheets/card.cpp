@@ -98,7 +98,7 @@ class CardMaker {
     if (!sheet_.base().springs.in_mid_plane()) {
       return {{}, "springs off the mid-plane have no proof"};
     }
-    if (schema::has_spare_equations(sheet_.base())) {
+    if (schema::is_overconstrained(sheet_.base())) {
       const auto proof = solver::prove_member(sheet_.base(), chosen_.shifts_mm, used_deg_);
       if (proof.holds()) return {proof.certified_deg, "in rational numbers"};
       return {{}, proof.gap.why(sheet_.base().sheet)};
@@ -248,9 +248,9 @@ class CardMaker {
     const schema::Campaign campaign =
         chosen_.drawn ? chosen_.drawn->campaign : chosen_.as_campaign();
     const std::vector<Eigen::Matrix2Xd> shifts_mm = {chosen_.shifts_mm};
-    const bool few_holes = schema::has_spare_equations(sheet_.base());
+    const bool is_overconstrained = schema::is_overconstrained(sheet_.base());
     const Number& miscut_mm = design_.miscut_mm;
-    if (miscut_mm && few_holes) {
+    if (miscut_mm && is_overconstrained) {
       ask("yield", "of miscut copies deploy, a share of", "",
           design_.yield.value_or(solver::kWantedShare), 0, Bound::at_least,
           "no miscut copy with so few holes folds; misalign tolerance says how far joints open");
@@ -270,7 +270,7 @@ class CardMaker {
           survivors / static_cast<double>(std::max<std::uint64_t>(1, tolerance.copies.decided())));
     }
     if (!design_.play_mm) return;
-    if (few_holes) {
+    if (is_overconstrained) {
       ask("play_mm", "joints may be loose by", "mm", design_.play_mm, {}, Bound::at_least,
           "with so few holes no joint may be loose");
       return;

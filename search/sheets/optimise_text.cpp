@@ -72,7 +72,7 @@ std::string springs_text(const solver::Optimised& found) {
 // A start below the floor is only kept from getting worse.
 std::string slope_text(const solver::Sheet& sheet, const solver::Optimised& found) {
   const solver::OptimiseOptions& options = found.options;
-  if (options.ternary || sheet.model().has_spare_equations()) return {};
+  if (options.ternary || sheet.model().is_overconstrained()) return {};
   const double least =
       solver::least_slope_mm_per_deg(sheet, sheet.sample_deg(options.deploys_from_sample));
   if (least >= options.least_slope_mm_per_deg) return {};

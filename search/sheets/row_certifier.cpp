@@ -11,7 +11,7 @@ namespace {
 
 const solver::Model& with_loops_to_close(const solver::Model& model) {
   need_springs_in_mid_plane(model.base().springs, "certify: proofs");
-  if (!model.has_spare_equations()) return model;
+  if (!model.is_overconstrained()) return model;
   throw schema::UserError(
       schema::Cause::bad_request,
       "certify: sheets with so few holes are proven in closed form alone, which keeps no "

@@ -172,7 +172,7 @@ void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::ui
 std::vector<solver::Tolerance> study_tolerance(const schema::Campaign& campaign,
                                                const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                                                const ToleranceOptions& options) {
-  if (options.trials > 0 && schema::has_spare_equations(campaign.pattern.base)) {
+  if (options.trials > 0 && schema::is_overconstrained(campaign.pattern.base)) {
     throw study_error(solver::NoResult::overconstrained, "the sheet",
                       "no miscut copy folds and none can be counted",
                       "`misalign tolerance` of one sheet says by how much its joints stay open");

@@ -53,16 +53,16 @@ void show(const CertifyCall& call, const CertifyReport& report) {
 }
 
 // Whether its sheets are proven in closed form alone.
-bool has_few_holes(const std::string& catalogue) {
+bool is_overconstrained(const std::string& catalogue) {
   const auto database = schema::open_for_reading(catalogue);
-  return schema::has_spare_equations(schema::read_campaign_of(*database, catalogue).pattern.base);
+  return schema::is_overconstrained(schema::read_campaign_of(*database, catalogue).pattern.base);
 }
 
 int run_on_catalogue(CertifyCall& call, const Words& typed) {
   CertifyOptions& options = call.options;
   options.border = kCommandLine;
   if (!options.check && !call.closed_form) schema::recover_before_writing(options.path);
-  const bool is_in_closed_form = call.closed_form || has_few_holes(options.path);
+  const bool is_in_closed_form = call.closed_form || is_overconstrained(options.path);
   if (is_in_closed_form) check_closed_form(call);
   if (!call.choice.chooses() && !call.all && !options.check) {
     throw UserError(schema::Cause::bad_request,
@@ -87,7 +87,7 @@ int run_on_pattern(const CertifyCall& call) {
   const LongWork work("certify is under way", work_style(), false);
   const ChosenSheet sheet = sheet_of_pattern_file(call.options.path);
   const solver::Model model = model_of(sheet.base, sheet.sampling);
-  if (call.closed_form || model.has_spare_equations()) {
+  if (call.closed_form || model.is_overconstrained()) {
     check_closed_form(call);
     return prove_in_closed_form(call, sheet, model);
   }

@@ -124,7 +124,7 @@ int run(ToleranceCall call) {
   // Closes the catalogue again, before the writer's lock: see WriterLock.
   const ToleranceTargets sheets = file ? chosen_sheet(call, *file) : choose_sheets(call);
   take_subject(sheets.design, call);
-  if (schema::has_spare_equations(sheets.campaign.pattern.base)) {
+  if (schema::is_overconstrained(sheets.campaign.pattern.base)) {
     run_gaps(call, sheets);
   } else if (call.backlash_mm) {
     run_backlash(call, sheets);

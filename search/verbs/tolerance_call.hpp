@@ -54,7 +54,7 @@ bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets);
 /// Says how many are judged.
 void show_copies(const CopiesDone& copies);
 
-/// The study of gaps, of a sheet with spare equations, whose miscut copies do not fold.
+/// The study of gaps, of an overconstrained sheet, whose miscut copies do not fold.
 /// One at a time.
 void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets);
 

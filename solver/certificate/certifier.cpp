@@ -6,7 +6,7 @@
 
 #include "solver/certificate/conditions.hpp"
 #include "solver/certificate/panel_proof.hpp"
-#include "solver/records/history.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,6 +1,6 @@
 // A proof in rational numbers that a sheet of the parallel family folds, and how far its diagonals
-// go one way: of sheets with spare equations too, of which no interval arithmetic can tell that all
-// of them hold. The theorem is in solver/pattern/README.md.
+// go one way: of overconstrained sheets too, of which no interval arithmetic can tell that all
+// equations hold. The theorem is in solver/pattern/README.md.
 #pragma once
 
 #include "solver/certificate/rational_base.hpp"

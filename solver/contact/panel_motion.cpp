@@ -181,7 +181,7 @@ void PanelMotion::place(const FoldState<double>& state,
 void PanelMotion::solve(double x) const {
   if (x == solved_at_) return;
   solved_at_ = x;
-  if (model_.has_spare_equations()) {
+  if (model_.is_overconstrained()) {
     BasePath(model_.mechanism(), model_.base())
         .find_state(half_angle_of_deg(way_.pilot_deg(x)), state_);
     return place(state_, solved_);

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "solver/pattern/miura.hpp"
-#include "solver/records/history.hpp"
+#include "solver/records/record_sheet.hpp"
 
 using namespace misalign::solver;
 

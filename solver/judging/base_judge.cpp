@@ -19,7 +19,7 @@ HalfAngle<double> angle_of(double tangent_sq) {
 
 BaseJudge::BaseJudge(const Model& model)
     : model_(model), judge_(model.mechanism(), model.criterion()) {
-  assert(model.has_spare_equations());
+  assert(model.is_overconstrained());
   double misfit_rad = 0;
   holes_ = std::get<std::vector<BaseHole>>(base_holes(model.base(), misfit_rad));
   assert(2 * holes_.size() == model.mechanism().diagonals.size());

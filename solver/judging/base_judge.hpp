@@ -13,7 +13,7 @@ namespace misalign::solver {
 
 class BaseJudge {
  public:
-  /// Of a model with spare equations, whose base has a parallel family. Must outlive this object.
+  /// Of an overconstrained model, whose base has a parallel family. Must outlive this object.
   explicit BaseJudge(const Model& model);
 
   /// Of the sheet with these vertices: undecided where they are off the family.

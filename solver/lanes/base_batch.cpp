@@ -1,10 +1,10 @@
-// Batch of a model with spare equations: of sheets that fold by their base's own fold angles, in
-// closed form and without lanes.
+// Batch of an overconstrained model: of sheets that fold by their base's own fold angles, in closed
+// form and without lanes.
 #include "solver/judging/base_judge.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/lanes/batch.hpp"
 #include "solver/lanes/lanes.hpp"
-#include "solver/records/base_history.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::solver {
 namespace {

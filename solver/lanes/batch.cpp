@@ -28,7 +28,7 @@ std::vector<InstructionSet> available_instruction_sets() {
 }
 
 std::unique_ptr<Batch> make_batch(InstructionSet set, const Model& model) {
-  if (model.has_spare_equations()) return make_base_batch(model);
+  if (model.is_overconstrained()) return make_base_batch(model);
   switch (set) {
 #ifdef MISALIGN_X86
     case InstructionSet::avx512:

@@ -5,7 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "solver/model/rejection_test.hpp"
+#include "solver/model/model.hpp"
+#include "solver/model/rejection.hpp"
 #include "solver/records/path_record.hpp"
 
 namespace misalign::solver {

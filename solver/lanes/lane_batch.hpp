@@ -52,8 +52,7 @@ class LaneBatch final : public Batch {
   }
 
   const std::vector<PathRecord>& measure(const ShiftBlock& block) override {
-    Recorders& to = recorders();
-    return measure_paths(SheetBlock(model_, block), to.of_functions, to.of_samples);
+    return recorders().of_functions.record(SheetBlock(model_, block));
   }
 
   std::vector<FoldingHistory>& record(const ShiftBlock& block) override {
@@ -90,10 +89,10 @@ class LaneBatch final : public Batch {
   // Large, and not needed by those who ask for verdicts alone.
   struct Recorders {
     explicit Recorders(LaneBatch& batch)
-        : of_functions(batch.model_, batch.long_follower_, batch.follower_),
-          of_samples(batch.model_, batch.follower_) {}
-    FunctionRecorder<T> of_functions;
+        : of_samples(batch.model_, batch.follower_),
+          of_functions(batch.model_, batch.long_follower_, batch.follower_, of_samples) {}
     Recorder<T> of_samples;
+    FunctionRecorder<T> of_functions;
   };
   Recorders& recorders() {
     if (!recorders_) recorders_.emplace(*this);

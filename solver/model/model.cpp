@@ -139,7 +139,7 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
              double ternary_mm)
     : base_(base),
       mechanism_(build_mechanism(base)),
-      elimination_(has_spare_equations()
+      elimination_(is_overconstrained()
                        ? Elimination{}
                        : plan_elimination(mechanism_, base_.folding, base_.sheet.vertices_mm)),
       shape_(base_.sheet, base_.holes, mechanism_),
@@ -149,7 +149,7 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
       threshold_sample_(threshold_sample),
       criterion_(criterion),
       ternary_mm_(ternary_mm),
-      margin_samples_(threshold_sample > 0 && !has_spare_equations()
+      margin_samples_(threshold_sample > 0 && !is_overconstrained()
                           ? solver::margin_samples(path.sample_deg, threshold_sample)
                           : std::vector<int>()),
       extent_((base.sheet.vertices_mm.colwise() - base.sheet.vertices_mm.col(0).eval())
@@ -161,7 +161,7 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
       std::ranges::all_of(shifted, [&](int v) { return v >= 0 && v < base.sheet.vertex_count(); }));
   assert(criterion.bumps != BumpRule::exact || base.springs.in_mid_plane());
   assert(threshold_sample >= 0 && path.sample_deg > 0 && std::isfinite(extent_));
-  if (!has_spare_equations()) choose_tests();
+  if (!is_overconstrained()) choose_tests();
 }
 
 void Model::choose_tests() {

@@ -52,11 +52,11 @@ class Model {
 
   const PerforatedSheet& base() const { return base_; }
   const Mechanism& mechanism() const { return mechanism_; }
-  /// None where there are spare equations.
+  /// None of an overconstrained model.
   const Elimination& elimination() const { return elimination_; }
   /// More equations than its sheets have unknowns, since it has fewer holes than count to one
   /// degree of freedom: only sheets of its parallel family fold, by BasePath.
-  bool has_spare_equations() const { return mechanism_.equations >= mechanism_.unknowns; }
+  bool is_overconstrained() const { return mechanism_.equations >= mechanism_.unknowns; }
   const FoldedShape& shape() const { return shape_; }
   const std::vector<int>& shifted() const { return shifted_; }
   /// Every sample to the end.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/verdict/verdict.hpp"
+
 namespace misalign::solver {
 
 std::optional<double> newton_error(double first_correction_rad, double second_correction_rad,

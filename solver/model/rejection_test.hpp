@@ -9,16 +9,10 @@
 #include <vector>
 
 #include "solver/model/model.hpp"
+#include "solver/model/rejection.hpp"
 #include "solver/model/rejection_tolerances.hpp"
-#include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {
-
-/// What became of one sheet.
-struct Rejection {
-  Fault fault = Fault::none;  ///< none: not decided, the full path must tell
-  int sample = 0;             ///< where the test looked
-};
 
 /// One state of a sheet, its diagonals in panel widths and per radian of the way along its path.
 struct Observation {

@@ -194,7 +194,7 @@ double LocalModel::goal(const VectorXd& change_mm) const {
 
 std::optional<LocalModel> local_model(const Sheet& sheet, const OptimiseOptions& options) {
   assert(options.deploying.from_deg);
-  if (!sheet.way() || sheet.model().has_spare_equations()) return {};
+  if (!sheet.way() || sheet.model().is_overconstrained()) return {};
   return Builder(sheet, options).build();
 }
 

@@ -50,7 +50,7 @@ std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOption
 StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& options) {
   assert(!options.shifted.empty() && options.deploys_from_sample > 0);
   assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
-  if (start.model().has_spare_equations()) return NoResult::overconstrained;
+  if (start.model().is_overconstrained()) return NoResult::overconstrained;
   const StudyResult<ReleaseOptions> fitted = validated_release(start, options.deploying);
   if (!fitted) return fitted.obstacle();
   if (auto fault = shifts_fault(start, options)) return *fault;

@@ -94,7 +94,7 @@ struct PathGradients::Workspace {
 };
 
 PathGradients::PathGradients(const Sheet& sheet) : sheet_(sheet) {
-  assert(sheet.way() && !sheet.model().has_spare_equations());
+  assert(sheet.way() && !sheet.model().is_overconstrained());
   workspace_ = std::make_unique<Workspace>(sheet);
 }
 

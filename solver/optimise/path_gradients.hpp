@@ -47,7 +47,7 @@ class PathGradients {
     Eigen::RowVectorXd by_mm;  ///< deg per mm
   };
 
-  /// `sheet`, which has a way and no spare equations, must outlive this object.
+  /// `sheet`, which has a way and is not overconstrained, must outlive this object.
   explicit PathGradients(const Sheet& sheet);
   ~PathGradients();
 

@@ -11,8 +11,8 @@
 namespace misalign::solver {
 
 struct SheetChanges {
-  /// `of`, which has a way and no spare equations, and `asked`, which says from where it is let go
-  /// and has its springs, must outlive this object.
+  /// `of`, which has a way and is not overconstrained, and `asked`, which says from where it is let
+  /// go and has its springs, must outlive this object.
   SheetChanges(const Sheet& of, const OptimiseOptions& asked)
       : sheet(of), options(asked), variables(asked), gradients(of), flat(at(0)) {}
 

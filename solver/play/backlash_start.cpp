@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/records/history.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::solver {
 namespace {

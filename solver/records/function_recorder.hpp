@@ -1,12 +1,13 @@
-// Records of paths from a follower of any width: the paths as functions, then the states that their
-// records want exactly, those of as many sheets as there are lanes side by side.
+// Records paths by a follower of any width: as functions, then the states that their records
+// request, those of as many sheets as there are lanes side by side.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
-#include "solver/records/record_builder.hpp"
+#include "solver/records/record_observer.hpp"
 #include "solver/records/recorder.hpp"
 
 namespace misalign::solver {
@@ -14,96 +15,97 @@ namespace misalign::solver {
 template <class T>
 class FunctionRecorder {
  public:
-  /// All must outlive this object; the close follower has the last degrees of some paths.
+  /// All must outlive this object; the close follower has the last degrees of some paths, the
+  /// recorder paths that are not sure as functions.
   FunctionRecorder(const Model& model, PathFollower<T, LongSteps>& follower,
-                   PathFollower<T>& close_follower)
+                   PathFollower<T>& close_follower, Recorder<T>& recorder)
       : model_(model),
         mechanism_(model.mechanism()),
         follower_(follower),
         close_follower_(close_follower),
-        records_(model, lanes_of<T>()),
-        measure_(model) {}
+        recorder_(recorder),
+        observer_(model, lanes_of<T>()),
+        measure_(model),
+        solved_(kLanes<T>, nothing_solved(model)) {}
 
-  /// Of every sheet of the block; says which are left for the close steps.
-  const std::vector<int>& record(const SheetBlock& block) {
-    records_.begin(block);
-    if (model_.bumps() == BumpRule::by_cubic) {
-      records_.leave_all();  // cubics between solved samples judge bumps
-      return records_.left();
+  /// Of every sheet of the block.
+  const std::vector<PathRecord>& record(const SheetBlock& block) {
+    std::vector<UnfinishedRecord>& made = observer_.follow(block, follower_, close_follower_);
+    find_incomplete(made, incomplete_);
+    for (std::size_t first = 0; first < incomplete_.size(); first += kLanes<T>) {
+      complete_from(first, block, made);
     }
-    follower_.run(records_.queue(), records_);
-    RecordBuilder::Ends ends(records_);
-    close_follower_.run(records_.queue_of_ends(), ends);
-    const std::vector<int>& complete = records_.complete();
-    for (std::size_t first = 0; first < complete.size(); first += kLanes<T>) {
-      solve_wanted(block, complete, first);
-    }
-    return records_.left();
-  }
-  /// All of the block, those that were left by their histories.
-  const std::vector<PathRecord>& merge(const std::vector<FoldingHistory>& left) {
-    return records_.merge(left);
+    find_unsure(made, unsure_);
+    merge(made, recorder_.measure(block, unsure_), mechanism_, records_);
+    return records_;
   }
 
-  const Effort& effort() const { return records_.effort(); }
+  const Effort& effort() const { return observer_.effort(); }
 
  private:
   static constexpr int kMostReversalRounds = 5;
 
-  // Of as many sheets as there are lanes, or those that are left.
-  void solve_wanted(const SheetBlock& block, const std::vector<int>& sheets, std::size_t first) {
-    measure_.put(block, sheets, first);
-    for (int i = 0; i < kLanes<T>; ++i) measure_.restart(i);
+  // As many of the incomplete sheets as there are lanes, or those that are left.
+  void complete_from(std::size_t first, const SheetBlock& block,
+                     std::vector<UnfinishedRecord>& records) {
+    measure_.put(block, incomplete_, first);
+    std::array<UnfinishedRecord*, kLanes<T>> made;
+    for (int i = 0; i < kLanes<T>; ++i) {
+      measure_.restart(i);
+      made[i] = &records[static_cast<std::size_t>(measure_.sheet(i))];
+    }
     const int margins = static_cast<int>(model_.margin_samples().size());
     MiscutMargin<T>& margin = measure_.margin();
     if (margins > 0) margin.begin(measure_.geometry());
-    for (int k = 0; k < records_.wanted_count(); ++k) {
+    for (int k = 0; k < margins + kPurposes; ++k) {
       for (int i = 0; i < kLanes<T>; ++i) {
-        const WantedState& wanted = records_.wanted(measure_.sheet(i), k);
-        put_lane(wanted.near, measure_.state(), i);
-        hold(wanted.pilot, i);
+        const RequestedState& requested = made[i]->requested[k];
+        put_lane(requested.near, measure_.state(), i);
+        hold(requested.pilot, i);
       }
       solve(k - margins);
       if (k < margins) margin.see(measure_.state(), measure_.factors());
-      for (int i = 0; i < kLanes<T>; ++i) keep(records_.solved(i, k), i);
+      for (int i = 0; i < kLanes<T>; ++i) keep(solved_[i][static_cast<std::size_t>(k)], i);
     }
-    const std::size_t lanes = std::min<std::size_t>(kLanes<T>, sheets.size() - first);
-    find_reversals(static_cast<int>(lanes));
-    for (int i = 0; i < static_cast<int>(lanes); ++i) {
-      records_.take(measure_.sheet(i), i, margins > 0 ? margin.mm(i) : std::nullopt);
+    const int lanes =
+        static_cast<int>(std::min<std::size_t>(kLanes<T>, incomplete_.size() - first));
+    find_reversals(made, lanes);
+    for (int i = 0; i < lanes; ++i) {
+      complete(*made[i], solved_[i], margins > 0 ? margin.mm(i) : std::nullopt);
     }
   }
 
   // The states of the first reversals again, until they are there; so many lanes have one.
-  void find_reversals(int lanes) {
-    const int reversal = records_.wanted_count() - 1;
+  void find_reversals(const std::array<UnfinishedRecord*, kLanes<T>>& made, int lanes) {
     for (int round = 0; round < kMostReversalRounds; ++round) {
       bool any = false;
       std::array<bool, kLanes<T>> again{};
       for (int i = 0; i < lanes; ++i) {
-        again[i] = records_.wants_again(measure_.sheet(i), i);
-        if (!again[i]) continue;
+        const auto next_deg = made[i]->slopes.next_reversal_deg(solved_[i].back().slopes);
+        again[i] = next_deg.has_value();
+        if (!next_deg) continue;
         any = true;
-        hold(records_.wanted(measure_.sheet(i), reversal).pilot, i);
+        made[i]->requested.move_pilot(Purpose::reversal, *next_deg);
+        hold(made[i]->requested.of(Purpose::reversal).pilot, i);
       }
       if (!any) return;
-      solve(static_cast<int>(Wanted::reversal));
+      solve(static_cast<int>(Purpose::reversal));
       for (int i = 0; i < lanes; ++i) {
-        if (again[i]) keep(records_.solved(i, reversal), i);
+        if (again[i]) keep(solved_[i].back(), i);
       }
     }
   }
 
   // Two corrections with the pilot held, or four where it may be next to a limit point, whatever
-  // the neighbours need; and what is wanted of the state that they reach. For slopes three: what
+  // the neighbours need; and what is requested of the state that they reach. For slopes three: what
   // they do not close is for the close steps.
-  MISALIGN_FLATTEN void solve(int beside_margin) {
-    const bool for_lengths = beside_margin == static_cast<int>(Wanted::before_least_step) ||
-                             beside_margin == static_cast<int>(Wanted::after_least_step);
-    const bool for_slopes = beside_margin >= static_cast<int>(Wanted::least_slope);
+  MISALIGN_FLATTEN void solve(int purpose) {
+    const bool for_lengths = purpose == static_cast<int>(Purpose::before_least_step) ||
+                             purpose == static_cast<int>(Purpose::after_least_step);
+    const bool for_slopes = purpose >= static_cast<int>(Purpose::least_slope);
     measure_.correct(true);
     measure_.correct(!for_slopes);
-    if (beside_margin >= static_cast<int>(Wanted::before_d)) {
+    if (purpose >= static_cast<int>(Purpose::before_d)) {
       if (!for_slopes) measure_.correct(!for_lengths);
       measure_.correct(!for_lengths);
     }
@@ -127,17 +129,12 @@ class FunctionRecorder {
   const Mechanism& mechanism_;
   PathFollower<T, LongSteps>& follower_;
   PathFollower<T>& close_follower_;
-  RecordBuilder records_;
+  Recorder<T>& recorder_;
+  RecordObserver observer_;
   StateMeasure<T> measure_;
+  std::vector<std::vector<SolvedState>> solved_;  // of lanes
+  std::vector<int> incomplete_, unsure_;
+  std::vector<PathRecord> records_;
 };
-
-/// Every path of the block as a function, or where that is not sure in close steps.
-template <class T>
-const std::vector<PathRecord>& measure_paths(const SheetBlock& block,
-                                             FunctionRecorder<T>& functions,
-                                             Recorder<T>& recorder) {
-  const std::vector<int>& left = functions.record(block);
-  return functions.merge(recorder.measure(block, left));
-}
 
 }  // namespace misalign::solver

@@ -33,13 +33,4 @@ struct FoldingHistory {
 /// Called at each station of a path, in order, with what was found there.
 using StationVisitor = std::function<void(const Station&, const PathPoint&)>;
 
-/// Follows the path of the sheet with these vertices to the model's end or the fold limit, past
-/// faults. Where dense matrices follow it again (see dense_fallback) `visit` sees it from the first
-/// station once more.
-FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
-                              const StationVisitor* visit = nullptr);
-
-/// The same by dense matrices with pivoting alone.
-FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm);
-
 }  // namespace misalign::solver

@@ -80,20 +80,24 @@ bool HistoryObserver::see(const Station& station, int lane) {
   const SheetGeometry<double>& geometry = queue_.geometry_of_lane(lane);
   dense_state_.find(geometry, point_.state, point_);
   model_.shape().place(geometry, point_.state, points_);
-  keep(station, lane,
-       {dense_state_.open_by(), dense_state_.singular_value(),
-        model_.shape().isometry_error(geometry, points_)});
+  evaluate(station, lane,
+           {dense_state_.open_by(), dense_state_.singular_value(),
+            model_.shape().isometry_error(geometry, points_)});
   return true;
+}
+
+void HistoryObserver::evaluate(const Station& station, int lane, const SolveQuality& quality) {
+  if (CloseJudge& judge = lanes_[lane]->judge; station.sample > 0) {
+    judge.see(station, point_, true,
+              judge.looks_between() ? &queue_.geometry_of_lane(lane) : nullptr);
+  }
+  keep(station, lane, quality);
 }
 
 void HistoryObserver::keep(const Station& station, int lane, const SolveQuality& quality) {
   const double width_mm = model_.mechanism().panel_width_mm;
   assert(std::ssize(point_.lengths) == model_.mechanism().diagonal_count());
   auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
-  if (station.sample > 0 && !model_.has_spare_equations()) {  // of those a BaseJudge knows
-    judge.see(station, point_, true,
-              judge.looks_between() ? &queue_.geometry_of_lane(lane) : nullptr);
-  }
   history.stations.push_back(station);
   last = point_.state;
   for (const double length : point_.lengths) lengths_mm.push_back(length * width_mm);

@@ -31,6 +31,8 @@ class HistoryObserver final : public QueueObserver {
   /// point() from its state alone, by dense factors.
   bool see(const Station& station, int lane);
   /// The next station of this lane's path, as point() has it; past faults too.
+  void evaluate(const Station& station, int lane, const SolveQuality& quality);
+  /// The same, but that no judge sees it.
   void keep(const Station& station, int lane, const SolveQuality& quality);
   void ended(PathResult path, int lane);
   /// Once every path has ended: those that are for dense matrices, by dense matrices from the last

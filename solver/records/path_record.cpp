@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "solver/records/function_recorder.hpp"
-
 namespace misalign::solver {
+
 PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) {
   const double width_mm = mechanism.panel_width_mm;
   assert(std::ssize(history.stations) == history.length_mm.rows());
@@ -35,14 +34,6 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) 
         std::max(record.isometry_error, history.isometry_error_mm[i] / width_mm);
   }
   return record;
-}
-
-PathRecord record_path(const Model& model, const FlatVertices& vertices_mm) {
-  PathFollower<double, LongSteps> long_follower(model.mechanism(), model.elimination());
-  PathFollower<double> follower(model.mechanism(), model.elimination());
-  FunctionRecorder<double> functions(model, long_follower, follower);
-  Recorder<double> recorder(model, follower);
-  return measure_paths(SheetBlock(vertices_mm), functions, recorder).front();
 }
 
 }  // namespace misalign::solver

@@ -25,7 +25,4 @@ struct PathRecord {
 /// extremes it has no reversal, and the cubics' least slope.
 PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism);
 
-/// Of the sheet with these vertices, as a campaign's draws are measured.
-PathRecord record_path(const Model& model, const FlatVertices& vertices_mm);
-
 }  // namespace misalign::solver

@@ -99,8 +99,8 @@ class Recorder {
       measure_.copy_slopes(i, point.lengths, point.slopes);
       measure_.copy_rates(i, point.rates);
       point.pilot_rate = lane(pilot_rate, i);
-      observer_.keep(stations_[i], i,
-                     looks_at_quality_ ? measure_.quality(i) : SolveQuality{0, 0, 0});
+      observer_.evaluate(stations_[i], i,
+                         looks_at_quality_ ? measure_.quality(i) : SolveQuality{0, 0, 0});
     }
     waits_ = T(0);
   }

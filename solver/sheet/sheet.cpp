@@ -9,6 +9,7 @@
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/linear/newton.hpp"
 #include "solver/records/function_recorder.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "solver/sheet/way_solver.hpp"
 
 namespace misalign::solver {
@@ -55,17 +56,17 @@ struct SheetSolver::Workspace {
   explicit Workspace(const Model& model)
       : follower(model.mechanism(), model.elimination()),
         close_follower(model.mechanism(), model.elimination()),
-        functions(model, follower, close_follower),
-        recorder(model, close_follower, &keep) {}
+        recorder(model, close_follower, &keep),
+        functions(model, follower, close_follower, recorder) {}
 
   PathFollower<double, LongSteps> follower;
   PathFollower<double> close_follower;
-  FunctionRecorder<double> functions;
   std::vector<WayStation> states;  // of the path that is recorded
   const StationVisitor keep = [this](const Station&, const PathPoint& point) {
     states.push_back({point.state, point.rates});
   };
   Recorder<double> recorder;
+  FunctionRecorder<double> functions;
 };
 
 SheetSolver::SheetSolver(const Model& model)
@@ -91,13 +92,13 @@ Sheet::Sheet(SheetSolver& solver, Eigen::Matrix2Xd shifts_mm, std::string name)
 
 const PathRecord& Sheet::record() const {
   if (record_) return *record_;
-  if (model().has_spare_equations()) {
+  if (model().is_overconstrained()) {
     record_ = record_of(history(), mechanism());
     return *record_;
   }
   SheetSolver::Workspace& with = solver_.workspace();
   ++solver_.followed_.as_functions;
-  record_ = measure_paths(SheetBlock(vertices_mm_), with.functions, with.recorder).front();
+  record_ = with.functions.record(SheetBlock(vertices_mm_)).front();
   with.states.clear();  // of a path that had to be followed closely: nobody asks for them
   assert(record_->flat.size() == mechanism().diagonals.size());
   return *record_;
@@ -105,7 +106,7 @@ const PathRecord& Sheet::record() const {
 
 const FoldingHistory& Sheet::history() const {
   if (history_) return *history_;
-  if (model().has_spare_equations()) {
+  if (model().is_overconstrained()) {
     const StationVisitor keep = [this](const Station&, const PathPoint& point) {
       states_.push_back({point.state, point.rates});
     };
@@ -178,7 +179,7 @@ const std::vector<double>& Sheet::span_slope_mm_per_deg() const {
 const FoldingWay* Sheet::way(int stations) const {
   assert(stations >= SmoothTable::kPoints);
   auto found = ways_.find(stations);
-  if (found == ways_.end() && model().has_spare_equations()) {
+  if (found == ways_.end() && model().is_overconstrained()) {
     found = ways_.emplace(stations, way_on_base(model(), vertices_mm_, stations)).first;
   }
   if (found == ways_.end()) {
@@ -205,7 +206,7 @@ const Sheet::Pose& Sheet::at(double pilot_deg) const {
   const FoldingWay& path = *way();
   Pose pose{path.stations().front().state, true, {}, {}, {}};
   path.find_state(path.x_of(pilot_deg), pose.state);
-  if (!model().has_spare_equations()) {
+  if (!model().is_overconstrained()) {
     pose.is_closed =
         Newton(mechanism()).correct(path.geometry(), pose.state).end == NewtonEnd::converged;
   }

@@ -7,6 +7,7 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "solver/continuation/path_follower.hpp"
 #include "solver/linear/pivot_order.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign {

@@ -11,7 +11,7 @@
 #include "solver/linear/newton.hpp"
 #include "solver/pattern/miura.hpp"
 #include "solver/pattern/perforation.hpp"
-#include "solver/records/history.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::solver {
 

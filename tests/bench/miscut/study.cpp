@@ -14,6 +14,7 @@
 #include "search/sheets/tolerance.hpp"
 #include "solver/linear/newton.hpp"
 #include "solver/model/flat_gradient.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::search {
 namespace {

@@ -11,6 +11,7 @@
 #include "schema/pattern/pattern_file.hpp"
 #include "solver/model/panels.hpp"
 #include "solver/pattern/perforation.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "tests/folder.hpp"
 #include "tests/schema/exchange/shifted_pattern.hpp"
 #include "tests/solver/own_sheet.hpp"

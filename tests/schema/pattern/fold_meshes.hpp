@@ -8,7 +8,7 @@
 #include "schema/pattern/fold_format.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "solver/pattern/miura.hpp"
-#include "solver/records/history.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::schema {
 

@@ -7,7 +7,7 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
-#include "solver/records/history.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::search {
 namespace {

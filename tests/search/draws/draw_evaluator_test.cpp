@@ -8,6 +8,7 @@
 #include "search/draws/draw.hpp"
 #include "search/ranks/messages.hpp"
 #include "search/sheets/folding_model.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {
@@ -34,6 +35,11 @@ solver::Verdict reference_verdict(const schema::Campaign& campaign, const DrawEv
                                       campaign.path());
   solver::Reference reference(evaluator.mechanism(), plan);
   return reference.judge(base.sheet.vertices_mm + evaluator.shifts_mm(draw));
+}
+
+solver::FoldingHistory history_of(const DrawEvaluator& evaluator, std::uint64_t draw) {
+  return solver::record_history(
+      evaluator.model(), evaluator.model().base().sheet.vertices_mm + evaluator.shifts_mm(draw));
 }
 
 // The accepted patterns are the reference's, their metrics belong to the verdict, and do not depend
@@ -98,7 +104,7 @@ TEST(DrawEvaluator, MetricsFromTheHistory) {
   const schema::UnitRecord unit = work_off(evaluator, {0, 20});
   ASSERT_FALSE(unit.candidates.empty());
   const solver::Metrics& m = unit.candidates[0].metrics;
-  const auto history = evaluator.history(unit.candidates[0].draw);
+  const auto history = history_of(evaluator, unit.candidates[0].draw);
   const Eigen::Index d_samples = m.deploys_from_sample;
   const Eigen::Map<const Eigen::RowVectorXd> flat(history.flat_mm.data(), 4);
   const Eigen::MatrixXd lengths = history.length_mm.topRows(d_samples);
@@ -192,7 +198,7 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
                          {"accept", {{"deploys_from_deg", 150}}}};
   DrawEvaluator evaluator(schema::read_campaign(campaign, "a test"));
   constexpr std::uint64_t kDraw = 49432;
-  const solver::FoldingHistory history = evaluator.history(kDraw);
+  const solver::FoldingHistory history = history_of(evaluator, kDraw);
   EXPECT_TRUE(evaluator.campaign().accepts(history.verdict));
   ASSERT_GE(history.between.bump_where, 0);
   const solver::PerforatedSheet& base = evaluator.campaign().pattern.base;
@@ -226,7 +232,7 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
     // It still goes back at 160 degrees, and on again only after that.
     EXPECT_EQ(verdict.first_fault, solver::Fault::reverses_between) << rule;
     EXPECT_EQ(verdict.deploys_from_sample, 159) << rule;
-    EXPECT_EQ(words_of(strict_evaluator.history(kDraw).verdict), words_of(verdict)) << rule;
+    EXPECT_EQ(words_of(history_of(strict_evaluator, kDraw).verdict), words_of(verdict)) << rule;
     EXPECT_FALSE(strict_evaluator.campaign().accepts(verdict)) << rule;
   }
   const auto at_160 = static_cast<Eigen::Index>(
@@ -244,7 +250,7 @@ TEST(DrawEvaluator, BumpThatIsTheFaultIsItsBump) {
   const auto candidates = work_off(evaluator, {kDraw, kDraw + 1}).candidates;
   ASSERT_EQ(candidates.size(), 1u);
   ASSERT_TRUE(candidates[0].metrics.bump_deg);
-  const solver::FoldingHistory history = evaluator.history(kDraw);
+  const solver::FoldingHistory history = history_of(evaluator, kDraw);
   ASSERT_EQ(history.verdict.first_fault, solver::Fault::bump);
   EXPECT_EQ(history.between.bump_where, history.verdict.where);
   EXPECT_NEAR(history.between.bump_deg, *candidates[0].metrics.bump_deg, 1e-3);
@@ -278,7 +284,7 @@ TEST(DrawEvaluator, KeepsStiffStops) {
   DrawEvaluator without(miura_4x4());
   std::vector<std::pair<double, std::uint64_t>> by_stiffness;
   for (const auto& candidate : work_off(without, kDraws).candidates) {
-    const auto history = without.history(candidate.draw);
+    const auto history = history_of(without, candidate.draw);
     by_stiffness.emplace_back(
         (history.slope_mm_per_deg.row(kStop_deg - 1) / solver::kRadPerDeg).squaredNorm(),
         candidate.draw);

@@ -11,7 +11,7 @@
 #include "search/sheets/certify_text.hpp"
 #include "search/sheets/whole_program.hpp"
 #include "solver/certificate/certificate_check.hpp"
-#include "solver/records/path_record.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::search {
 namespace {

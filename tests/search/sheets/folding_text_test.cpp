@@ -8,6 +8,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/text_table.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "solver/records/record_sheet.hpp"
 
 namespace misalign::search {
 namespace {
@@ -66,7 +67,8 @@ TEST(FoldingText, FitsTheTerminal) {
 TEST(FoldingText, SaysWhatTheHistorySays) {
   DrawEvaluator evaluator(campaign(4));
   for (std::uint64_t draw = 0; draw < 20; ++draw) {
-    const auto history = evaluator.history(draw);
+    const auto history = solver::record_history(
+        evaluator.model(), evaluator.model().base().sheet.vertices_mm + evaluator.shifts_mm(draw));
     const auto d = static_cast<Eigen::Index>(history.verdict.deploys_from_sample) - 1;
     if (d < 0) continue;
     const std::vector<std::string> lines = lines_of(text_of(evaluator, draw, {200, false}));
@@ -111,7 +113,8 @@ TEST(FoldingText, SaysWhatTheHistorySays) {
 // one that varies by more is not.
 TEST(FoldingText, RoundingIsNotDrawnAsMotion) {
   DrawEvaluator evaluator(campaign(4));
-  auto history = evaluator.history(0);
+  auto history = solver::record_history(
+      evaluator.model(), evaluator.model().base().sheet.vertices_mm + evaluator.shifts_mm(0));
   solver::SheetSolver solver(evaluator.model());
   const solver::Sheet sheet(solver, evaluator.shifts_mm(0));
   const double band_mm = 1e-8 * 80;

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "solver/records/base_history.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "tests/solver/families.hpp"
 #include "tests/solver/few_holes.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "solver/lanes/lane_batch.hpp"
-#include "solver/records/path_record.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "tests/solver/blocks.hpp"
 
 namespace misalign::solver {
@@ -152,13 +152,15 @@ TEST_P(PathFunctions, ReverseWhereARateOfChangeIsZero) {
   const Model model = sheets_.with_threshold(60);
   PathFollower<double, LongSteps> follower(model.mechanism(), model.elimination());
   PathFollower<double> close_follower(model.mechanism(), model.elimination());
-  FunctionRecorder<double> functions(model, follower, close_follower);
+  Recorder<double> recorder(model, close_follower);
+  FunctionRecorder<double> functions(model, follower, close_follower, recorder);
   int reversed = 0;
   for (int i = 0; i < (block_.sheets + 2) / 3 + 1; ++i) {
     SCOPED_TRACE(i);
     const FlatVertices vertices_mm = sheets_.vertices(block_, i);
-    if (!functions.record(SheetBlock(vertices_mm)).empty()) continue;
-    const PathRecord record = functions.merge({}).front();
+    const auto closely = recorder.effort().iterations;
+    const PathRecord record = functions.record(SheetBlock(vertices_mm)).front();
+    if (recorder.effort().iterations > closely) continue;
     if (record.lengths.empty() || !record.extremes.reverses_deg) continue;
     const double at_deg = *record.extremes.reverses_deg;
     if (at_deg > record.path.fold_limit_deg - 2) continue;

@@ -7,7 +7,7 @@
 
 #include "solver/judging/base_judge.hpp"
 #include "solver/lanes/batch.hpp"
-#include "solver/records/base_history.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "solver/sheet/sheet.hpp"
 #include "tests/solver/few_holes.hpp"
 
@@ -67,7 +67,7 @@ TEST(BasePath, FoldsWithFewerHoles) {
   for (const std::vector<std::size_t>& holes : kFewHoles) {
     const PerforatedSheet base = with_holes(holes);
     const Model model(base);
-    ASSERT_TRUE(model.has_spare_equations());
+    ASSERT_TRUE(model.is_overconstrained());
     const ParallelFamily family = family_with_rim(base);
     const double width_mm = model.mechanism().panel_width_mm;
     for (const unsigned seed : {1u, 2u, 3u}) {

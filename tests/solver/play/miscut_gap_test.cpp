@@ -28,8 +28,8 @@ TEST(MiscutGap, IsNothingWhereCopiesFold) {
   EXPECT_LE(find_miscut_gaps(sheet, errors, {29, 89, 149}).open_mm.maxCoeff(), 1e-10);
 
   const PerforatedSheet few = with_holes({5});
-  const Model spare(few);
-  SheetSolver other(spare);
+  const Model overconstrained(few);
+  SheetSolver other(overconstrained);
   const Sheet member(other, member_of(few, 4, true, 1));
   EXPECT_LE(
       find_miscut_gaps(member, {member_of(few, 0.05, true, 1)}, {29, 89, 149}).open_mm.maxCoeff(),

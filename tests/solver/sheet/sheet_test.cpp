@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "solver/records/path_record.hpp"
+#include "solver/records/record_sheet.hpp"
 #include "tests/solver/blocks.hpp"
 #include "tests/solver/families.hpp"
 #include "tests/solver/own_sheet.hpp"

@@ -1,17 +1,34 @@
-#include "solver/records/base_history.hpp"
+#include "solver/records/record_sheet.hpp"
 
 #include <cassert>
 #include <utility>
 
 #include "solver/judging/base_judge.hpp"
 #include "solver/model/base_path.hpp"
-#include "solver/records/history_observer.hpp"
+#include "solver/records/function_recorder.hpp"
 
 namespace misalign::solver {
 
+FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
+                              const StationVisitor* visit) {
+  if (model.is_overconstrained()) return record_on_base(model, vertices_mm, visit);
+  PathFollower<double> follower(model.mechanism(), model.elimination());
+  Recorder<double> recorder(model, follower, visit);
+  return std::move(recorder.record(SheetBlock(vertices_mm)).front());
+}
+
+FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm) {
+  HistoryObserver observer(model, lanes_of<double>());
+  DenseFallback dense(model.mechanism());
+  const SheetBlock sheet(vertices_mm);
+  observer.begin(sheet);
+  dense.follow(observer.queue(), observer);
+  return std::move(observer.histories().front());
+}
+
 FoldingHistory record_on_base(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit) {
-  assert(model.has_spare_equations());
+  assert(model.is_overconstrained());
   HistoryObserver observer(model, lanes_of<double>(), visit);
   BasePath path(model.mechanism(), model.base());
   const SheetBlock sheet(vertices_mm);
@@ -39,6 +56,14 @@ FoldingHistory record_on_base(const Model& model, const FlatVertices& vertices_m
   history.extremes->least_slope = history.between.least_slope;
   history.extremes->reverses_deg = judge.reverses_deg();
   return history;
+}
+
+PathRecord record_path(const Model& model, const FlatVertices& vertices_mm) {
+  PathFollower<double, LongSteps> long_follower(model.mechanism(), model.elimination());
+  PathFollower<double> follower(model.mechanism(), model.elimination());
+  Recorder<double> recorder(model, follower);
+  FunctionRecorder<double> functions(model, long_follower, follower, recorder);
+  return functions.record(SheetBlock(vertices_mm)).front();
 }
 
 }  // namespace misalign::solver

@@ -1,0 +1,213 @@
+#include "solver/records/record_observer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+// Where close steps take over at the latest.
+constexpr double kLastHandedOver_deg = 178;
+
+// Segments of fewer samples are short.
+constexpr int kShortSegment_samples = 4;
+
+// States are foretold between the last nodes; before them they would be extrapolated.
+bool reaches_back_to(const Station& station, const PathFunction& function) {
+  const int oldest = std::min(function.kept(), kStateNodes) - 1;
+  return station.pilot_deg * kRadPerDeg >= function.pilot(function.at(oldest));
+}
+
+}  // namespace
+
+RecordObserver::RecordObserver(const Model& model, const QueueLanes& lanes)
+    : QueueObserver(model, lanes),
+      lanes_(lanes.count, Lane{FunctionJudge(model.mechanism(), model.criterion()),
+                               ExtremeFinder(model.mechanism().diagonal_count())}),
+      here_(model.mechanism()),
+      near_(flat_state<double>(model.mechanism())) {
+  for (const Station& station : model.path().stations) {
+    if (station.sample > 0) samples_.push_back(&station);
+  }
+}
+
+RecordObserver::~RecordObserver() = default;
+
+void RecordObserver::begin(const SheetBlock& block) {
+  records_.resize(static_cast<std::size_t>(block.sheets()));
+  for (UnfinishedRecord& record : records_) record.is_sure = false;
+  queue_.begin(block);
+  ends_.clear();
+  ends_near_.clear();
+}
+
+void RecordObserver::begin_sheet(PathStart& start, int lane) {
+  Lane& one = lanes_[lane];
+  one.judge.begin(*start.plan, flat_);
+  one.function = nullptr;
+  one.record = {};
+  one.record.record.flat = flat_;
+  one.record.requested.begin(model_);
+  one.next = 0;
+  one.fault_seen = false;
+  one.least_step = std::numeric_limits<double>::infinity();
+  one.finder.begin(flat_);
+}
+
+ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
+  near_states_.clear();
+  Lane& one = lanes_[lane];
+  one.function = &function;
+  const double end_deg = function.pilot(function.end()) / kRadPerDeg + 1e-9;
+  if (one.fault_seen) {
+    evaluate_up_to(end_deg, function, one);
+    return ObserverResult::go_on;
+  }
+  const ObserverResult seen = one.judge.see(function);
+  if (seen == ObserverResult::unsure || seen == ObserverResult::lost) return seen;
+  const int in_order = one.judge.samples_in_order();
+  one.fault_seen = seen == ObserverResult::enough;
+  if (one.fault_seen && (in_order == 0 || in_order < model_.threshold_sample())) return seen;
+  evaluate_up_to(end_deg, function, one);
+  const Judge& judge = one.judge.judge();
+  if (const int d = judge.between().bump_where; d >= 0) {
+    one.finder.note_bump(
+        d, goes_back_from_deg(function, d, judge.direction(d), station_of(in_order).pilot_deg,
+                              station_of(in_order + 1).pilot_deg));
+  }
+  const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
+  // After short segments the last nodes may not reach back to D any more: it is noted on the way.
+  const double segment_deg = end_deg - function.pilot(function.from()) / kRadPerDeg;
+  const bool is_short = segment_deg < kShortSegment_samples * samples_.front()->pilot_deg;
+  if ((one.fault_seen || is_last || is_short) && in_order > 0) request_d(in_order, function, one);
+  return ObserverResult::go_on;
+}
+
+void RecordObserver::request_d(int sample, const PathFunction& function, Lane& lane) {
+  RequestedStates& requested = lane.record.requested;
+  const RequestedState &before = requested.of(Purpose::before_d),
+                       &at_d = requested.of(Purpose::at_d);
+  const int last = std::max(sample - 1, 1);
+  if (at_d.sample == last && before.sample != last && !reaches_back_to(station_of(last), function))
+    requested.swap_d_with_before();
+  if (before.sample != last) request(Purpose::before_d, station_of(last), function, lane);
+  if (at_d.sample != sample) request(Purpose::at_d, station_of(sample), function, lane);
+}
+
+// Samples up to the segment's end; beyond D only for the first reversal.
+void RecordObserver::evaluate_up_to(double end_deg, const PathFunction& function, Lane& lane) {
+  const int in_order = lane.judge.samples_in_order();
+  const std::vector<int>& margin = model_.margin_samples();
+  const int least_step_before = lane.record.least_step_sample;
+  const double least_slope_before = lane.finder.least_slope().slope;
+  for (; lane.next < samples_.size() && samples_[lane.next]->pilot_deg <= end_deg; ++lane.next) {
+    const Station& station = *samples_[lane.next];
+    const bool is_in_order = station.sample <= in_order;
+    if (!is_in_order && (!lane.fault_seen || lane.has_reversed())) break;
+    const double x = function.locate(station.pilot_deg * kRadPerDeg);
+    function.look(x, here_);
+    if (is_in_order) {
+      std::copy_n(lane.judge.lengths_at(station.sample), here_.lengths.size(),
+                  here_.lengths.begin());
+      const auto at = std::lower_bound(margin.begin(), margin.end(), station.sample);
+      if (at != margin.end() && *at == station.sample) {
+        request(static_cast<int>(at - margin.begin()), station, function, lane);
+      }
+      if (station.sample == 1) request(Purpose::first, station, function, lane);
+      if (station.sample <= 2) request(Purpose::second, station, function, lane);
+      note_least_step(station, lane);
+    }
+    const bool had_reversed = lane.has_reversed();
+    lane.finder.see(station.pilot_deg, is_in_order, x, here_, lane.judge.judge(), function);
+    const Reversal& reversal = lane.finder.first_reversal();
+    if (had_reversed || !lane.has_reversed() || reversal.pilot_deg == 0) continue;
+    request(Purpose::reversal, reversal.pilot_deg, reversal.x, lane);
+  }
+  if (const LeastSlope& slope = lane.finder.least_slope(); slope.slope < least_slope_before) {
+    request(Purpose::least_slope, slope.pilot_deg, slope.x, lane);
+  }
+  const int least = lane.record.least_step_sample;
+  if (least == least_step_before) return;
+  request(Purpose::before_least_step, station_of(std::max(least - 1, 1)), function, lane);
+  request(Purpose::after_least_step, station_of(least), function, lane);
+}
+
+void RecordObserver::note_least_step(const Station& station, Lane& lane) {
+  if (station.pilot_deg < kInactiveFrom_deg) return;
+  for (std::size_t d = 0; d < here_.lengths.size(); ++d) {
+    const double step = std::abs(here_.lengths[d] - lane.finder.lengths()[d]);
+    if (step >= lane.least_step) continue;
+    lane.least_step = step;
+    lane.record.least_step_sample = station.sample;
+  }
+}
+
+void RecordObserver::request(int k, const Station& station, const PathFunction& function,
+                             Lane& lane) {
+  const double x = function.locate(station.pilot_deg * kRadPerDeg);
+  near_states_.push_back({x, &lane.record.requested.request(k, station.sample, station.pilot_deg)});
+}
+
+void RecordObserver::request(Purpose purpose, const Station& station, const PathFunction& function,
+                             Lane& lane) {
+  request(lane.record.requested.index_of(purpose), station, function, lane);
+}
+
+void RecordObserver::request(Purpose purpose, double pilot_deg, double x, Lane& lane) {
+  RequestedStates& requested = lane.record.requested;
+  near_states_.push_back({x, &requested.request(requested.index_of(purpose), 0, pilot_deg)});
+}
+
+void RecordObserver::ended(PathResult path, int lane) {
+  near_states_.clear();
+  effort_.add(path);
+  if (!queue_.has_ended(path, lane)) return;
+  Lane& one = lanes_[lane];
+  const int sheet = queue_.of_lane(lane);
+  UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
+  const std::optional<Verdict> verdict = one.judge.conclude(path);
+  made = std::move(one.record);
+  made.is_sure = verdict.has_value();
+  if (!verdict) return;
+  PathRecord& record = made.record;
+  record.verdict = *verdict;
+  record.path = path;
+  record.extremes = one.finder.extremes();
+  if (model_.bumps() == BumpRule::exact && one.judge.judge().between().bump_where < 0)
+    record.extremes.drop_bump();
+  made.slopes.begin(one.finder);
+  const int in_order = verdict->deploys_from_sample;
+  made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();
+  if (!made.is_accepted) return;
+  const double* const lengths = one.judge.lengths_at(1);
+  record.lengths.assign(lengths, lengths + static_cast<std::size_t>(in_order) * flat_.size());
+  made.requested.fill();
+  if (path.lost()) go_on_later(path, sheet, *one.function);
+}
+
+// A reversal must have been found before, or is looked for in close steps.
+void RecordObserver::go_on_later(const PathResult& path, int sheet, const PathFunction& function) {
+  UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
+  const auto& stations = model_.path().stations;
+  const double last_deg =
+      std::min(function.pilot(function.at(0)) / kRadPerDeg, kLastHandedOver_deg);
+  const auto next = std::ranges::upper_bound(stations, last_deg, {}, &Station::pilot_deg);
+  const auto station = static_cast<std::size_t>(next - stations.begin()) - 1;
+  made.is_sure = next != stations.begin() && reaches_back_to(stations[station], function) &&
+                 stations[station].sample >= made.record.verdict.deploys_from_sample &&
+                 made.slopes.has_reversal();
+  if (!made.is_sure) return;
+  ends_near_.push_back(near_);
+  ends_.push_back({sheet, &ends_near_.back(), &model_.path(), station, path.forward_sign});
+  near_states_.push_back(
+      {function.locate(stations[station].pilot_deg * kRadPerDeg), &ends_near_.back()});
+}
+
+void RecordObserver::finish(const PathResult& path, int lane) {
+  effort_.add(path);
+  UnfinishedRecord& made = records_[static_cast<std::size_t>(queue_.of_lane(lane))];
+  made.record.path = path;
+  made.is_sure = !path.lost() && !DenseFallback::is_doubtful(path);
+}
+
+}  // namespace misalign::solver

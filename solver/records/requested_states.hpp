@@ -1,0 +1,68 @@
+// Lists the states of a path that its record needs exactly: near which and with which pilot each is
+// to be solved.
+#pragma once
+
+#include <vector>
+
+#include "solver/model/model.hpp"
+#include "solver/records/state_measure.hpp"
+
+namespace misalign::solver {
+
+/// A state of a path that is to be solved: near it, with the pilot at this angle.
+struct RequestedState {
+  int sample = 0;  ///< 0: none
+  double pilot_deg = 0;
+  HalfAngle<double> pilot{1, 0};
+  FoldState<double> near;
+};
+
+/// What was found there.
+struct SolvedState {
+  SolveQuality quality;
+  std::vector<double> lengths, slopes;  ///< panel widths, per radian of pilot
+};
+
+/// Room for what is found at the requested states of one path.
+std::vector<SolvedState> nothing_solved(const Model& model);
+
+/// What a state is requested for, beside those of the model's margin_samples.
+enum class Purpose {
+  first,
+  second,
+  before_d,
+  at_d,
+  before_least_step,
+  after_least_step,
+  least_slope,
+  reversal
+};
+inline constexpr int kPurposes = 8;
+
+/// Those of one path: first of the model's margin_samples, then of each Purpose in order.
+class RequestedStates {
+ public:
+  /// None yet. `model` must outlive this object.
+  void begin(const Model& model);
+
+  int count() const { return static_cast<int>(states_.size()); }
+  int index_of(Purpose purpose) const { return count() - kPurposes + static_cast<int>(purpose); }
+  const RequestedState& operator[](int k) const { return states_[static_cast<std::size_t>(k)]; }
+  const RequestedState& of(Purpose purpose) const { return (*this)[index_of(purpose)]; }
+  const std::vector<int>& margin_samples() const { return model_->margin_samples(); }
+
+  /// Requests the k-th state, at a sample if it is not 0; returns where the one near it belongs.
+  FoldState<double>& request(int k, int sample, double pilot_deg);
+  /// Requests the state once more, with its pilot here.
+  void move_pilot(Purpose purpose, double pilot_deg);
+  /// The state that was requested at D is now the one before it, and the other way round.
+  void swap_d_with_before();
+  /// States never requested are filled with the one at D.
+  void fill();
+
+ private:
+  const Model* model_ = nullptr;
+  std::vector<RequestedState> states_;
+};
+
+}  // namespace misalign::solver
