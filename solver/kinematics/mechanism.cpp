@@ -107,7 +107,7 @@ class Builder {
     const int vertex = loop.corners[corner];
     const auto own = std::find_if(
         springs.own.begin(), springs.own.end(),
-        [&](const OwnSpringEnd& end) { return end.hole == loop.hole && end.vertex == vertex; });
+        [&](const SpringEnds::Own& end) { return end.hole == loop.hole && end.vertex == vertex; });
     const bool is_own = own != springs.own.end();
     const int facet = is_own ? own->panel : passed[usual];
     const auto steps = std::find(passed.begin(), passed.end(), facet) - passed.begin();
