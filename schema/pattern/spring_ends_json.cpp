@@ -30,13 +30,13 @@ bool contains(const solver::PerforatedSheet& base, int facet, const solver::Vec3
 }
 
 // The first carrier of an end beyond its panel's edges; a vertex is within them.
-std::optional<solver::SpringCarrier> carrier_too_small(const solver::PerforatedSheet& base) {
+std::optional<solver::Loop::Carrier> carrier_too_small(const solver::PerforatedSheet& base) {
   const solver::Mechanism mechanism = solver::build_mechanism(base);
   solver::SheetGeometry<double> geometry;
   place(mechanism, base.sheet.vertices_mm, geometry);
   for (const solver::Loop& loop : mechanism.loops) {
     for (int corner = 0; loop.hole >= 0 && corner < 4; ++corner) {
-      const solver::SpringCarrier& carrier = loop.carriers[static_cast<std::size_t>(corner)];
+      const solver::Loop::Carrier& carrier = loop.carriers[static_cast<std::size_t>(corner)];
       const auto end = spring_end(mechanism, geometry, loop, corner);
       if (carrier.place_mm.head<2>().isZero(0) || contains(base, carrier.facet, end, geometry)) {
         continue;

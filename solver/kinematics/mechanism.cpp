@@ -101,7 +101,7 @@ class Builder {
 
   // At a corner whose facets the walk passes in this order. On a vertex it does not matter which of
   // them carries the spring: that from which the walk comes.
-  SpringCarrier carrier(const Loop& loop, int corner, const std::vector<int>& passed,
+  Loop::Carrier carrier(const Loop& loop, int corner, const std::vector<int>& passed,
                         int usual) const {
     const SpringEnds& springs = mechanism_.springs;
     const int vertex = loop.corners[corner];
