@@ -122,7 +122,7 @@ class Builder {
   }
 
   // The edge between two facets that meet at `vertex`, crossed from one to the other.
-  Crossing crossing(int from, int to, int vertex) const {
+  BallJoint::Crossing crossing(int from, int to, int vertex) const {
     for (const int other : sheet_.facets[from]) {
       const int e = find_edge(sheet_, vertex, other);
       if (e < 0) continue;
@@ -135,7 +135,7 @@ class Builder {
   }
 
   Passage over_crease(int from, int to, int vertex) const {
-    const Crossing over = crossing(from, to, vertex);
+    const BallJoint::Crossing over = crossing(from, to, vertex);
     assert(crease_of_edge_[over.edge] >= 0);
     return {false, crease_of_edge_[over.edge], over.sense, vertex};
   }

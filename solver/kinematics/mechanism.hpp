@@ -19,14 +19,15 @@ struct Crease {
   int column;       ///< of its unknown
 };
 
-/// Crossing an edge of the sheet: sense +1 from its left facet to its right one, -1 the other way.
-struct Crossing {
-  int edge;
-  int sense;
-};
-
 /// A vertex between two opposite holes: three unknowns, a small rotation.
 struct BallJoint {
+  /// Crossing an edge of the sheet: sense +1 from its left facet to its right one, -1 the other
+  /// way.
+  struct Crossing {
+    int edge;
+    int sense;
+  };
+
   int vertex;
   int from_facet, to_facet;
   std::array<Crossing, 2> through;  ///< the base sheet's creases on the way between the two
