@@ -80,7 +80,7 @@ void PanelMotion::place_at_stations() {
   const Index count = panels();
   Eigen::MatrixXd values(kPerPose * count, nodes());
   FoldedPoints<double> points;
-  std::vector<Twist<double>> twists;
+  std::vector<FoldedShape::Twist<double>> twists;
   for (Index k = 0; k < values.cols(); ++k) {
     const WayStation& station = way_.stations()[static_cast<std::size_t>(k)];
     model_.shape().place(way_.geometry(), station.state, points);

@@ -18,16 +18,16 @@ struct FoldedPoints {
   std::vector<Vec3<T>> vertices;
 };
 
-/// How a facet moves: its point that is at p now moves by spin x p + drift.
-template <class T>
-struct Twist {
-  Vec3<T> spin, drift;
-};
-
 /// Places each vertex by one facet only, reached over a spanning tree of joints, so that an error
 /// of closure shows as a changed length in the facets that did not place all of their corners.
 class FoldedShape {
  public:
+  /// How a facet moves: its point that is at p now moves by spin x p + drift.
+  template <class T>
+  struct Twist {
+    Vec3<T> spin, drift;
+  };
+
   /// A facet that is reached from another over a joint.
   struct Branch {
     Passage joint;

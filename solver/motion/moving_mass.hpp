@@ -70,7 +70,7 @@ class SheetMover {
   const std::vector<PanelMass> masses_;  // centres from A1
   const std::optional<int> held_;
   FoldedPoints<double> points_;
-  std::vector<Twist<double>> twists_;
+  std::vector<FoldedShape::Twist<double>> twists_;
 };
 
 }  // namespace misalign::solver

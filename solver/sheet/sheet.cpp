@@ -166,7 +166,7 @@ const std::vector<double>& Sheet::span_slope_mm_per_deg() const {
   const auto [from, to] = farthest_apart(vertices_mm_);
   const double per_deg = mechanism().panel_width_mm * kRadPerDeg;
   FoldedPoints<double> points;
-  std::vector<Twist<double>> twists;
+  std::vector<FoldedShape::Twist<double>> twists;
   for (const WayStation& at : states()) {
     shape.place(geometry, at.state, points);
     shape.move(geometry, points, at.rates.data(), twists);
