@@ -165,7 +165,7 @@ const std::vector<double>& Sheet::span_slope_mm_per_deg() const {
   const FoldedShape& shape = model().shape();
   const auto [from, to] = farthest_apart(vertices_mm_);
   const double per_deg = mechanism().panel_width_mm * kRadPerDeg;
-  FoldedPoints<double> points;
+  FoldedShape::Points<double> points;
   std::vector<FoldedShape::Twist<double>> twists;
   for (const WayStation& at : states()) {
     shape.place(geometry, at.state, points);
