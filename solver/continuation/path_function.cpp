@@ -22,14 +22,14 @@ PathFunction::Node::Node(const Mechanism& mechanism)
       slopes(mechanism.diagonals.size()) {}
 
 PathFunction::Node::~Node() = default;
-PathFunction::Node::Node(const PathFunction::Node&) = default;
-PathFunction::Node::Node(PathFunction::Node&&) = default;
-PathFunction::Node& PathFunction::Node::operator=(PathFunction::Node&&) = default;
+PathFunction::Node::Node(const Node&) = default;
+PathFunction::Node::Node(Node&&) = default;
+PathFunction::Node& PathFunction::Node::operator=(Node&&) = default;
 
-PathEstimate::PathEstimate(const Mechanism& mechanism)
+PathFunction::Estimate::Estimate(const Mechanism& mechanism)
     : lengths(mechanism.diagonals.size()), length_errors(lengths), slopes(lengths) {}
 
-PathEstimate::~PathEstimate() = default;
+PathFunction::Estimate::~Estimate() = default;
 
 PathFunction::PathFunction(const Mechanism& mechanism)
     : mechanism_(mechanism),
@@ -234,7 +234,7 @@ void PathFunction::find_lengths(double x, std::vector<double>& lengths,
   }
 }
 
-void PathFunction::look(double x, PathEstimate& estimate) const {
+void PathFunction::look(double x, Estimate& estimate) const {
   table_.look(x, diagonals_, estimate.lengths.data(), estimate.slopes.data(),
               estimate.length_errors.data());
   const double largest =

@@ -26,16 +26,6 @@ enum class ObserverResult {
 /// all diagonals, in 5 million angles of 110,000 sheets; in all but one family 11 times.
 inline constexpr double kFunctionSafety = 60;
 
-/// What is known of the diagonals at a point between nodes.
-struct PathEstimate {
-  explicit PathEstimate(const Mechanism& mechanism);
-  ~PathEstimate();
-
-  std::vector<double> lengths;        ///< panel widths
-  std::vector<double> length_errors;  ///< bounds
-  std::vector<double> slopes;         ///< panel widths per radian of pilot
-};
-
 class PathFunction {
  public:
   /// A solved point. Rates are per unit of arc length: those of the creases are the unit tangent's
@@ -53,6 +43,16 @@ class PathFunction {
     double misfit = 0;                    ///< how far the tangent is from one
     int angle_of = -1;                    ///< the crease whose angle is known
     double angle_rad = 0;
+  };
+
+  /// What is known of the diagonals at a point between nodes.
+  struct Estimate {
+    explicit Estimate(const Mechanism& mechanism);
+    ~Estimate();
+
+    std::vector<double> lengths;        ///< panel widths
+    std::vector<double> length_errors;  ///< bounds
+    std::vector<double> slopes;         ///< panel widths per radian of pilot
   };
 
   /// Nodes that the polynomials go through, at most.
@@ -121,7 +121,7 @@ class PathFunction {
   /// The diagonals' lengths at a point of the segment (panel widths), and bounds of their errors.
   void find_lengths(double x, std::vector<double>& lengths, std::vector<double>& errors) const;
   /// The same with their slopes.
-  void look(double x, PathEstimate& estimate) const;
+  void look(double x, Estimate& estimate) const;
   /// The same of a single one: its rate per radian of pilot.
   double slope(int diagonal, double x) const;
 
