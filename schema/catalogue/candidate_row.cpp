@@ -27,12 +27,12 @@ Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism
 std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict) {
   if (verdict.where < 0) return "";
   switch (solver::entry_of(verdict.first_fault).shown_by) {
-    case solver::ShownBy::nothing:
+    case solver::FaultEntry::ShownBy::nothing:
       return "";
-    case solver::ShownBy::crease:
+    case solver::FaultEntry::ShownBy::crease:
       return solver::line_label(mechanism.creases[verdict.where].a,
                                 mechanism.creases[verdict.where].b);
-    case solver::ShownBy::diagonal:
+    case solver::FaultEntry::ShownBy::diagonal:
       return solver::line_label(mechanism.diagonals[verdict.where].from,
                                 mechanism.diagonals[verdict.where].to);
   }

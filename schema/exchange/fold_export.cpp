@@ -72,7 +72,7 @@ class Fillers {
   }
   void add_folded(Index row, Json& points, Json& angles) const {
     for (std::size_t i = 0; i < fillers_.size(); ++i) {
-      const solver::FoldedFiller shape = folded(fillers_[i], row);
+      const solver::Filler::Folded shape = folded(fillers_[i], row);
       points.push_back({shape.apex_mm.x(), shape.apex_mm.y(), shape.apex_mm.z()});
       for (int k = 0; k < 3; ++k) angles.push_back(0.0);
       const auto edges = hinge_edges(view_.base.base.sheet, fillers_[i], i);
@@ -81,7 +81,7 @@ class Fillers {
   }
 
  private:
-  solver::FoldedFiller folded(const solver::Filler& filler, Index row) const {
+  solver::Filler::Folded folded(const solver::Filler& filler, Index row) const {
     assert(row >= 0 && row < std::ssize(view_.sheet.shapes_mm()));
     return solver::folded_filler(filler, view_.base.base, flat_mm_,
                                  view_.sheet.shapes_mm()[static_cast<std::size_t>(row)]);

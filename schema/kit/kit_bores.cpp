@@ -68,7 +68,7 @@ class FittingsMaker {
 
   // Of a spring at a corner of its hole.
   void add_end(const solver::Loop& loop, std::size_t corner, int spring) {
-    const solver::SpringCarrier& carrier = loop.carriers[corner];
+    const solver::Loop::Carrier& carrier = loop.carriers[corner];
     const int vertex = loop.corners[corner], facet = carrier.facet;
     const double diameter_mm = scale_ * *options_.spring_bore_mm;
     if (!sheet_.base().springs.at_vertices()) {

@@ -30,13 +30,13 @@ bool contains(const solver::PerforatedSheet& base, int facet, const solver::Vec3
 }
 
 // The first carrier of an end beyond its panel's edges; a vertex is within them.
-std::optional<solver::SpringCarrier> carrier_too_small(const solver::PerforatedSheet& base) {
+std::optional<solver::Loop::Carrier> carrier_too_small(const solver::PerforatedSheet& base) {
   const solver::Mechanism mechanism = solver::build_mechanism(base);
   solver::SheetGeometry<double> geometry;
   place(mechanism, base.sheet.vertices_mm, geometry);
   for (const solver::Loop& loop : mechanism.loops) {
     for (int corner = 0; loop.hole >= 0 && corner < 4; ++corner) {
-      const solver::SpringCarrier& carrier = loop.carriers[static_cast<std::size_t>(corner)];
+      const solver::Loop::Carrier& carrier = loop.carriers[static_cast<std::size_t>(corner)];
       const auto end = spring_end(mechanism, geometry, loop, corner);
       if (carrier.place_mm.head<2>().isZero(0) || contains(base, carrier.facet, end, geometry)) {
         continue;
@@ -48,8 +48,8 @@ std::optional<solver::SpringCarrier> carrier_too_small(const solver::PerforatedS
 }
 
 // A point of one's own; what is wrong is a fault of `where`.
-std::optional<solver::OwnSpringEnd> read_point(const Json& value, const std::string& where,
-                                               const Pattern& pattern, InputFaults& faults) {
+std::optional<solver::SpringEnds::Own> read_point(const Json& value, const std::string& where,
+                                                  const Pattern& pattern, InputFaults& faults) {
   const solver::PerforatedSheet& base = pattern.base;
   const std::size_t before = faults.count();
   ObjectReader point(value, where, faults);
@@ -64,7 +64,8 @@ std::optional<solver::OwnSpringEnd> read_point(const Json& value, const std::str
     faults.add(point.shown(key), why, suggestion);
     return std::nullopt;
   };
-  solver::OwnSpringEnd end{facet_of_json(pattern, *hole), -1, facet_of_json(pattern, *panel), {}};
+  solver::SpringEnds::Own end{
+      facet_of_json(pattern, *hole), -1, facet_of_json(pattern, *panel), {}};
   const auto is_hole = [&](int f) { return std::ranges::binary_search(base.holes, f); };
   if (end.hole < 0 || !is_hole(end.hole)) {
     return refuse("hole", "is no hole of this sheet",
@@ -111,12 +112,12 @@ void read_points(ObjectReader& attach, Pattern& pattern) {
     faults.add(attach.shown("points"), "must be a list", "write [" + std::string(kPointForm) + "]");
     return;
   }
-  std::vector<solver::OwnSpringEnd>& own = pattern.base.springs.own;
+  std::vector<solver::SpringEnds::Own>& own = pattern.base.springs.own;
   for (std::size_t i = 0; i < list->size(); ++i) {
     const std::string where = fmt::format("{}[{}]", attach.name("points"), i);
     const auto end = read_point((*list)[i], where, pattern, faults);
     if (!end) continue;
-    const bool is_known = std::ranges::any_of(own, [&](const solver::OwnSpringEnd& other) {
+    const bool is_known = std::ranges::any_of(own, [&](const solver::SpringEnds::Own& other) {
       return other.hole == end->hole && other.vertex == end->vertex;
     });
     if (is_known) faults.add(where, "is a spring's end that stands above", "name each once");
@@ -165,7 +166,7 @@ void read_spring_ends(ObjectReader& reader, Pattern& pattern) {
 Json spring_ends_json(const Pattern& pattern) {
   const solver::SpringEnds& springs = pattern.base.springs;
   Json attach = {{"inset_mm", springs.inset_mm}, {"offset_mm", springs.offset_mm}};
-  for (const solver::OwnSpringEnd& end : springs.own) {
+  for (const solver::SpringEnds::Own& end : springs.own) {
     attach["points"].push_back(
         {{"hole", facet_json(pattern, end.hole)},
          {"vertex", solver::vertex_label(end.vertex)},

@@ -113,7 +113,7 @@ void FoldedCheck::add_shape_findings(const std::string& where, const solver::Pan
   const double limit_rad = solver::shape_tolerance(panels);
   const double limit_mm = limit_rad * mechanism().panel_width_mm;
   const double limit_deg = limit_rad / solver::kRadPerDeg;
-  const solver::ShapeErrors& shape = report.shape;
+  const solver::ShapeCheck::Errors& shape = report.shape;
   const auto compare = [&](const char* what, double value, double limit) {
     if (!(value <= limit)) report.findings.push_back(exceeds(where, what, value, limit));
   };
@@ -158,14 +158,14 @@ std::string no_contacts_text() {
   return "contacts     panels were not looked at: " + schema::missing_text("FCL") + "\n";
 }
 
-std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm) {
+std::string worst_text(const solver::ShapeCheck::Errors& shape, double diagonal_mm) {
   const auto e = [](double value) { return fmt::format("{:.1e}", value); };
   return "length " + e(shape.length_mm) + " mm, planarity " + e(shape.planarity_mm) +
          " mm, coincidence " + e(shape.coincidence_mm) + " mm, diagonal " + e(diagonal_mm) +
          " mm, angle " + e(shape.angle_deg) + " deg";
 }
 
-schema::Json worst_json(const solver::ShapeErrors& shape, double diagonal_mm) {
+schema::Json worst_json(const solver::ShapeCheck::Errors& shape, double diagonal_mm) {
   return {{"length_mm", shape.length_mm},
           {"planarity_mm", shape.planarity_mm},
           {"coincidence_mm", shape.coincidence_mm},

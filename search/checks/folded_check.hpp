@@ -19,7 +19,7 @@ namespace misalign::search {
 struct ShapeReport {
   std::vector<schema::Finding> findings;
   /// Over the samples that were looked at.
-  solver::ShapeErrors shape;
+  solver::ShapeCheck::Errors shape;
   double diagonal_mm = 0;  ///< of the recomputed lengths against the coordinates
   std::optional<double> first_contact_deg;
   std::string contact;  ///< the two panels that cross there: "[2,3] and [4,3]"
@@ -37,8 +37,8 @@ schema::Json findings_json(const std::vector<schema::Finding>& findings);
 /// A line where no panels were found to cross: that none do, or that this build cannot tell.
 std::string no_contacts_text();
 /// "length 1.2e-13 mm, planarity ..."
-std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm);
-schema::Json worst_json(const solver::ShapeErrors& shape, double diagonal_mm);
+std::string worst_text(const solver::ShapeCheck::Errors& shape, double diagonal_mm);
+schema::Json worst_json(const solver::ShapeCheck::Errors& shape, double diagonal_mm);
 
 class FoldedCheck {
  public:

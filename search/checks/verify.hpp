@@ -46,7 +46,7 @@ struct Verification {
   std::uint64_t not_comparable = 0;
   std::set<std::string> other_definitions;
   /// Of all candidates that were checked.
-  solver::ShapeErrors worst;
+  solver::ShapeCheck::Errors worst;
   double diagonal_mm = 0;
 
   std::uint64_t contacts() const;

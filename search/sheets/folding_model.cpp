@@ -40,7 +40,7 @@ void check_shapes(const solver::Sheet& sheet, const std::vector<Eigen::Index>& r
     }
     check.see(shape_mm, corners_mm, claimed_deg);
   }
-  const solver::ShapeErrors& worst = check.worst();
+  const solver::ShapeCheck::Errors& worst = check.worst();
   const double limit_rad = solver::shape_tolerance(panels);
   const double limit_mm = limit_rad * sheet.mechanism().panel_width_mm;
   if (worst.length_mm <= limit_mm && worst.planarity_mm <= limit_mm &&

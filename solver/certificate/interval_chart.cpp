@@ -68,7 +68,7 @@ void add_spring_ends(const Mechanism& mechanism, const FlatVertices& vertices_mm
         continue;
       }
       const int at = loop.corners[corner];
-      const SpringCarrier& carrier = loop.carriers[corner];
+      const Loop::Carrier& carrier = loop.carriers[corner];
       FlatVector along(vertices_mm, at, carrier.before), after(vertices_mm, at, carrier.after);
       along.scale_to(Ball(1.0));
       after.scale_to(Ball(1.0));

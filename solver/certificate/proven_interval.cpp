@@ -15,7 +15,7 @@ void add_ends(const Mechanism& mechanism, SheetGeometry<ArbNumber>& geometry) {
       ArbNumber x(0.0), y(0.0);
       if (loop.hole >= 0) {
         const int at = loop.corners[corner];
-        const SpringCarrier& carrier = loop.carriers[corner];
+        const Loop::Carrier& carrier = loop.carriers[corner];
         for (const int beside : {carrier.before, carrier.after}) {
           const ArbNumber dx = geometry.x[beside] - geometry.x[at];
           const ArbNumber dy = geometry.y[beside] - geometry.y[at];

@@ -79,8 +79,8 @@ PanelMotion::PanelMotion(const Model& model, const FoldingWay& way, const Panels
 void PanelMotion::place_at_stations() {
   const Index count = panels();
   Eigen::MatrixXd values(kPerPose * count, nodes());
-  FoldedPoints<double> points;
-  std::vector<Twist<double>> twists;
+  FoldedShape::Points<double> points;
+  std::vector<FoldedShape::Twist<double>> twists;
   for (Index k = 0; k < values.cols(); ++k) {
     const WayStation& station = way_.stations()[static_cast<std::size_t>(k)];
     model_.shape().place(way_.geometry(), station.state, points);
@@ -170,7 +170,7 @@ double PanelMotion::crease_rad(double x, int crease) const {
 
 void PanelMotion::place(const FoldState<double>& state,
                         std::vector<PanelMotion::Pose>& poses) const {
-  FoldedPoints<double> points;
+  FoldedShape::Points<double> points;
   model_.shape().place(way_.geometry(), state, points);
   poses.clear();
   for (const int facet : panels_.facets) {

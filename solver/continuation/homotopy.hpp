@@ -13,21 +13,21 @@
 
 namespace misalign::solver {
 
-/// A sheet that is far from the base, and what the homotopy says of it. end_reached: `state` is its
-/// path's own at the first station. fold_limit: the branch of the base folding turns before the
-/// shifts are whole, so this sheet has no such folding next to flat. Otherwise neither was found: a
-/// numerical failure.
-struct FarStart {
-  explicit FarStart(const Mechanism& mechanism) : state(flat_state<double>(mechanism)) {}
-
-  int sheet = 0;  ///< its number, for whoever asks
-  SheetGeometry<double> geometry;
-  PathEnd end = PathEnd::start_lost;
-  FoldState<double> state;
-};
-
 class StartFinder {
  public:
+  /// A sheet that is far from the base, and what the homotopy says of it. end_reached: `state` is
+  /// its path's own at the first station. fold_limit: the branch of the base folding turns before
+  /// the shifts are whole, so this sheet has no such folding next to flat. Otherwise neither was
+  /// found: a numerical failure.
+  struct FarStart {
+    explicit FarStart(const Mechanism& mechanism) : state(flat_state<double>(mechanism)) {}
+
+    int sheet = 0;  ///< its number, for whoever asks
+    SheetGeometry<double> geometry;
+    PathEnd end = PathEnd::start_lost;
+    FoldState<double> state;
+  };
+
   virtual ~StartFinder();
   /// Of all these sheets.
   virtual void find(std::span<FarStart> sheets) = 0;

@@ -46,7 +46,7 @@ class LongSteps {
   PathStep stop(PathEnd how) { return end(how); }
 
   /// Where the node that was found is to be written.
-  PathNode& vacant() { return function_.vacant(); }
+  PathFunction::Node& vacant() { return function_.vacant(); }
   /// Takes the node that was written; false: its segment is not believed, take_back() says what
   /// next.
   bool take();

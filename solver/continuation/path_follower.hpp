@@ -253,7 +253,7 @@ void PathFollower<T, Steps, Closure>::take_prediction(int i) {
 template <class T, class Steps, class Closure>
 void PathFollower<T, Steps, Closure>::write_node(int i) {
   if (!slopes_known_) find_slopes();
-  PathNode& node = steps_[i].vacant();
+  PathFunction::Node& node = steps_[i].vacant();
   const double sign = now_[i].tangent_sign;
   const FoldState<T>& state = corrector_.trial();
   for (std::size_t k = 0; k < node.creases.size(); ++k) {

@@ -15,27 +15,27 @@ constexpr double kNodeError_widths = 1e-11, kErrorPerMisfit = 10;
 
 }  // namespace
 
-PathNode::PathNode(const Mechanism& mechanism)
+PathFunction::Node::Node(const Mechanism& mechanism)
     : creases(mechanism.creases.size()),
       crease_rates(mechanism.creases.size()),
       lengths(mechanism.diagonals.size()),
       slopes(mechanism.diagonals.size()) {}
 
-PathNode::~PathNode() = default;
-PathNode::PathNode(const PathNode&) = default;
-PathNode::PathNode(PathNode&&) = default;
-PathNode& PathNode::operator=(PathNode&&) = default;
+PathFunction::Node::~Node() = default;
+PathFunction::Node::Node(const Node&) = default;
+PathFunction::Node::Node(Node&&) = default;
+PathFunction::Node& PathFunction::Node::operator=(Node&&) = default;
 
-PathEstimate::PathEstimate(const Mechanism& mechanism)
+PathFunction::Estimate::Estimate(const Mechanism& mechanism)
     : lengths(mechanism.diagonals.size()), length_errors(lengths), slopes(lengths) {}
 
-PathEstimate::~PathEstimate() = default;
+PathFunction::Estimate::~Estimate() = default;
 
 PathFunction::PathFunction(const Mechanism& mechanism)
     : mechanism_(mechanism),
       pilot_(mechanism.pilot),
       diagonals_(mechanism.diagonal_count()),
-      nodes_(kNodes + 1, PathNode(mechanism)),
+      nodes_(kNodes + 1, Node(mechanism)),
       flat_(mechanism.diagonals.size()),
       values_(mechanism.diagonals.size() + 1),
       rates_(values_),
@@ -92,7 +92,7 @@ void PathFunction::drop() {
 // Each node's once, as long as the variable stays.
 void PathFunction::find_angles() {
   for (int k = 0; k < kept(); ++k) {
-    PathNode& here = nodes_[place(k)];
+    Node& here = nodes_[place(k)];
     if (here.angle_of != variable_) {
       here.angle_of = variable_;
       here.angle_rad = angle_rad(here.creases[variable_]);
@@ -125,7 +125,7 @@ void PathFunction::choose_variable() {
 void PathFunction::make_table() {
   table_.begin();
   for (int k = 0; k < kept(); ++k) {
-    const PathNode& here = node(k);
+    const Node& here = node(k);
     const double per_rate = 1 / variable_rate(k);
     std::copy(here.lengths.begin(), here.lengths.end(), values_.begin());
     values_.back() = variable_ == pilot_ ? at_[k] : angle_rad(here.creases[pilot_]);
@@ -234,7 +234,7 @@ void PathFunction::find_lengths(double x, std::vector<double>& lengths,
   }
 }
 
-void PathFunction::look(double x, PathEstimate& estimate) const {
+void PathFunction::look(double x, Estimate& estimate) const {
   table_.look(x, diagonals_, estimate.lengths.data(), estimate.slopes.data(),
               estimate.length_errors.data());
   const double largest =
@@ -256,7 +256,7 @@ bool PathFunction::creases_are_clear() const {
   // A cubic stays within 4/27 of its ends' tangents from the chord; twice that for what is no
   // cubic.
   constexpr double kRoom = 8.0 / 27;
-  const PathNode& next = node(inside_);
+  const Node& next = node(inside_);
   const double step = to() - from(), next_rate = 0.5 / variable_rate(inside_);
   const int before = inside_ + 1;
   const bool is_first = count_ == before;

@@ -14,23 +14,6 @@
 
 namespace misalign::solver {
 
-/// A solved point. Rates are per unit of arc length: those of the creases are the unit tangent's
-/// entries, in the direction of the path.
-struct PathNode {
-  explicit PathNode(const Mechanism& mechanism);
-  ~PathNode();
-  PathNode(const PathNode&);
-  PathNode(PathNode&&);
-  PathNode& operator=(PathNode&&);
-
-  std::vector<HalfAngle<double>> creases;
-  std::vector<double> crease_rates;
-  std::vector<double> lengths, slopes;  ///< of the diagonals, panel widths
-  double misfit = 0;                    ///< how far the tangent is from one
-  int angle_of = -1;                    ///< the crease whose angle is known
-  double angle_rad = 0;
-};
-
 /// What an observer says of a new segment of a path.
 enum class ObserverResult {
   go_on,
@@ -43,18 +26,35 @@ enum class ObserverResult {
 /// all diagonals, in 5 million angles of 110,000 sheets; in all but one family 11 times.
 inline constexpr double kFunctionSafety = 60;
 
-/// What is known of the diagonals at a point between nodes.
-struct PathEstimate {
-  explicit PathEstimate(const Mechanism& mechanism);
-  ~PathEstimate();
-
-  std::vector<double> lengths;        ///< panel widths
-  std::vector<double> length_errors;  ///< bounds
-  std::vector<double> slopes;         ///< panel widths per radian of pilot
-};
-
 class PathFunction {
  public:
+  /// A solved point. Rates are per unit of arc length: those of the creases are the unit tangent's
+  /// entries, in the direction of the path.
+  struct Node {
+    explicit Node(const Mechanism& mechanism);
+    ~Node();
+    Node(const Node&);
+    Node(Node&&);
+    Node& operator=(Node&&);
+
+    std::vector<HalfAngle<double>> creases;
+    std::vector<double> crease_rates;
+    std::vector<double> lengths, slopes;  ///< of the diagonals, panel widths
+    double misfit = 0;                    ///< how far the tangent is from one
+    int angle_of = -1;                    ///< the crease whose angle is known
+    double angle_rad = 0;
+  };
+
+  /// What is known of the diagonals at a point between nodes.
+  struct Estimate {
+    explicit Estimate(const Mechanism& mechanism);
+    ~Estimate();
+
+    std::vector<double> lengths;        ///< panel widths
+    std::vector<double> length_errors;  ///< bounds
+    std::vector<double> slopes;         ///< panel widths per radian of pilot
+  };
+
   /// Nodes that the polynomials go through, at most.
   static constexpr int kNodes = 5;
 
@@ -67,8 +67,8 @@ class PathFunction {
   /// A sheet whose diagonals have these lengths flat.
   void begin(const double* flat_lengths);
   /// Where the next node is to be written, before add().
-  PathNode& vacant() {
-    PathNode& next = nodes_[place(-1)];
+  Node& vacant() {
+    Node& next = nodes_[place(-1)];
     next.angle_of = -1;
     return next;
   }
@@ -82,7 +82,7 @@ class PathFunction {
 
   int count() const { return count_; }
   /// The k-th node, the newest first; as many as kNodes are kept.
-  const PathNode& node(int k) const { return nodes_[place(k)]; }
+  const Node& node(int k) const { return nodes_[place(k)]; }
   int kept() const;
 
   /// The crease whose fold angle is the variable, and its value at the k-th node, increasing (rad).
@@ -121,7 +121,7 @@ class PathFunction {
   /// The diagonals' lengths at a point of the segment (panel widths), and bounds of their errors.
   void find_lengths(double x, std::vector<double>& lengths, std::vector<double>& errors) const;
   /// The same with their slopes.
-  void look(double x, PathEstimate& estimate) const;
+  void look(double x, Estimate& estimate) const;
   /// The same of a single one: its rate per radian of pilot.
   double slope(int diagonal, double x) const;
 
@@ -141,8 +141,8 @@ class PathFunction {
 
   const Mechanism& mechanism_;
   const int pilot_, diagonals_;
-  int count_ = 0, inside_ = 0;   // nodes; of them at the newest segment's turn, 0 or 1
-  std::vector<PathNode> nodes_;  // a ring
+  int count_ = 0, inside_ = 0;  // nodes; of them at the newest segment's turn, 0 or 1
+  std::vector<Node> nodes_;     // a ring
   std::vector<double> flat_, values_, rates_;
   mutable std::vector<double> scratch_;
   int variable_ = 0;

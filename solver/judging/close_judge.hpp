@@ -49,7 +49,7 @@ class CloseJudge {
   double last_deg_ = 0;      // the last sample
   ExtremeFinder finder_;
   double least_slope_at_last_ = 0;
-  PathEstimate here_;
+  PathFunction::Estimate here_;
 };
 
 }  // namespace misalign::solver

@@ -100,8 +100,9 @@ void ExtremeFinder::begin(const std::vector<double>& flat_lengths) {
   std::fill(back_since_deg_.begin(), back_since_deg_.end(), 0.0);
 }
 
-void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x, const PathEstimate& here,
-                        const Judge& judge, const PathFunction& function) {
+void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x,
+                        const PathFunction::Estimate& here, const Judge& judge,
+                        const PathFunction& function) {
   assert(pilot_deg > last_deg_ && here.lengths.size() == last_.size());
   const double step_rad = (pilot_deg - last_deg_) * kRadPerDeg;
   const bool counts = is_in_order && last_deg_ >= kInactiveFrom_deg;
@@ -160,7 +161,7 @@ void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x, const Path
   pass(pilot_deg, here);
 }
 
-void ExtremeFinder::pass(double pilot_deg, const PathEstimate& here) {
+void ExtremeFinder::pass(double pilot_deg, const PathFunction::Estimate& here) {
   last_deg_ = pilot_deg;
   last_ = here.lengths;
   last_slopes_ = here.slopes;

@@ -77,10 +77,10 @@ class ExtremeFinder {
   void begin(const std::vector<double>& flat_lengths);
   /// The next sample, or another node, at this point of the newest segment; whether it is in
   /// order, `here` is what is known of it, and `judge` which way diagonals go.
-  void see(double pilot_deg, bool is_in_order, double x, const PathEstimate& here,
+  void see(double pilot_deg, bool is_in_order, double x, const PathFunction::Estimate& here,
            const Judge& judge, const PathFunction& function);
   /// The same, but that nothing is known of what lies between it and the sample before.
-  void pass(double pilot_deg, const PathEstimate& here);
+  void pass(double pilot_deg, const PathFunction::Estimate& here);
   /// The bump by which a judge has ended.
   void note_bump(int diagonal, double from_deg);
   /// The first reversal, solved.

@@ -40,7 +40,7 @@ void FunctionBumps::begin_segment(const PathFunction& function) {
   in_squares_ = function.from_flat();
   table_.begin();
   for (int k = 0; k < function.kept(); ++k) {
-    const PathNode& node = function.node(k);
+    const PathFunction::Node& node = function.node(k);
     const double x = function.at(k);
     const double per_rate = 1 / (function.variable_rate(k) * (in_squares_ ? 2 * x : 1));
     for (std::size_t d = 0; d < rates_.size(); ++d) rates_[d] = node.slopes[d] * per_rate;

@@ -58,7 +58,7 @@ class FunctionJudge {
   std::size_t next_ = 0;
   bool is_sure_ = true, fault_known_ = false;
   double last_rad_ = 0, limit_error_rad_ = 0;
-  PathEstimate here_, again_;
+  PathFunction::Estimate here_, again_;
   int samples_ = 0;
   std::vector<double> last_, last_errors_, before_last_errors_, rows_;
   FoldState<double> state_;

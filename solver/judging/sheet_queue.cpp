@@ -74,7 +74,7 @@ bool SheetQueue::next(PathStart& start, int lane) {
     start = {&geometry, from->state, from->plan, from->first_station, from->forward_sign};
     return true;
   }
-  const FarStart* const far = far_start(of_lane(lane));
+  const StartFinder::FarStart* const far = far_start(of_lane(lane));
   const bool is_found = far && far->end == PathEnd::end_reached;
   start = {&geometry, is_found ? &far->state : &model_.path().start, &model_.path(), 0, 0};
   return true;
@@ -83,21 +83,21 @@ bool SheetQueue::next(PathStart& start, int lane) {
 bool SheetQueue::has_ended(PathResult& path, int lane) {
   if (path.end != PathEnd::start_lost) return true;
   const int sheet = of_lane(lane);
-  if (const FarStart* const far = far_start(sheet)) {
+  if (const StartFinder::FarStart* const far = far_start(sheet)) {
     if (far->end == PathEnd::fold_limit) path.end = PathEnd::fold_limit;
     return true;
   }
   if (far_count_ == far_.size()) far_.emplace_back(model_.mechanism());
-  FarStart& far = far_[far_count_++];
+  StartFinder::FarStart& far = far_[far_count_++];
   far.sheet = sheet;
   far.geometry = placed_.of(*block_, sheet);
   return false;
 }
 
-const FarStart* SheetQueue::far_start(int sheet) const {
+const StartFinder::FarStart* SheetQueue::far_start(int sheet) const {
   const auto end = far_.begin() + static_cast<std::ptrdiff_t>(looked_for_);
-  const auto at =
-      std::find_if(far_.begin(), end, [&](const FarStart& one) { return one.sheet == sheet; });
+  const auto at = std::find_if(
+      far_.begin(), end, [&](const StartFinder::FarStart& one) { return one.sheet == sheet; });
   return at == end ? nullptr : &*at;
 }
 
@@ -105,9 +105,9 @@ const FarStart* SheetQueue::far_start(int sheet) const {
 void SheetQueue::look_for_starts() {
   if (looked_for_ == far_count_) return;
   if (!finder_) finder_ = lanes_.make_finder(model_);
-  const std::span<FarStart> lost(far_.data() + looked_for_, far_count_ - looked_for_);
+  const std::span<StartFinder::FarStart> lost(far_.data() + looked_for_, far_count_ - looked_for_);
   finder_->find(lost);
-  for (const FarStart& far : lost) waiting_.push_back(far.sheet);
+  for (const StartFinder::FarStart& far : lost) waiting_.push_back(far.sheet);
   looked_for_ = far_count_;
 }
 

@@ -95,12 +95,12 @@ class SheetQueue {
   const std::vector<QueuedStart>* starts_ = nullptr;  // of those, if not along the model's path
   std::size_t next_ = 0;
   std::vector<int> sheet_of_lane_;
-  const FarStart* far_start(int sheet) const;
+  const StartFinder::FarStart* far_start(int sheet) const;
   void look_for_starts();
   std::unique_ptr<StartFinder> finder_;  // made when first needed
   // Sheets that the base folding was too far off for, those that were looked for first; grows to
   // what a block needs.
-  std::vector<FarStart> far_;
+  std::vector<StartFinder::FarStart> far_;
   std::size_t far_count_ = 0, looked_for_ = 0;
   PlacedSheet placed_;
 };

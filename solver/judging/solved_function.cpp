@@ -90,7 +90,7 @@ const PathPoint* SolvedFunction::state_at(double pilot_rad) {
 
 void SolvedFunction::add() {
   const PathPoint& point = end();
-  PathNode& node = function_.vacant();
+  PathFunction::Node& node = function_.vacant();
   node.creases = point.state.creases;
   for (std::size_t k = 0; k < node.crease_rates.size(); ++k) {
     const auto column = static_cast<std::size_t>(mechanism_.creases[k].column);

@@ -25,7 +25,7 @@ struct CarrierCorner {
   T before_length, after_length;        ///< panel widths
   const Eigen::Vector3d& place_mm;
 
-  CarrierCorner(const SheetGeometry<T>& geometry, int at, const SpringCarrier& carrier)
+  CarrierCorner(const SheetGeometry<T>& geometry, int at, const Loop::Carrier& carrier)
       : vertex(flat_point(geometry, at)),
         to_before(flat_point(geometry, carrier.before) - vertex),
         to_after(flat_point(geometry, carrier.after) - vertex),

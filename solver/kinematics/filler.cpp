@@ -51,7 +51,7 @@ Rating rate(const Filler& filler, const PerforatedSheet& base, const FlatVertice
   Rating rating;
   std::array<double, 3> last{};
   for (const Eigen::Matrix3Xd* shape_mm : shapes_mm) {
-    const FoldedFiller folded = folded_filler(filler, base, vertices_mm, *shape_mm);
+    const Filler::Folded folded = folded_filler(filler, base, vertices_mm, *shape_mm);
     for (std::size_t k = 0; k < last.size(); ++k) {
       const double angle = folded.angle_deg[k];
       rating.largest_deg = std::max(rating.largest_deg, std::abs(angle));
@@ -130,8 +130,8 @@ Eigen::Vector2d flat_apex_mm(const Filler& filler, const FlatVertices& vertices_
   return corner + (before + share * (after - before)) / 2;
 }
 
-FoldedFiller folded_filler(const Filler& filler, const PerforatedSheet& base,
-                           const FlatVertices& vertices_mm, const Eigen::Matrix3Xd& shape_mm) {
+Filler::Folded folded_filler(const Filler& filler, const PerforatedSheet& base,
+                             const FlatVertices& vertices_mm, const Eigen::Matrix3Xd& shape_mm) {
   const Vector3d corner = shape_mm.col(filler.corner);
   const Vector3d before = (shape_mm.col(filler.before) - corner).normalized(),
                  after = (shape_mm.col(filler.after) - corner).normalized();
@@ -147,7 +147,7 @@ FoldedFiller folded_filler(const Filler& filler, const PerforatedSheet& base,
   const double reach_mm =
       (flat_apex_mm(filler, vertices_mm) - vertices_mm.col(filler.corner)).norm();
   const Vector3d ray = rise_cosine * middle + filler.way * rise_sine * above;
-  FoldedFiller folded{corner + reach_mm * ray, {}};
+  Filler::Folded folded{corner + reach_mm * ray, {}};
   const Vector3d first = ray.cross(before).normalized(), second = after.cross(ray).normalized();
   const auto panel_normal = [&](int f) { return normal_of(shape_mm, base.sheet.facets[f]); };
   // Walking into the corner and out of it the hole is on the left, and out to the apex the first.

@@ -20,6 +20,13 @@
 namespace misalign::solver {
 
 struct Filler {
+  struct Folded {
+    Eigen::Vector3d apex_mm;
+    /// Of the edges before-corner, corner-apex, corner-after: degrees within +-180, valleys
+    /// positive.
+    std::array<double, 3> angle_deg;
+  };
+
   int hole;           ///< facet
   int corner;         ///< vertex of a ball joint
   int before, after;  ///< the hole's corners next to it, counter-clockwise: before, corner, after
@@ -39,15 +46,9 @@ std::optional<Filler> filler_at(const PerforatedSheet& base, int hole, int corne
 /// the bisector.
 Eigen::Vector2d flat_apex_mm(const Filler& filler, const FlatVertices& vertices_mm);
 
-struct FoldedFiller {
-  Eigen::Vector3d apex_mm;
-  /// Of the edges before-corner, corner-apex, corner-after: degrees within +-180, valleys positive.
-  std::array<double, 3> angle_deg;
-};
-
 /// On a folded sheet (3 x vertices) whose corner is no wider than when flat.
-FoldedFiller folded_filler(const Filler& filler, const PerforatedSheet& base,
-                           const FlatVertices& vertices_mm, const Eigen::Matrix3Xd& shape_mm);
+Filler::Folded folded_filler(const Filler& filler, const PerforatedSheet& base,
+                             const FlatVertices& vertices_mm, const Eigen::Matrix3Xd& shape_mm);
 
 /// Fillers that join all panels, with the mechanism's creases, to one tree, and can follow all of
 /// these shapes of a sheet; as few as can be. First come those whose hinges stay mountains or

@@ -8,7 +8,8 @@ namespace {
 // Rotation on crossing an edge: -rho about the direction that has the facet one comes from on its
 // left.
 Quaternion<double> crossing_rotation(const Mechanism& mechanism, const FlatVertices& vertices_mm,
-                                     const Crossing& crossing, const HalfAngle<double>& rho) {
+                                     const BallJoint::Crossing& crossing,
+                                     const HalfAngle<double>& rho) {
   const Edge& edge = mechanism.edges[crossing.edge];
   const Eigen::Vector2d axis =
       (vertices_mm.col(edge.b) - vertices_mm.col(edge.a)).normalized() * crossing.sense;
@@ -25,7 +26,7 @@ FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& fold
   for (const Crease& crease : mechanism.creases) state.creases.push_back(angles[crease.edge]);
   for (const BallJoint& ball : mechanism.balls) {
     Quaternion<double> q{1, 0, 0, 0};
-    for (const Crossing& crossing : ball.through) {
+    for (const BallJoint::Crossing& crossing : ball.through) {
       q = q * crossing_rotation(mechanism, base_vertices_mm, crossing, angles[crossing.edge]);
     }
     state.balls.push_back(q.normalized());

@@ -50,7 +50,7 @@ Eigen::Vector3d FoldedShape::seen_mm(const Vec3<double>& point) const {
 
 Eigen::Matrix3Xd FoldedShape::vertices_mm(const SheetGeometry<double>& geometry,
                                           const FoldState<double>& state) const {
-  FoldedPoints<double> points;
+  Points<double> points;
   place(geometry, state, points);
   assert(points.vertices.size() == placed_by_.size());
   Eigen::Matrix3Xd vertices_mm(3, static_cast<Eigen::Index>(points.vertices.size()));
@@ -62,7 +62,7 @@ Eigen::Matrix3Xd FoldedShape::vertices_mm(const SheetGeometry<double>& geometry,
 
 Eigen::Matrix3Xd FoldedShape::corners_mm(const SheetGeometry<double>& geometry,
                                          const FoldState<double>& state) const {
-  FoldedPoints<double> points;
+  Points<double> points;
   place(geometry, state, points);
   Eigen::Matrix3Xd corners_mm(3, 4 * std::count(kept_.begin(), kept_.end(), true));
   Eigen::Index corner = 0;

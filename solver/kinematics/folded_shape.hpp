@@ -10,24 +10,24 @@
 
 namespace misalign::solver {
 
-/// A folded sheet: where its facets and vertices are, in panel widths, the first kept facet lying
-/// in the plane z = 0. Poses are of points of the sheet's geometry, from A1, and of no others.
-template <class T>
-struct FoldedPoints {
-  std::vector<Pose<T>> facets;
-  std::vector<Vec3<T>> vertices;
-};
-
-/// How a facet moves: its point that is at p now moves by spin x p + drift.
-template <class T>
-struct Twist {
-  Vec3<T> spin, drift;
-};
-
 /// Places each vertex by one facet only, reached over a spanning tree of joints, so that an error
 /// of closure shows as a changed length in the facets that did not place all of their corners.
 class FoldedShape {
  public:
+  /// A folded sheet: where its facets and vertices are, in panel widths, the first kept facet lying
+  /// in the plane z = 0. Poses are of points of the sheet's geometry, from A1, and of no others.
+  template <class T>
+  struct Points {
+    std::vector<Pose<T>> facets;
+    std::vector<Vec3<T>> vertices;
+  };
+
+  /// How a facet moves: its point that is at p now moves by spin x p + drift.
+  template <class T>
+  struct Twist {
+    Vec3<T> spin, drift;
+  };
+
   /// A facet that is reached from another over a joint.
   struct Branch {
     Passage joint;
@@ -41,8 +41,7 @@ class FoldedShape {
   const std::vector<Branch>& tree() const { return tree_; }
 
   template <class T>
-  void place(const SheetGeometry<T>& geometry, const FoldState<T>& state,
-             FoldedPoints<T>& points) const {
+  void place(const SheetGeometry<T>& geometry, const FoldState<T>& state, Points<T>& points) const {
     points.facets.resize(facets_.size(), Pose<T>::identity());
     points.vertices.resize(placed_by_.size());
     for (const Branch& branch : tree_) {
@@ -58,7 +57,7 @@ class FoldedShape {
   /// How each facet moves, seen from the first kept one, while every unknown changes at its rate
   /// (per unit of whatever `rates` are per); `points` are those of `place` at this state.
   template <class T>
-  void move(const SheetGeometry<T>& geometry, const FoldedPoints<T>& points, const T* rates,
+  void move(const SheetGeometry<T>& geometry, const Points<T>& points, const T* rates,
             std::vector<Twist<T>>& twists) const {
     const Vec3<T> at_rest{T(0), T(0), T(0)};
     twists.assign(facets_.size(), {at_rest, at_rest});
@@ -79,7 +78,7 @@ class FoldedShape {
 
   /// How fast the distance between two vertices changes, in panel widths per what `twists` are per.
   template <class T>
-  T distance_rate(const FoldedPoints<T>& points, const std::vector<Twist<T>>& twists, int v,
+  T distance_rate(const Points<T>& points, const std::vector<Twist<T>>& twists, int v,
                   int w) const {
     const auto velocity = [&](int at) {
       const Twist<T>& twist = twists[placed_by_[at]];
@@ -91,7 +90,7 @@ class FoldedShape {
 
   /// Largest change of any edge or diagonal of a kept facet between flat and folded, panel widths.
   template <class T>
-  T isometry_error(const SheetGeometry<T>& geometry, const FoldedPoints<T>& points) const {
+  T isometry_error(const SheetGeometry<T>& geometry, const Points<T>& points) const {
     T worst(0);
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       if (!kept_[f]) continue;

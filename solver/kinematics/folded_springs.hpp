@@ -24,7 +24,7 @@ struct FoldedSpring {
     const auto k = static_cast<std::size_t>(corner);
     const Eigen::Vector3d at_mm = shape_mm.col(loop.corners[k]);
     if (mechanism.springs.at_vertices()) return at_mm;
-    const SpringCarrier& carrier = loop.carriers[k];
+    const Loop::Carrier& carrier = loop.carriers[k];
     const Eigen::Vector3d before = (shape_mm.col(carrier.before) - at_mm).normalized(),
                           after = (shape_mm.col(carrier.after) - at_mm).normalized();
     const Eigen::Vector3d along = (before + after).normalized(),

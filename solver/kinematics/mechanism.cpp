@@ -101,13 +101,13 @@ class Builder {
 
   // At a corner whose facets the walk passes in this order. On a vertex it does not matter which of
   // them carries the spring: that from which the walk comes.
-  SpringCarrier carrier(const Loop& loop, int corner, const std::vector<int>& passed,
+  Loop::Carrier carrier(const Loop& loop, int corner, const std::vector<int>& passed,
                         int usual) const {
     const SpringEnds& springs = mechanism_.springs;
     const int vertex = loop.corners[corner];
     const auto own = std::find_if(
         springs.own.begin(), springs.own.end(),
-        [&](const OwnSpringEnd& end) { return end.hole == loop.hole && end.vertex == vertex; });
+        [&](const SpringEnds::Own& end) { return end.hole == loop.hole && end.vertex == vertex; });
     const bool is_own = own != springs.own.end();
     const int facet = is_own ? own->panel : passed[usual];
     const auto steps = std::find(passed.begin(), passed.end(), facet) - passed.begin();
@@ -122,7 +122,7 @@ class Builder {
   }
 
   // The edge between two facets that meet at `vertex`, crossed from one to the other.
-  Crossing crossing(int from, int to, int vertex) const {
+  BallJoint::Crossing crossing(int from, int to, int vertex) const {
     for (const int other : sheet_.facets[from]) {
       const int e = find_edge(sheet_, vertex, other);
       if (e < 0) continue;
@@ -135,7 +135,7 @@ class Builder {
   }
 
   Passage over_crease(int from, int to, int vertex) const {
-    const Crossing over = crossing(from, to, vertex);
+    const BallJoint::Crossing over = crossing(from, to, vertex);
     assert(crease_of_edge_[over.edge] >= 0);
     return {false, crease_of_edge_[over.edge], over.sense, vertex};
   }

@@ -19,14 +19,15 @@ struct Crease {
   int column;       ///< of its unknown
 };
 
-/// Crossing an edge of the sheet: sense +1 from its left facet to its right one, -1 the other way.
-struct Crossing {
-  int edge;
-  int sense;
-};
-
 /// A vertex between two opposite holes: three unknowns, a small rotation.
 struct BallJoint {
+  /// Crossing an edge of the sheet: sense +1 from its left facet to its right one, -1 the other
+  /// way.
+  struct Crossing {
+    int edge;
+    int sense;
+  };
+
   int vertex;
   int from_facet, to_facet;
   std::array<Crossing, 2> through;  ///< the base sheet's creases on the way between the two
@@ -41,25 +42,25 @@ struct Passage {
   int vertex;  ///< a point of the sheet that the joint keeps in place
 };
 
-/// What carries the end of a spring at a corner of a hole: that panel, the vertices of it before
-/// and after the corner (counter-clockwise), and the first passage at which a walk is on it.
-struct SpringCarrier {
-  int facet, before, after;
-  int arrival;
-  /// Of the end, from the vertex: along the bisector of the panel's corner, to its left, up.
-  Eigen::Vector3d place_mm;
-};
-
 /// A closed walk over kept facets. Round a whole vertex the rotation must close, three equations
 /// (3.1); round a hole the translation too, six equations (3.4), (3.5).
 struct Loop {
+  /// What carries the end of a spring at a corner of a hole: that panel, the vertices of it before
+  /// and after the corner (counter-clockwise), and the first passage at which a walk is on it.
+  struct Carrier {
+    int facet, before, after;
+    int arrival;
+    /// Of the end, from the vertex: along the bisector of the panel's corner, to its left, up.
+    Eigen::Vector3d place_mm;
+  };
+
   std::vector<Passage> passages;
   int first_row;
-  int rows;                               ///< 3 or 6
-  int hole;                               ///< facet index, -1 round a vertex
-  std::array<int, 4> corners;             ///< of a hole: its vertices ...
-  std::array<int, 4> arrival;             ///< ... and the first passage at each
-  std::array<SpringCarrier, 4> carriers;  ///< of the springs that end there
+  int rows;                         ///< 3 or 6
+  int hole;                         ///< facet index, -1 round a vertex
+  std::array<int, 4> corners;       ///< of a hole: its vertices ...
+  std::array<int, 4> arrival;       ///< ... and the first passage at each
+  std::array<Carrier, 4> carriers;  ///< of the springs that end there
 };
 
 /// A diagonal of a hole: between two of the corners that its loop passes. Its length is that of its

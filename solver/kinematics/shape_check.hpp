@@ -24,18 +24,18 @@ struct FoldLine {
   int sign;         ///< what it must be: +1 valley, -1 mountain
 };
 
-/// The largest errors of all shapes seen.
-struct ShapeErrors {
-  double length_mm = 0;       ///< change of a panel's edge or diagonal from flat to folded
-  double planarity_mm = 0;    ///< how far apart a panel's two diagonals pass
-  double coincidence_mm = 0;  ///< between a panel's own corner and the vertex it belongs to
-  double angle_deg = 0;       ///< claimed fold angle against the one between the panels' normals
-  double beyond_deg = 0;      ///< how far a fold angle lies beyond +-180 degrees
-  int wrong_sign = -1;        ///< a fold line folded the wrong way; -1 if there is none
-};
-
 class ShapeCheck {
  public:
+  /// The largest errors of all shapes seen.
+  struct Errors {
+    double length_mm = 0;       ///< change of a panel's edge or diagonal from flat to folded
+    double planarity_mm = 0;    ///< how far apart a panel's two diagonals pass
+    double coincidence_mm = 0;  ///< between a panel's own corner and the vertex it belongs to
+    double angle_deg = 0;       ///< claimed fold angle against the one between the panels' normals
+    double beyond_deg = 0;      ///< how far a fold angle lies beyond +-180 degrees
+    int wrong_sign = -1;        ///< a fold line folded the wrong way; -1 if there is none
+  };
+
   /// `flat_mm` is 2 x vertices, panels counter-clockwise seen from +z.
   ShapeCheck(const Eigen::Matrix2Xd& flat_mm, std::vector<std::array<int, 4>> panels,
              std::vector<FoldLine> folds);
@@ -47,7 +47,7 @@ class ShapeCheck {
   void see(const Eigen::Matrix3Xd& vertices_mm, const Eigen::Matrix3Xd& corners_mm,
            const std::vector<double>& claimed_deg);
 
-  const ShapeErrors& worst() const { return worst_; }
+  const Errors& worst() const { return worst_; }
 
  private:
   void see_panels(const Eigen::Matrix3Xd& vertices_mm, const Eigen::Matrix3Xd& corners_mm);
@@ -56,7 +56,7 @@ class ShapeCheck {
   std::vector<std::array<int, 4>> panels_;
   std::vector<FoldLine> folds_;
   std::vector<double> angles_deg_;  // of the last shape, not cut off at 180
-  ShapeErrors worst_;
+  Errors worst_;
 };
 
 }  // namespace misalign::solver

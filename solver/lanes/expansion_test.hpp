@@ -58,9 +58,9 @@ class ExpansionTest {
   static constexpr int kPieces = kRow * static_cast<int>(sizeof(Short)) / kBytes;
 
   double make_ready(const Model& model, double late_deg);
-  double calibrate(const ShiftSample& sample);
+  double calibrate(const ShiftExpansion::Sample& sample);
   void find_gradients(const Model& model, const ShiftPlaces& places, ShiftGradients& gradients);
-  void find_sample(const Model& model, const ShiftPlaces& places, ShiftSample& sample);
+  void find_sample(const Model& model, const ShiftPlaces& places, ShiftExpansion::Sample& sample);
   void look_at(const ShiftBlock& block, int first, int count);
   void add_up(int group);
 
@@ -116,14 +116,14 @@ double ExpansionTest<T, Single>::make_ready(const Model& model, double late_deg)
   ShiftGradients gradients(model);
   find_gradients(model, places, gradients);
   expansion_ = std::make_unique<ShiftExpansion>(gradients);
-  ShiftSample sample(model, kSampleSheets);
+  ShiftExpansion::Sample sample(model, kSampleSheets);
   find_sample(model, places, sample);
   const auto known = static_cast<double>(std::ranges::count(sample.is_known, 1));
   return known < kLeastKnown * kSampleSheets ? 0 : calibrate(sample);
 }
 
 template <class T, class Single>
-double ExpansionTest<T, Single>::calibrate(const ShiftSample& sample) {
+double ExpansionTest<T, Single>::calibrate(const ShiftExpansion::Sample& sample) {
   std::vector<char> both(static_cast<std::size_t>(sample.block.sheets));
   signed char directions[ShiftExpansion::kDiagonals];
   look_at(sample.block, 0, sample.block.sheets);
@@ -180,7 +180,7 @@ void ExpansionTest<T, Single>::find_gradients(const Model& model, const ShiftPla
 
 template <class T, class Single>
 void ExpansionTest<T, Single>::find_sample(const Model& model, const ShiftPlaces& places,
-                                           ShiftSample& sample) {
+                                           ShiftExpansion::Sample& sample) {
   LevelSolver<Single> solver(model, places.all);
   const std::size_t diagonals = model.mechanism().diagonals.size();
   std::vector<Single> flat(diagonals, Single(0));

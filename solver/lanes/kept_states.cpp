@@ -8,7 +8,7 @@ KeptStates::KeptStates(const Mechanism& mechanism) : mechanism_(mechanism) {}
 
 KeptStates::~KeptStates() = default;
 
-KeptState& KeptStates::of(Undecided& sheet) {
+KeptStates::State& KeptStates::of(Undecided& sheet) {
   assert(sheet.kept_state < count_ && count_ <= std::ssize(states_));
   if (sheet.kept_state < 0) sheet.kept_state = count_++;
   if (sheet.kept_state == std::ssize(states_)) {

@@ -48,7 +48,7 @@ class LaneTest {
   bool report(int place, double farthest_deg, double pilot_deg, int sample, int sheet, int i,
               double error, Rules& rules);
   void keep(double pilot_deg, bool goes_on, int next_sample, double longest_deg, int i,
-            KeptState& kept) const;
+            KeptStates::State& kept) const;
   double pilot_deg(int i) const {
     const auto& pilot = solver_.state().creases[mechanism_.pilot];
     return angle_deg(HalfAngle<double>{lane(pilot.c, i), lane(pilot.s, i)});
@@ -158,7 +158,7 @@ void LaneTest<T>::run_ahead(const ShiftBlock& block, std::vector<Undecided>& ope
     take_kept(sheets, count, states);
     solver_.solve_ahead(start_, tangent_, step_, pilot_, 0);
     for (int i = 0; i < count; ++i) {
-      KeptState& kept = states.of(sheets[i]);
+      KeptStates::State& kept = states.of(sheets[i]);
       effort_.solves += 1;
       effort_.iterations += 3;
       const auto error = solver_.length_error_ahead(i);
@@ -185,7 +185,7 @@ void LaneTest<T>::run_ahead(const ShiftBlock& block, std::vector<Undecided>& ope
 template <class T>
 void LaneTest<T>::take_kept(Undecided* open, int count, KeptStates& states) {
   for (int i = 0; i < kLanes<T>; ++i) {
-    const KeptState& kept = states.of(open[i < count ? i : 0]);
+    const KeptStates::State& kept = states.of(open[i < count ? i : 0]);
     put_lane(kept.state, start_, i);
     for (std::size_t j = 0; j < tangent_.size(); ++j) {
       lane(tangent_[j], i) = static_cast<Scalar<T>>(kept.tangent[j]);
@@ -215,7 +215,7 @@ bool LaneTest<T>::report(int place, double farthest_deg, double pilot_deg, int s
 
 template <class T>
 void LaneTest<T>::keep(double pilot_deg, bool goes_on, int next_sample, double longest_deg, int i,
-                       KeptState& kept) const {
+                       KeptStates::State& kept) const {
   copy_lane(solver_.state(), i, kept.state);
   for (std::size_t j = 0; j < tangent_.size(); ++j) kept.tangent[j] = lane(solver_.tangent()[j], i);
   const double length = norm_of(kept.tangent);

@@ -97,7 +97,7 @@ void list_columns(Elimination& plan) {
   const auto append = [](const std::vector<std::int32_t>& from, std::vector<std::int32_t>& to) {
     const std::int32_t begin = end_of(to);
     to.insert(to.end(), from.begin(), from.end());
-    return SlotRange{begin, end_of(to)};
+    return Elimination::Range{begin, end_of(to)};
   };
   for (int k = 0; k < n; ++k) {
     plan.pivots[k].above = append(columns[k].above_slot, plan.above_slot);
@@ -110,7 +110,7 @@ void list_columns(Elimination& plan) {
 // Whether pivot k + 1 has the rows below and the columns beyond of pivot k, without its own.
 bool goes_on(const Elimination& plan, int k) {
   assert(k >= 0 && k + 1 < plan.equations);
-  const Pivot &a = plan.pivots[k], &b = plan.pivots[k + 1];
+  const Elimination::Pivot &a = plan.pivots[k], &b = plan.pivots[k + 1];
   const auto row = plan.lower_row.begin();
   const auto column = plan.column.begin();
   return a.lower.size() == b.lower.size() + 1 && a.upper.size() == b.upper.size() + 1 &&
@@ -123,12 +123,12 @@ bool goes_on(const Elimination& plan, int k) {
 // pay.
 constexpr int kLeastBlock = 600;
 
-PivotBlock block_from(const Elimination& plan, std::int32_t first) {
+Elimination::Block block_from(const Elimination& plan, std::int32_t first) {
   std::int32_t end = first + 1;
   while (end < plan.equations && goes_on(plan, end - 1)) ++end;
-  const Pivot& pivot = plan.pivots[first];
+  const Elimination::Pivot& pivot = plan.pivots[first];
   if ((end - first) * pivot.upper.size() * pivot.lower.size() < kLeastBlock) end = first + 1;
-  const Pivot& last = plan.pivots[end - 1];
+  const Elimination::Pivot& last = plan.pivots[end - 1];
   return {first, end, last.upper, last.lower, {}, end_of(plan.targets)};
 }
 
@@ -141,10 +141,10 @@ void find_blocks(Elimination& plan) {
     is_filled[slot] = true;
   };
   while (plan.blocks.empty() || plan.blocks.back().end < plan.equations) {
-    PivotBlock block = block_from(plan, plan.blocks.empty() ? 0 : plan.blocks.back().end);
+    Elimination::Block block = block_from(plan, plan.blocks.empty() ? 0 : plan.blocks.back().end);
     block.fill.begin = end_of(plan.fill_slots);
     for (std::int32_t k = block.first; k < block.end; ++k) {
-      const Pivot& pivot = plan.pivots[k];
+      const Elimination::Pivot& pivot = plan.pivots[k];
       for (std::int32_t s = pivot.slot - (k - block.first); s < pivot.upper.end; ++s) fill(s);
     }
     for (std::int32_t k = block.lower.begin; k < block.lower.end; ++k) {

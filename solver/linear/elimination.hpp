@@ -9,37 +9,37 @@
 
 namespace misalign::solver {
 
-/// Half-open range of places in one of the lists below.
-struct SlotRange {
-  std::int32_t begin, end;
-  int size() const { return end - begin; }
-};
-
-/// The k-th step: divide the pivot's column below it, subtract multiples of its row.
-struct Pivot {
-  std::int32_t slot;  ///< of the pivot itself
-  SlotRange upper;    ///< slots of its row beyond the pivot: neighbours, in column order
-  SlotRange lower;    ///< places in lower_slot: its column in the rows below
-  SlotRange above;    ///< places in above_slot: its column in the rows above
-};
-
-/// Neighbouring pivots whose rows have the same columns beyond them, and whose columns have the
-/// same rows below them (a supernode; Demmel et al., SuperLU, 1999): dense, so that a register
-/// loaded once serves many multiplications. Every slot still sees the steps in the order of their
-/// pivots: the bits are those of one pivot after another.
-struct PivotBlock {
-  std::int32_t first, end;    ///< pivots
-  SlotRange upper, lower;     ///< of the last of them
-  SlotRange fill;             ///< places in fill_slots: those that no block before has touched
-  std::int32_t first_target;  ///< in `targets`: upper.size() slots for each row below
-  int size() const { return end - first; }
-};
-
 /// An elimination of the n x (n + 1) Jacobian, pilot's column last: after n - 1 pivots one equation
 /// is left, in the pilot and its partner. Whichever of the two is held, the same factors serve;
 /// with neither held they give the tangent, also where the pilot turns. Every nonzero of the
 /// factors has a slot; row by row, in column order.
 struct Elimination {
+  /// Half-open range of places in one of the lists below.
+  struct Range {
+    std::int32_t begin, end;
+    int size() const { return end - begin; }
+  };
+
+  /// The k-th step: divide the pivot's column below it, subtract multiples of its row.
+  struct Pivot {
+    std::int32_t slot;  ///< of the pivot itself
+    Range upper;        ///< slots of its row beyond the pivot: neighbours, in column order
+    Range lower;        ///< places in lower_slot: its column in the rows below
+    Range above;        ///< places in above_slot: its column in the rows above
+  };
+
+  /// Neighbouring pivots whose rows have the same columns beyond them, and whose columns have the
+  /// same rows below them (a supernode; Demmel et al., SuperLU, 1999): dense, so that a register
+  /// loaded once serves many multiplications. Every slot still sees the steps in the order of their
+  /// pivots: the bits are those of one pivot after another.
+  struct Block {
+    std::int32_t first, end;    ///< pivots
+    Range upper, lower;         ///< of the last of them
+    Range fill;                 ///< places in fill_slots: those that no block before has touched
+    std::int32_t first_target;  ///< in `targets`: upper.size() slots for each row below
+    int size() const { return end - first; }
+  };
+
   int equations;
   std::vector<int> row_of;     ///< equation eliminated i-th
   std::vector<int> column_of;  ///< unknown in column i, n + 1 of them; partner and pilot last
@@ -48,7 +48,7 @@ struct Elimination {
   std::vector<std::int32_t> slot_of_value;  ///< per value of `evaluate`
   std::vector<std::int32_t> fill_slots;     ///< that only the elimination fills, as it comes by
   std::vector<Pivot> pivots;
-  std::vector<PivotBlock> blocks;
+  std::vector<Block> blocks;
   int most_packed;  ///< multiplications of a block's pivots with one row below: the most
   std::vector<std::int32_t> column;  ///< per slot
   std::vector<std::int32_t> lower_slot, lower_row, above_slot, above_row, targets;

@@ -21,7 +21,7 @@ class EliminationPass {
       : plan_(plan), slots_(slots), inverse_pivots_(inverse_pivots), packed_(packed), y_(y) {}
 
   void run() {
-    for (const PivotBlock& block : plan_.blocks) {
+    for (const Elimination::Block& block : plan_.blocks) {
       for (std::int32_t k = block.fill.begin; k < block.fill.end; ++k) {
         slots_[plan_.fill_slots[k]] = T(0);
       }
@@ -37,7 +37,7 @@ class EliminationPass {
   static constexpr int kTileRows = kLanes<T> >= 8 ? 4 : 2;  // AVX-512 has twice the registers
   static constexpr int kTileColumns = 4;
 
-  void eliminate_pivot(const PivotBlock& block) {
+  void eliminate_pivot(const Elimination::Block& block) {
     const T inverse_pivot = T(1) / slots_[plan_.pivots[block.first].slot];
     inverse_pivots_[block.first] = inverse_pivot;
     const T* const row = slots_ + block.upper.begin;
@@ -52,7 +52,7 @@ class EliminationPass {
     }
   }
 
-  void eliminate_block(const PivotBlock& block) {
+  void eliminate_block(const Elimination::Block& block) {
     const int columns = block.size() + block.upper.size();
     for (std::int32_t k = block.first; k < block.end; ++k) {
       T* const pivot = slots_ + plan_.pivots[k].slot;
@@ -84,7 +84,7 @@ class EliminationPass {
   }
 
   // The block's rows beyond its own columns, one tile's width after another.
-  void pack(const PivotBlock& block) {
+  void pack(const Elimination::Block& block) {
     T* packed = packed_;
     const int length = block.upper.size();
     for (int u = 0; u < length;) {
@@ -98,7 +98,8 @@ class EliminationPass {
   }
 
   template <int Rows>
-  void eliminate_rows(const PivotBlock& block, std::int32_t lower, const std::int32_t* target) {
+  void eliminate_rows(const Elimination::Block& block, std::int32_t lower,
+                      const std::int32_t* target) {
     const int size = block.size(), length = block.upper.size();
     T* factors[Rows];
     for (int r = 0; r < Rows; ++r) {

@@ -88,7 +88,7 @@ class Tableau {
 
   double value() const { return cells_(rows_, variables_); }
 
-  LinearOptimum optimum(LinearEnd end, int pivots) const {
+  LinearOptimum optimum(LinearOptimum::StopReason end, int pivots) const {
     LinearOptimum found{end,    Eigen::VectorXd::Zero(variables_), value(), {},
                         pivots, Eigen::VectorXd::Zero(rows_)};
     for (int r = 0; r < rows_; ++r) {
@@ -122,14 +122,14 @@ LinearOptimum maximize(const LinearProgram& program) {
   for (int pivots = 0; pivots < most; ++pivots) {
     const bool is_idle = idle >= kIdlePivots;
     const int column = tableau.entering(is_idle);
-    if (column < 0) return tableau.optimum(LinearEnd::optimal, pivots);
+    if (column < 0) return tableau.optimum(LinearOptimum::StopReason::optimal, pivots);
     const int row = tableau.leaving(column, is_idle);
-    if (row < 0) return tableau.optimum(LinearEnd::unbounded, pivots);
+    if (row < 0) return tableau.optimum(LinearOptimum::StopReason::unbounded, pivots);
     const double before = tableau.value();
     tableau.exchange(row, column);
     idle = tableau.value() > before ? 0 : idle + 1;
   }
-  return tableau.optimum(LinearEnd::too_long, most);
+  return tableau.optimum(LinearOptimum::StopReason::too_long, most);
 }
 
 }  // namespace misalign::solver

@@ -16,10 +16,10 @@ struct LinearProgram {
   Eigen::VectorXd gain;
 };
 
-enum class LinearEnd { optimal, unbounded, too_long };
-
 struct LinearOptimum {
-  LinearEnd end;
+  enum class StopReason { optimal, unbounded, too_long };
+
+  StopReason end;
   Eigen::VectorXd x;
   double value = 0;
   std::vector<int> binding;  ///< rows that hold the value down, ascending

@@ -68,7 +68,7 @@ class SparseLu {
   void forward(const V* rhs, V* y) const {
     std::int32_t slot = 0;
     for (int i = 0; i < plan_.equations; ++i) {
-      const Pivot& pivot = plan_.pivots[i];
+      const Elimination::Pivot& pivot = plan_.pivots[i];
       V sum = rhs[plan_.row_of[i]];
       for (; slot < pivot.slot; ++slot) sum = sum - V(slots_[slot]) * y[plan_.column[slot]];
       y[i] = sum;
@@ -89,7 +89,7 @@ class SparseLu {
     x[plan_.column_of[n]] = y[n] = pilot;
     x[plan_.column_of[n - 1]] = y[n - 1] = partner;
     for (int i = n - 2; i >= 0; --i) {
-      const SlotRange& upper = plan_.pivots[i].upper;
+      const Elimination::Range& upper = plan_.pivots[i].upper;
       V sum = y[i];
       for (std::int32_t u = upper.begin; u < upper.end; ++u) {
         sum = sum - V(slots_[u]) * y[plan_.column[u]];
@@ -117,7 +117,7 @@ class SparseLu {
     set(n, pilot, null_pilot);
     set(n - 1, partner, null_partner);
     for (int i = n - 2; i >= 0; --i) {
-      const SlotRange& upper = plan_.pivots[i].upper;
+      const Elimination::Range& upper = plan_.pivots[i].upper;
       T sum = y[i], null_sum(0);
       for (std::int32_t u = upper.begin; u < upper.end; ++u) {
         const std::int32_t column = plan_.column[u];
@@ -141,7 +141,7 @@ class SparseLu {
   void transposed(const T* rhs, T* work, T* x) const {
     const int n = plan_.equations;
     for (int i = 0; i < n; ++i) {
-      const SlotRange& above = plan_.pivots[i].above;
+      const Elimination::Range& above = plan_.pivots[i].above;
       T sum = rhs[plan_.column_of[i]];
       for (std::int32_t k = above.begin; k < above.end; ++k) {
         sum = sum - slots_[plan_.above_slot[k]] * work[plan_.above_row[k]];
@@ -149,7 +149,7 @@ class SparseLu {
       work[i] = sum * inverse_pivots_[i];
     }
     for (int i = n - 1; i >= 0; --i) {
-      const SlotRange& lower = plan_.pivots[i].lower;
+      const Elimination::Range& lower = plan_.pivots[i].lower;
       T sum = work[i];
       for (std::int32_t k = lower.begin; k < lower.end; ++k) {
         sum = sum - slots_[plan_.lower_slot[k]] * work[plan_.lower_row[k]];

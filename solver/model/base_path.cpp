@@ -14,7 +14,7 @@ namespace {
 // Where the proportions are read off.
 constexpr double kUnitPilot_deg = 90;
 
-Eigen::Vector3d axis_across(const PerforatedSheet& base, const Crossing& crossing) {
+Eigen::Vector3d axis_across(const PerforatedSheet& base, const BallJoint::Crossing& crossing) {
   const Edge& edge = base.sheet.edges[static_cast<std::size_t>(crossing.edge)];
   const FlatVertices& at = base.sheet.vertices_mm;
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();

@@ -120,7 +120,7 @@ double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& v
     double joints = 0;
     for (const Passage& passage : loop.passages) joints += passage.ball ? 3 : 1;
     most_joints = std::max(most_joints, joints);
-    for (const SpringCarrier& carrier : loop.carriers) {
+    for (const Loop::Carrier& carrier : loop.carriers) {
       beside = std::max(beside, carrier.place_mm.norm());
     }
     for (const int a : loop.corners) {

@@ -14,18 +14,6 @@
 
 namespace misalign::solver {
 
-/// One state of a sheet, its diagonals in panel widths and per radian of the way along its path.
-struct Observation {
-  double pilot_deg;
-  int sample;           ///< that it is at exactly; 0: at none
-  double pilot_rate;    ///< how the pilot changes along that way; not positive: it turned back
-  double farthest_deg;  ///< no farther had the pilot been on the way here
-  const double* lengths;
-  double length_error;
-  const double* slopes;
-  double slope_error;
-};
-
 /// How far a diagonal is from that of the solution (panel widths) after two corrections of these
 /// sizes (rad); none where they do not shrink fast enough for that to be believed. Both by Newton:
 /// each squares the error, e' = K e^2, and the corrections give K (Kantorovich).
@@ -51,6 +39,18 @@ double slope_error(double correction);
 /// The memory of a block of sheets while they are tested.
 class RejectionTest {
  public:
+  /// One state of a sheet, its diagonals in panel widths and per radian of the way along its path.
+  struct Observation {
+    double pilot_deg;
+    int sample;           ///< that it is at exactly; 0: at none
+    double pilot_rate;    ///< how the pilot changes along that way; not positive: it turned back
+    double farthest_deg;  ///< no farther had the pilot been on the way here
+    const double* lengths;
+    double length_error;
+    const double* slopes;
+    double slope_error;
+  };
+
   explicit RejectionTest(const Model& model);
   ~RejectionTest();
 

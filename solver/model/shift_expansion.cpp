@@ -94,7 +94,7 @@ void ShiftGradients::add(ShiftedQuantity quantity, int diagonal, int sheet, int 
   values_[place(quantity, diagonal, sheet, coordinate)] += value;
 }
 
-ShiftSample::ShiftSample(const Model& model, int sheets) {
+ShiftExpansion::Sample::Sample(const Model& model, int sheets) {
   std::mt19937 words;
   block.sheets = sheets;
   block.shifts_mm.resize(static_cast<std::size_t>(sheets) * 2 * model.shifted().size());
@@ -106,7 +106,7 @@ ShiftSample::ShiftSample(const Model& model, int sheets) {
   is_known.assign(static_cast<std::size_t>(sheets), 0);
 }
 
-ShiftSample::~ShiftSample() = default;
+ShiftExpansion::Sample::~Sample() = default;
 
 ShiftExpansion::ShiftExpansion(const ShiftGradients& gradients)
     : vertices_(gradients.coordinates() / 2),
@@ -185,8 +185,7 @@ float ShiftExpansion::fill_products(int group, int column, const Polynomial& pol
   return static_cast<float>(unit);
 }
 
-void ShiftExpansion::calibrate(int group, const std::vector<Short>& sums,
-                               const ShiftSample& sample) {
+void ShiftExpansion::calibrate(int group, const std::vector<Short>& sums, const Sample& sample) {
   const std::size_t sheets = sample.is_known.size();
   assert(sums.size() >= sheets * kSums);
   assert(sample.slopes.size() == sheets * static_cast<std::size_t>(diagonals_));

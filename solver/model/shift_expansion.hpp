@@ -61,19 +61,19 @@ class ShiftGradients {
   std::vector<double> values_;
 };
 
-/// Sheets with drawn shifts, and what their quantities are (panel widths; per radian), where that
-/// could be found.
-struct ShiftSample {
-  ShiftSample(const Model& model, int sheets);
-  ~ShiftSample();
-
-  ShiftBlock block;
-  std::vector<double> elongations, slopes;  ///< sheet by sheet
-  std::vector<char> is_known;
-};
-
 class ShiftExpansion {
  public:
+  /// Sheets with drawn shifts, and what their quantities are (panel widths; per radian), where that
+  /// could be found.
+  struct Sample {
+    Sample(const Model& model, int sheets);
+    ~Sample();
+
+    ShiftBlock block;
+    std::vector<double> elongations, slopes;  ///< sheet by sheet
+    std::vector<char> is_known;
+  };
+
   using Short = std::int16_t;
   /// A group: quantities of this many diagonals lie side by side, their elongations, then their
   /// slopes. Sheets that one group turns away need not be asked of the next.
@@ -104,7 +104,7 @@ class ShiftExpansion {
   static int place_of(int x, int y) { return 3 * (x + 1) + y + 1; }
 
   /// Measures the bounds of a group on these sheets, whose sums are known.
-  void calibrate(int group, const std::vector<Short>& sums, const ShiftSample& sample);
+  void calibrate(int group, const std::vector<Short>& sums, const Sample& sample);
   /// A quantity of a sheet whose diagonal's group has these sums, and how far it may be off.
   struct Estimate {
     double value, bound;

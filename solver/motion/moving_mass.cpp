@@ -88,7 +88,8 @@ MovingPanels SheetMover::move(const FoldState<double>& state, const double* rate
     const Matrix3d turned = turn(k);
     const Matrix3d spread =
         turned.leftCols<2>() * masses_[index].spread * turned.leftCols<2>().transpose();
-    const Twist<double>& twist = twists_[static_cast<std::size_t>(panels_.facets[index])];
+    const FoldedShape::Twist<double>& twist =
+        twists_[static_cast<std::size_t>(panels_.facets[index])];
     const Vector3d spin = vector(twist.spin), centre = place_mm(k, masses_[index].centre_mm);
     sheet.panels.push_back({masses_[index].mass_t, centre,
                             spin.cross(centre) + width_mm * vector(twist.drift), spin,

@@ -69,8 +69,8 @@ class SheetMover {
   const Panels& panels_;
   const std::vector<PanelMass> masses_;  // centres from A1
   const std::optional<int> held_;
-  FoldedPoints<double> points_;
-  std::vector<Twist<double>> twists_;
+  FoldedShape::Points<double> points_;
+  std::vector<FoldedShape::Twist<double>> twists_;
 };
 
 }  // namespace misalign::solver

@@ -82,7 +82,8 @@ void Ascent::try_box() {
   const LocalProgram inside = local_program(*linearization_, box_mm_);
   const LinearOptimum best = maximize(inside.linear);
   const double foreseen = best.value * inside.unit;
-  if (best.end != LinearEnd::optimal || foreseen <= least_foreseen()) return give_up_box();
+  if (best.end != LinearOptimum::StopReason::optimal || foreseen <= least_foreseen())
+    return give_up_box();
   auto next = evaluate(inside.change_mm(best));
   const double gained = next ? next->value - now_.value : 0;
   if (gained > (options_.goal->is_exact ? kForeseen * foreseen : kLeastGain * now_.value)) {
@@ -200,7 +201,7 @@ std::vector<Ascent::Flip> Ascent::single_flips() const {
 void Ascent::find_limits() {
   const LocalProgram inside = local_program(*linearization_, kBoxOfLimits * options_.amplitude_mm);
   const LinearOptimum best = maximize(inside.linear);
-  if (best.end != LinearEnd::optimal) return;
+  if (best.end != LinearOptimum::StopReason::optimal) return;
   Optimised::Limits limits;
   limits.per_floor.resize(options_.floors.size());
   for (std::size_t k = 0; k < inside.reached.size(); ++k) {

@@ -115,7 +115,7 @@ class StrokeProgram {
     }
     std::sort(binding.begin(), binding.end());
     binding.erase(std::unique(binding.begin(), binding.end()), binding.end());
-    return optimum.end == LinearEnd::optimal ? optimum.value : 0;
+    return optimum.end == LinearOptimum::StopReason::optimal ? optimum.value : 0;
   }
 
  private:

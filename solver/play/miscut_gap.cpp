@@ -88,7 +88,7 @@ MiscutGap find_miscut_gaps(const Sheet& sheet, const std::vector<Eigen::Matrix2X
   study.open_mm.resize(std::ssize(errors_mm), std::ssize(rows));
   Eigen::MatrixXd moves(3 * std::ssize(points), unknowns);
   Eigen::MatrixXd open_mm(moves.rows(), study.open_mm.rows());
-  FoldedPoints<double> folded;
+  FoldedShape::Points<double> folded;
   for (Index k = 0; k < std::ssize(rows); ++k) {
     const auto row = static_cast<std::size_t>(rows[static_cast<std::size_t>(k)]);
     assert(row < sheet.states().size());

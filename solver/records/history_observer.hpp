@@ -69,7 +69,7 @@ class HistoryObserver final : public QueueObserver {
   std::vector<Unfinished> unfinished_;
   std::vector<FoldingHistory> histories_;
   PathPoint point_;
-  FoldedPoints<double> points_;
+  FoldedShape::Points<double> points_;
   DenseState dense_state_;
   DenseFallback fallback_;
 };

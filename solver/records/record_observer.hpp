@@ -80,7 +80,7 @@ class RecordObserver final : public QueueObserver {
   std::vector<QueuedStart> ends_;
   std::deque<FoldState<double>> ends_near_;  // their states, which stay where they are
   std::vector<NearState> near_states_;
-  PathEstimate here_;
+  PathFunction::Estimate here_;
   const FoldState<double> near_;  // of the size that a state has
 };
 

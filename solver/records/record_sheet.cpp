@@ -36,7 +36,7 @@ FoldingHistory record_on_base(const Model& model, const FlatVertices& vertices_m
   PathStart start{};
   observer.queue().next(start, 0);
   observer.begin_path(start, 0);
-  FoldedPoints<double> points;
+  FoldedShape::Points<double> points;
   for (const Station& station : model.path().stations) {
     if (!station.visit) continue;
     PathPoint& point = observer.point();

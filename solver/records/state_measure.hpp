@@ -121,7 +121,7 @@ class StateMeasure {
   SparseLu<T> factors_;
   SquareFactors<T> square_factors_;
   SmallestSingularValue<T> smallest_;
-  FoldedPoints<T> points_;
+  FoldedShape::Points<T> points_;
   std::vector<T> residual_, work_, rates_, lengths_, slopes_;
   T open_by_, singular_value_, isometry_error_;
   MiscutMargin<T> margin_;

@@ -166,8 +166,8 @@ const std::vector<double>& Sheet::span_slope_mm_per_deg() const {
   const FoldedShape& shape = model().shape();
   const auto [from, to] = farthest_apart(vertices_mm_);
   const double per_deg = mechanism().panel_width_mm * kRadPerDeg;
-  FoldedPoints<double> points;
-  std::vector<Twist<double>> twists;
+  FoldedShape::Points<double> points;
+  std::vector<FoldedShape::Twist<double>> twists;
   for (const WayStation& at : states()) {
     shape.place(geometry, at.state, points);
     shape.move(geometry, points, at.rates.data(), twists);

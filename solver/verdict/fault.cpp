@@ -6,6 +6,8 @@
 namespace misalign::solver {
 namespace {
 
+using ShownBy = FaultEntry::ShownBy;
+
 constexpr FaultEntry kFaults[] = {
     {Fault::not_monotone, "not_monotone", "diagonal reverses",
      "a diagonal reverses: it stops growing or shrinking and goes back", ShownBy::diagonal},

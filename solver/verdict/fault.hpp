@@ -28,10 +28,10 @@ enum class Fault {
   reverses_between     ///< a diagonal turns back before the next sample
 };
 
-/// Whether one crease or one diagonal shows it: what Verdict::where numbers.
-enum class ShownBy { nothing, crease, diagonal };
-
 struct FaultEntry {
+  /// Whether one crease or one diagonal shows it: what Verdict::where numbers.
+  enum class ShownBy { nothing, crease, diagonal };
+
   Fault fault;
   const char* name;     ///< in catalogues and JSON
   const char* label;    ///< in a legend

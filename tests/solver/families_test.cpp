@@ -199,7 +199,7 @@ TEST_P(Families, ThereAndBackAgain) {
         plan_elimination(family.mechanism, family.base.folding, family.base.sheet.vertices_mm);
     ShiftHomotopy<double> homotopy(family.mechanism, elimination, plan,
                                    family.base.sheet.vertices_mm);
-    FarStart start(family.mechanism);
+    StartFinder::FarStart start(family.mechanism);
     const SheetGeometry<double>& geometry = start.geometry;
     for (int i = 0; i < block.sheets; ++i) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sheet " + std::to_string(i));

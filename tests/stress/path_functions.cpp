@@ -128,7 +128,7 @@ class Errors {
   solver::PathFollower<double, solver::LongSteps> follower_;
   solver::DenseState solver_;
   solver::FunctionBumps bumps_;
-  solver::PathEstimate estimate_;
+  solver::PathFunction::Estimate estimate_;
   solver::FoldState<double> near_;
   solver::PathPoint solved_;
   std::vector<double> rates_;

@@ -146,7 +146,7 @@ class CurvePath : public Witness {
  private:
   solver::Newton newton_;
   solver::ShiftHomotopy<double> homotopy_;
-  solver::FarStart start_;
+  solver::StartFinder::FarStart start_;
 };
 
 }  // namespace misalign::stress

@@ -62,7 +62,7 @@ class FunctionObserver : public ProblemObserver {
  private:
   const std::size_t diagonals_;
   solver::LongStepOptions options_;
-  solver::PathEstimate estimate_;
+  solver::PathFunction::Estimate estimate_;
 };
 
 template <class Follower, class Observer>

@@ -16,7 +16,8 @@ TEST_P(Starts, AreThoseOfTheBranchOfTheBaseFolding) {
   ShiftHomotopy<double> homotopy(model.mechanism(), model.elimination(), model.path(),
                                  sheets.base.sheet.vertices_mm);
   const ShiftBlock block = sheets.draws(60 / kFewer, kSeed, GetParam());
-  std::vector<FarStart> starts(static_cast<std::size_t>(block.sheets), FarStart(sheets.mechanism));
+  std::vector<StartFinder::FarStart> starts(static_cast<std::size_t>(block.sheets),
+                                            StartFinder::FarStart(sheets.mechanism));
   for (int i = 0; i < block.sheets; ++i) {
     place(sheets.mechanism, sheets.vertices(block, i), starts[i].geometry);
   }
@@ -71,7 +72,7 @@ TEST(LargeShifts, HaveStartsAfterLongWays) {
       block.shifts_mm.push_back(*sign == '+' ? 8 : *sign == '-' ? -8 : 0);
     }
     ASSERT_EQ(block.shifts_mm.size(), 2 * sheets.shifted_vertices.size());
-    FarStart start(sheets.mechanism);
+    StartFinder::FarStart start(sheets.mechanism);
     const FlatVertices vertices_mm = sheets.vertices(block, 0);
     place(sheets.mechanism, vertices_mm, start.geometry);
     homotopy.find({&start, 1});

@@ -68,7 +68,7 @@ class Comparison {
  private:
   const Model& model_;
   const FoldingHistory history_;
-  PathEstimate estimate_;
+  PathFunction::Estimate estimate_;
   SheetGeometry<double> geometry_;
   Eigen::Index row_ = 0;
   PathResult path_{};

@@ -26,7 +26,7 @@ struct CubeCorner {
     }
     return corners;
   }
-  ShapeErrors errors(const std::vector<double>& claimed_deg = {90, 90}) const {
+  ShapeCheck::Errors errors(const std::vector<double>& claimed_deg = {90, 90}) const {
     ShapeCheck check(flat, panels, folds);
     check.see(folded, corners(), claimed_deg);
     return check.worst();
@@ -34,7 +34,7 @@ struct CubeCorner {
 };
 
 TEST(ShapeCheck, CubeCornerIsSound) {
-  const ShapeErrors errors = CubeCorner().errors();
+  const ShapeCheck::Errors errors = CubeCorner().errors();
   EXPECT_EQ(errors.length_mm, 0);
   EXPECT_EQ(errors.planarity_mm, 0);
   EXPECT_EQ(errors.coincidence_mm, 0);
@@ -82,7 +82,7 @@ TEST(ShapeCheck, OneMovedVertexIsSeen) {
 TEST(ShapeCheck, WhatIsNoNumberIsNotSound) {
   CubeCorner lost;
   lost.folded(1, 1) = std::nan("");
-  const ShapeErrors errors = lost.errors();
+  const ShapeCheck::Errors errors = lost.errors();
   EXPECT_TRUE(std::isnan(errors.length_mm));
   EXPECT_TRUE(std::isnan(errors.coincidence_mm));
   EXPECT_NE(errors.wrong_sign, -1);
@@ -146,7 +146,7 @@ TEST(ShapeCheck, OpenLoopsAreSeen) {
   for (std::size_t i = 0; i < closed.creases.size(); ++i) {
     auto open = closed;
     open.creases[i] = open.creases[i].turned(1e-6);
-    const ShapeErrors errors = errors_of(open);
+    const ShapeCheck::Errors errors = errors_of(open);
     EXPECT_LE(errors.coincidence_mm, 1e-3) << "crease " << i;
     if (errors.coincidence_mm >= 4e-5) {
       ++apart;

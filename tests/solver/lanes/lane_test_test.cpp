@@ -23,7 +23,7 @@ struct Notes {
   double slopes_until_deg() const { return 180; }
   int next_sample(double) const { return 180; }
   void observe(int, double, const FoldState<double>&) {}
-  bool observe(int, const Observation& observation) {
+  bool observe(int, const RejectionTest::Observation& observation) {
     seen = true;
     lengths.assign(observation.lengths, observation.lengths + lengths.size());
     slopes.assign(observation.slopes, observation.slopes + lengths.size());

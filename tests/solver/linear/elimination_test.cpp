@@ -275,7 +275,7 @@ TEST(SparseLu, BitsAreThoseOfOnePivotAfterAnother) {
     RandomSystem system(rows, columns);
     const Elimination& plan = system.plan();
     const int n = plan.equations;
-    const auto is_block = [](const PivotBlock& block) { return block.size() > 1; };
+    const auto is_block = [](const Elimination::Block& block) { return block.size() > 1; };
     EXPECT_TRUE(rows == 6 || std::any_of(plan.blocks.begin(), plan.blocks.end(), is_block));
     system.draw(70, random);
     Eigen::MatrixXd a(n, n + 1);

@@ -48,7 +48,7 @@ TEST(Simplex, FindsTheBestCorner) {
     program.bounds.tail(3).setOnes();
     for (double& gain : program.gain) gain = uniform(random);
     const LinearOptimum found = maximize(program);
-    ASSERT_EQ(found.end, LinearEnd::optimal);
+    ASSERT_EQ(found.end, LinearOptimum::StopReason::optimal);
     EXPECT_NEAR(found.value, best_corner(program), 1e-9) << "trial " << trial;
     EXPECT_NEAR(found.value, program.gain.dot(found.x), 1e-9);
     EXPECT_TRUE(((program.rows * found.x - program.bounds).array() <= 1e-9).all());
@@ -58,7 +58,7 @@ TEST(Simplex, FindsTheBestCorner) {
 TEST(Simplex, SaysWhatIsUnbounded) {
   LinearProgram program{RowMatrix::Constant(1, 2, -1), Eigen::VectorXd::Ones(1),
                         Eigen::VectorXd::Ones(2)};
-  EXPECT_EQ(maximize(program).end, LinearEnd::unbounded);
+  EXPECT_EQ(maximize(program).end, LinearOptimum::StopReason::unbounded);
 }
 
 struct Made {

@@ -56,7 +56,7 @@ Vector3d end_mm(const PerforatedSheet& base, int hole, int corner,
                 const Eigen::Matrix3Xd& shape_mm) {
   const SpringEnds& springs = base.springs;
   const int vertex = base.sheet.facets[hole][corner];
-  for (const OwnSpringEnd& own : springs.own) {
+  for (const SpringEnds::Own& own : springs.own) {
     if (own.hole != hole || own.vertex != vertex) continue;
     return end_mm(base.sheet.facets[own.panel], vertex, own.place_mm, shape_mm);
   }
@@ -161,7 +161,7 @@ TEST(SpringEnds, WaysGoOnThroughFlat) {
     SCOPED_TRACE(shown(springs));
     SpringEnds mirror = springs;
     mirror.offset_mm *= -1;
-    for (OwnSpringEnd& own : mirror.own) own.place_mm.z() *= -1;
+    for (SpringEnds::Own& own : mirror.own) own.place_mm.z() *= -1;
     const WithSprings above(springs, 4, 4), below(mirror, 4, 4);
     const ShiftBlock block = above.draws(1, kSeed);
     const FlatVertices vertices_mm = above.vertices(block, 0);

@@ -55,7 +55,7 @@ TEST(MiscutGap, IsTheLeastOfAllPlaces) {
 
   SheetGeometry<double> geometry;
   place(model.mechanism(), sheet.vertices_mm(), geometry);
-  FoldedPoints<double> folded;
+  FoldedShape::Points<double> folded;
   model.shape().place(geometry, sheet.states()[row].state, folded);
   const double width_mm = model.mechanism().panel_width_mm;
   // Each panel's rotation and place, by exact rotations; Gauss-Newton by differences.
