@@ -32,7 +32,7 @@ struct ArcOptions {
 };
 
 struct CloseStepOptions {
-  double closure_tolerance = NewtonOptions{}.closure_tolerance;
+  double closure_tolerance = Newton::Options{}.closure_tolerance;
   /// Extrapolated stations converge in one or two corrections; more have lost the branch.
   int max_corrections = 10;
   /// Of a station before it is believed, but for the first: its tangent is that of the state before

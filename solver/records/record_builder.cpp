@@ -269,7 +269,7 @@ const std::vector<PathRecord>& RecordBuilder::merge(const std::vector<FoldingHis
 // Whether a solved state is the one that the function has there.
 bool RecordBuilder::is_the_same(const PathRecord& record, const WantedState& wanted,
                                 const SolvedState& solved) const {
-  if (!(solved.quality.open_by <= NewtonOptions{}.closure_tolerance)) return false;
+  if (!(solved.quality.open_by <= Newton::Options{}.closure_tolerance)) return false;
   if (wanted.sample == 0) return true;
   const double* const expected =
       record.lengths.data() + static_cast<std::size_t>(wanted.sample - 1) * flat_.size();
