@@ -55,11 +55,11 @@ struct CloseStepOptions {
 
 class CloseSteps {
  public:
-  using Options = CloseStepOptions;
   /// That states are extrapolated from.
   static constexpr int kNodes = 2;
 
-  explicit CloseSteps(const Options& options = {}) : options_(options) {}
+  CloseSteps() : CloseSteps(Options{}) {}
+  explicit CloseSteps(const Options& options) : options_(options) {}
 
   /// A path whose start lies near the plan's station number `first_station`. Stations ascend, or
   /// descend where the arc is not needed. `forward_sign` is the determinant's on this half of the

@@ -56,12 +56,12 @@ class FunctionObserver : public ProblemObserver {
  public:
   FunctionObserver(const Problem& problem, const Demand& demand, int lanes);
 
-  const solver::LongStepOptions& options() const { return options_; }
+  const solver::LongSteps::Options& options() const { return options_; }
   solver::ObserverResult see(const solver::PathFunction& function, int lane);
 
  private:
   const std::size_t diagonals_;
-  solver::LongStepOptions options_;
+  solver::LongSteps::Options options_;
   solver::PathFunction::Estimate estimate_;
 };
 
