@@ -34,7 +34,7 @@ class StartFinder {
 };
 
 /// How the share's path is followed, and where it pauses.
-CloseStepOptions options_of_shares(const HalfAngle<double>& pilot);
+CloseSteps::Options options_of_shares(const HalfAngle<double>& pilot);
 PathPlan plan_of_shares(const PathPlan& path, const Mechanism& mechanism);
 
 template <class T>

@@ -21,8 +21,8 @@ constexpr double kLeastGrowth = 1.0 / 256;
 // Near flat all branches are close: steps along the arc stay below a degree of all joints together.
 constexpr double kLongestArc_rad = 0.02;
 
-CloseStepOptions step_options() {
-  CloseStepOptions options;
+CloseSteps::Options step_options() {
+  CloseSteps::Options options;
   options.longest_start_share = kLongestLooseShare;
   options.arc.longest_step_rad = kLongestArc_rad;
   return options;
