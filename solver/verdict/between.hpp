@@ -77,16 +77,4 @@ inline double slope_at_flat(double on, double slope, double pilot_rad) {
   return 2 * on / pilot_rad - slope;
 }
 
-/// The way from flat to a first sample: there lengths of others are even in the pilot's angle,
-/// a rho^2 + b rho^4. By how much each part of them has moved a diagonal in its direction, panel
-/// widths.
-struct FromFlat {
-  double square, fourth;
-
-  FromFlat(double on, double slope, double pilot_rad)
-      : square(2 * on - slope * pilot_rad / 2), fourth(slope * pilot_rad / 2 - on) {}
-  /// By more than rates of change are known to.
-  bool sets_out_back() const { return square < -kBumpBand_widths; }
-};
-
 }  // namespace misalign::solver
