@@ -112,7 +112,7 @@ MotionIntegrator::MotionIntegrator(Acceleration acceleration, MotionMethod metho
 
 MotionIntegrator::~MotionIntegrator() = default;
 
-void MotionIntegrator::start(const MotionState& state) {
+void MotionIntegrator::start(const State& state) {
   assert(std::isfinite(state.x) && std::isfinite(state.rate));
   assert(std::abs(state.x) <= cvode_->end);
   state_ = state;
@@ -141,7 +141,7 @@ MotionIntegrator::Stop MotionIntegrator::step() {
   return Stop::at_zero;
 }
 
-MotionState MotionIntegrator::state_at(double time) const {
+MotionIntegrator::State MotionIntegrator::state_at(double time) const {
   if (CVodeGetDky(cvode_->memory, time, 0, cvode_->passed) != CV_SUCCESS) return state_;
   const double* const y = N_VGetArrayPointer(cvode_->passed);
   return {time, y[0], y[1]};
