@@ -40,8 +40,8 @@ class Run {
         unit_s_(time_unit_s(sheet, from_x_, wells_x)),
         integrator_([this](double x, double rate) { return acceleration(x, rate); },
                     sheet.options().joints.damping_n_mm_s_per_mm > 0
-                        ? MotionMethod::backward_differences
-                        : MotionMethod::adams,
+                        ? MotionIntegrator::Method::backward_differences
+                        : MotionIntegrator::Method::adams,
                     way_.end(), std::abs(from_x_), options.relative_tolerance) {
     assert(std::abs(from_x_) < way_.end() && "the way reaches beyond the start");
     assert(options.row_deg > 0 && options.time_limit_s > 0);

@@ -7,12 +7,13 @@
 
 namespace misalign::solver {
 
-/// By Adams' methods, of changing order and step. By backward differences where much damping makes
-/// the equation stiff: it settles to a slow creep at once, which Adams' steps would have to follow.
-enum class MotionMethod { adams, backward_differences };
-
 class MotionIntegrator {
  public:
+  /// By Adams' methods, of changing order and step. By backward differences where much damping
+  /// makes the equation stiff: it settles to a slow creep at once, which Adams' steps would have to
+  /// follow.
+  enum class Method { adams, backward_differences };
+
   struct State {
     double time, x, rate;
   };
@@ -21,7 +22,7 @@ class MotionIntegrator {
 
   /// Where x reaches `end` or -`end` it must stop. Errors of x are kept at `tolerance` times
   /// `scale` a step, and so are those of its rate.
-  MotionIntegrator(Acceleration acceleration, MotionMethod method, double end, double scale,
+  MotionIntegrator(Acceleration acceleration, Method method, double end, double scale,
                    double tolerance);
   ~MotionIntegrator();
   MotionIntegrator(const MotionIntegrator&) = delete;
