@@ -59,13 +59,13 @@ Eigen::MatrixXd Reactions::reactions_matrix() const {
   };
   const auto add_moment = [&](int crease, const Vector3d& about) {
     const Crease& of = mechanism_.creases[static_cast<std::size_t>(crease)];
-    const Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(crease)];
+    const PanelLoads::Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(crease)];
     add(loads_.panel_of(of.right), loads_.panel_of(of.left), hinge.middle_mm, Vector3d::Zero(),
         hinge.length_mm * about);
   };
   for (int k = 0; k < static_cast<int>(loads_.hinges().size()); ++k) {
     const Crease& crease = mechanism_.creases[static_cast<std::size_t>(k)];
-    const Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
+    const PanelLoads::Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
     for (int i = 0; i < 3; ++i) {
       add(loads_.panel_of(crease.right), loads_.panel_of(crease.left), hinge.middle_mm,
           Vector3d::Unit(i), Vector3d::Zero());
@@ -96,7 +96,7 @@ Eigen::MatrixXd Reactions::self_stresses() const {
     for (const Passage& passage : whole[w]->passages) {
       assert(!passage.ball && "round a whole vertex there are creases alone");
       const auto crease = static_cast<std::size_t>(passage.joint);
-      const Hinge& hinge = loads_.hinges()[crease];
+      const PanelLoads::Hinge& hinge = loads_.hinges()[crease];
       const int left = loads_.panel_of(mechanism_.creases[crease].left);
       const Vector3d arm_mm = loads_.place_mm(left, passage.vertex) - hinge.middle_mm;
       for (int i = 0; i < 3; ++i) {
@@ -150,7 +150,7 @@ void Reactions::find(const DeploymentRow& at, Index row, JointForces& forces) {
                       mechanism_.side);  // forces are seen in the mirror, moments turn round there
   Index next = 0;
   for (Index k = 0; k < static_cast<Index>(loads_.hinges().size()); ++k, next += kOfCrease) {
-    const Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
+    const PanelLoads::Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
     const Vector3d moment =
         hinge.length_mm * (found(next + 3) * hinge.one + found(next + 4) * hinge.other);
     forces.crease_force_n.block<1, 3>(row, 3 * k) =
