@@ -82,8 +82,8 @@ Json forces_json(const solver::Mechanism& mechanism, const solver::JointForces& 
 }
 
 Json pins_json(const solver::PinFriction& pins, double own_mm) {
-  const solver::PinRow& locks = pins.locks_first();
-  const Json rows = json_list(pins.rows, [](const solver::PinRow& row) {
+  const solver::PinFriction::Row& locks = pins.locks_first();
+  const Json rows = json_list(pins.rows, [](const solver::PinFriction::Row& row) {
     return Json{{"pilot_deg", row.pilot_deg}, {"locks_mm", row.locks_mm()}};
   });
   return {{"critical_mm", or_null(pins.critical_mm)},

@@ -205,7 +205,7 @@ std::string motion_text(const DeploymentStudy& study) {
 }
 
 std::string pins_text(const char* where, const solver::PinFriction& pins, double own_mm) {
-  const solver::PinRow& locks = pins.locks_first();
+  const solver::PinFriction::Row& locks = pins.locks_first();
   std::string text = fmt::format("pins {}: ", where);
   text += pins.critical_mm
               ? fmt::format("it gets to flat with friction times radius up to {:.4g} mm",
