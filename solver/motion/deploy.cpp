@@ -87,7 +87,7 @@ std::optional<double> DeploymentStudy::barrier_n_mm() const {
 
 DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy,
                                  const DeploymentOptions& options,
-                                 const std::optional<JointForcesOptions>& forces) {
+                                 const std::optional<JointForces::Options>& forces) {
   const EnergyModel deploying(sheet, energy);
   DeploymentStudy study{};
   study.sheet = energy;

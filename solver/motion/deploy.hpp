@@ -16,9 +16,9 @@ namespace misalign::solver {
 struct ReleaseOptions {
   std::optional<double> from_deg;  ///< none: kDeployFrom_deg, or D where that is less
   EnergyOptions sheet;
-  DeploymentOptions motion;                  ///< but for its start
-  std::optional<JointForcesOptions> forces;  ///< none: they are not found
-  bool seeks_damping = false;                ///< the least with which it does not pass flat
+  DeploymentOptions motion;                    ///< but for its start
+  std::optional<JointForces::Options> forces;  ///< none: they are not found
+  bool seeks_damping = false;                  ///< the least with which it does not pass flat
 };
 
 /// The least damping of the creases (N mm s per mm) with which a sheet comes to rest flat without
@@ -64,7 +64,7 @@ std::optional<LeastDamping> least_damping(const std::function<Deployment(double)
 /// With the forces in the joints if `forces` says how.
 DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy,
                                  const DeploymentOptions& options,
-                                 const std::optional<JointForcesOptions>& forces = {});
+                                 const std::optional<JointForces::Options>& forces = {});
 
 /// The largest crease friction with which it gets to flat, damping and all, by letting it go again
 /// and again: to `relative` of itself. None if it does not get there without friction.

@@ -21,7 +21,7 @@ constexpr int kOfCrease = 5, kOfBall = 3;
 class Reactions {
  public:
   Reactions(const EnergyModel& sheet, const FoldedShape& shape, const PerforatedSheet& base,
-            const JointForcesOptions& options)
+            const JointForces::Options& options)
       : mechanism_(sheet.way().mechanism()), loads_(sheet, shape, base, options.in_motion) {}
 
   int count() const {
@@ -171,7 +171,7 @@ void Reactions::find(const DeploymentRow& at, Index row, JointForces& forces) {
 
 JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape,
                               const PerforatedSheet& base, const Deployment& deployment,
-                              const JointForcesOptions& options) {
+                              const JointForces::Options& options) {
   const Mechanism& mechanism = sheet.way().mechanism();
   std::vector<const DeploymentRow*> rows;
   for (const DeploymentRow& row : deployment.rows) {

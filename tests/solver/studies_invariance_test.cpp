@@ -158,7 +158,7 @@ class Studies {
                           const EnergyOptions& options) {
     DeploymentOptions run;
     run.from_deg = std::min(36.0, deploys_from_deg_);
-    const DeploymentStudy study = study_deployment(sheet_, options, run, JointForcesOptions{});
+    const DeploymentStudy study = study_deployment(sheet_, options, run, JointForces::Options{});
     put(name + " mass", study.mass_t * unit_);
     put(name + " outcome", static_cast<double>(study.run.outcome));
     put(name + " time", study.deploy_time_s().value_or(-1));
