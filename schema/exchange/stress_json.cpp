@@ -5,7 +5,7 @@
 namespace misalign::schema {
 namespace {
 
-Json at_json(const SimulatedSheet& sheet, const std::optional<solver::StressAt>& at) {
+Json at_json(const SimulatedSheet& sheet, const std::optional<solver::StressHistory::Peak>& at) {
   if (!at) return nullptr;
   return {{"stress_mpa", at->stress_mpa},
           {"time_s", at->time_s},
@@ -14,8 +14,8 @@ Json at_json(const SimulatedSheet& sheet, const std::optional<solver::StressAt>&
           {"y_mm", at->flat_mm.y()}};
 }
 
-Json rows_json(const std::vector<solver::ElasticRow>& rows) {
-  using Row = solver::ElasticRow;
+Json rows_json(const std::vector<solver::StressStudy::Row>& rows) {
+  using Row = solver::StressStudy::Row;
   return {{"time_s", json_list(rows, &Row::time_s)},
           {"pilot_deg", json_list(rows, &Row::pilot_deg)},
           {"widest_deg", json_list(rows, &Row::widest_deg)},
