@@ -33,8 +33,8 @@ Json stress_json(const SimulatedSheet& sheet, const DeckOptions& deck, double di
     panels.push_back(
         {{"panel", sheet.places[k]}, {"outside_discs_mpa", study.stress.panel_outside_mpa[k]}});
   }
-  const Json rigid = {{"time_s", json_list(study.rigid, &solver::DeploymentRow::time_s)},
-                      {"pilot_deg", json_list(study.rigid, &solver::DeploymentRow::pilot_deg)}};
+  const Json rigid = {{"time_s", json_list(study.rigid, &solver::Deployment::Row::time_s)},
+                      {"pilot_deg", json_list(study.rigid, &solver::Deployment::Row::pilot_deg)}};
   const Json history = {{"time_s", study.stress.time_s},
                         {"outside_discs_mpa", study.stress.outside_mpa},
                         {"anywhere_mpa", study.stress.anywhere_mpa}};

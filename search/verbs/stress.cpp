@@ -111,8 +111,8 @@ class StressProgress {
 };
 
 // With rigid panels; it is the way that the motion tends to as panels get stiffer.
-std::vector<solver::DeploymentRow> rigid_motion(const solver::Sheet& sheet,
-                                                const schema::SimulatedSheet& released) {
+std::vector<solver::Deployment::Row> rigid_motion(const solver::Sheet& sheet,
+                                                  const schema::SimulatedSheet& released) {
   solver::ReleaseOptions options;
   options.from_deg = released.pilot_deg;
   options.sheet.springs.stiffness_n_per_mm = released.stiffness_n_per_mm;

@@ -32,7 +32,7 @@ constexpr double kCreep_deg = 1e-5;
 class Run {
  public:
   Run(const EnergyModel& sheet, const std::vector<double>& wells_x,
-      const DeploymentOptions& options)
+      const Deployment::Options& options)
       : sheet_(sheet),
         way_(sheet.way()),
         options_(options),
@@ -50,7 +50,7 @@ class Run {
 
   Deployment run() {
     const MotionIntegrator::State start{0, from_x_, 0};
-    add_row(start, DeploymentEvent::start);
+    add_row(start, Deployment::Event::start);
     if (is_held(from_x_)) return end(held_at(from_x_));
     set_off(start);
     for (;;) {
@@ -80,13 +80,13 @@ class Run {
     const MotionIntegrator::State here = integrator_.state();
     switch (stop) {
       case Stop::at_zero:
-        add_row(here, DeploymentEvent::flat);
+        add_row(here, Deployment::Event::flat);
         if (options_.latch) return Outcome::latched;
         if (options_.restitution) return bounced(here);
         if (++run_.passes > options_.swings) return Outcome::passed_flat;
         return {};
       case Stop::at_rest:
-        add_row({here.time, here.x, 0}, DeploymentEvent::turn);
+        add_row({here.time, here.x, 0}, Deployment::Event::turn);
         ++run_.turns;
         if (is_held(here.x)) return held_at(here.x);
         if (!loses_energy() && run_.turns > options_.swings) {
@@ -95,10 +95,10 @@ class Run {
         set_off({here.time, here.x, 0});
         return {};
       case Stop::at_end:
-        add_row(here, DeploymentEvent::end);
+        add_row(here, Deployment::Event::end);
         return Outcome::fold_limit;
       case Stop::at_time:
-        add_row(here, DeploymentEvent::end);
+        add_row(here, Deployment::Event::end);
         return Outcome::time_limit;
       case Stop::step:
       case Stop::failed:
@@ -115,7 +115,7 @@ class Run {
     const MotionIntegrator::State back{here.time, 0, -*options_.restitution * here.rate};
     const EnergyAt flat = sheet_.at(0), beside = sheet_.at(way_.x_of(options_.flat_deg));
     if (flat.potential + kinetic(flat, back.rate) <= beside.potential) {
-      add_row({here.time, 0, 0}, DeploymentEvent::end);
+      add_row({here.time, 0, 0}, Deployment::Event::end);
       return Outcome::flat;
     }
     ++run_.bounces;
@@ -184,7 +184,7 @@ class Run {
   std::optional<Outcome> at_rest(const MotionIntegrator::State& here) {
     if (!sheet_.options().joints.slows_down()) return {};
     if (creeps_to_rest(here, sheet_.at(here.x))) {
-      add_row({here.time, here.x, 0}, DeploymentEvent::end);
+      add_row({here.time, here.x, 0}, Deployment::Event::end);
       return held_at(here.x);
     }
     if (wells_.empty()) return {};
@@ -194,7 +194,7 @@ class Run {
         });
     const EnergyAt now = sheet_.at(here.x);
     if (now.potential + kinetic(now, here.rate) > well.edge) return {};
-    add_row(here, DeploymentEvent::end);
+    add_row(here, Deployment::Event::end);
     return held_at(here.x);
   }
 
@@ -211,7 +211,8 @@ class Run {
     double row = sign > 0 ? std::floor(from_deg / options_.row_deg + kSame) + 1
                           : std::ceil(from_deg / options_.row_deg - kSame) - 1;
     for (; sign * (to_deg - row * options_.row_deg) > kSame * options_.row_deg; row += sign) {
-      if (row != 0) add_row(passing(row * options_.row_deg, before, after), DeploymentEvent::none);
+      if (row == 0) continue;
+      add_row(passing(row * options_.row_deg, before, after), Deployment::Event::none);
     }
   }
 
@@ -231,7 +232,7 @@ class Run {
     return here;
   }
 
-  void add_row(const MotionIntegrator::State& at, DeploymentEvent event) {
+  void add_row(const MotionIntegrator::State& at, Deployment::Event event) {
     const EnergyAt here = sheet_.at(at.x);
     const double rate = at.rate / unit_s_, moving = kinetic(here, at.rate);
     run_.rows.push_back({at.time * unit_s_, at.x, rate, way_.pilot_deg(at.x),
@@ -246,7 +247,7 @@ class Run {
 
   const EnergyModel& sheet_;
   const FoldingWay& way_;
-  const DeploymentOptions& options_;
+  const Deployment::Options& options_;
   const double from_x_, unit_s_;
   int direction_ = -1;
   std::vector<Well> wells_;
@@ -281,7 +282,7 @@ const char* name_of(Outcome outcome) {
 }
 
 Deployment deploy(const EnergyModel& sheet, const std::vector<double>& wells_x,
-                  const DeploymentOptions& options) {
+                  const Deployment::Options& options) {
   if constexpr (has("SUNDIALS")) return Run(sheet, wells_x, options).run();
   throw std::logic_error("built without SUNDIALS, nothing deploys");
 }

@@ -31,7 +31,7 @@ class Reactions {
   int rank() const { return rank_; }
 
   // Those at a row: matrices' rows are filled in.
-  void find(const DeploymentRow& at, Index row, JointForces& forces);
+  void find(const Deployment::Row& at, Index row, JointForces& forces);
 
  private:
   Eigen::MatrixXd reactions_matrix() const;
@@ -142,7 +142,7 @@ VectorXd Reactions::solve(const VectorXd& loads) {
   return factors.solve(wanted);
 }
 
-void Reactions::find(const DeploymentRow& at, Index row, JointForces& forces) {
+void Reactions::find(const Deployment::Row& at, Index row, JointForces& forces) {
   loads_.pose(at);
   const VectorXd found = solve(loads_.find());
 
@@ -173,8 +173,8 @@ JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape
                               const PerforatedSheet& base, const Deployment& deployment,
                               const JointForces::Options& options) {
   const Mechanism& mechanism = sheet.way().mechanism();
-  std::vector<const DeploymentRow*> rows;
-  for (const DeploymentRow& row : deployment.rows) {
+  std::vector<const Deployment::Row*> rows;
+  for (const Deployment::Row& row : deployment.rows) {
     if (std::abs(row.pilot_deg) >= options.from_deg) rows.push_back(&row);
   }
   const auto count = static_cast<Index>(rows.size());
@@ -186,7 +186,7 @@ JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape
   forces.crease_axis.resize(count, 3 * creases);
   forces.ball_force_n.resize(count, 3 * static_cast<Index>(mechanism.balls.size()));
   for (Index k = 0; k < count; ++k) {
-    const DeploymentRow& row = *rows[static_cast<std::size_t>(k)];
+    const Deployment::Row& row = *rows[static_cast<std::size_t>(k)];
     forces.pilot_deg.push_back(row.pilot_deg);
     reactions.find(row, k, forces);
   }

@@ -60,7 +60,7 @@ PanelLoads::PanelLoads(const EnergyModel& sheet, const FoldedShape& shape,
   }
 }
 
-void PanelLoads::pose(const DeploymentRow& at) {
+void PanelLoads::pose(const Deployment::Row& at) {
   x_ = at.x;
   moved_ = {0, 0};
   if (in_motion_) {

@@ -23,7 +23,7 @@ class PanelLoads {
              bool in_motion);
 
   /// Places the panels as they are there.
-  void pose(const DeploymentRow& at);
+  void pose(const Deployment::Row& at);
   /// Of the sheet as it was posed: six a panel, N and N mm.
   Eigen::VectorXd find();
 

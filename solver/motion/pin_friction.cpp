@@ -35,7 +35,7 @@ PinStudy loads_at(const EnergyModel& sheet, const Model& model,
   const Mechanism& mechanism = model.mechanism();
   Deployment held{};
   for (const double angle_deg : pilot_deg) {
-    DeploymentRow row{};
+    Deployment::Row row{};
     row.x = way.x_of(angle_deg);
     row.pilot_deg = angle_deg;
     held.rows.push_back(row);

@@ -42,7 +42,7 @@ struct StressStudy {
   bool gave_up = false;
   double cpu_s = 0, memory_mb = 0;
   /// Of the same sheet with rigid panels, from the same start until it is flat or turns round.
-  std::vector<DeploymentRow> rigid;
+  std::vector<Deployment::Row> rigid;
 
   /// Without what comes after the first row in which every crease is this close to flat.
   void end_where_deployed(double flat_deg);

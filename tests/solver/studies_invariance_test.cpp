@@ -156,7 +156,7 @@ class Studies {
 
   void look_at_deployment(const std::string& name, const FoldingWay& way,
                           const EnergyOptions& options) {
-    DeploymentOptions run;
+    Deployment::Options run;
     run.from_deg = std::min(36.0, deploys_from_deg_);
     const DeploymentStudy study = study_deployment(sheet_, options, run, JointForces::Options{});
     put(name + " mass", study.mass_t * unit_);

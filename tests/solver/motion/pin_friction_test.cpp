@@ -58,7 +58,7 @@ TEST_F(PinnedSheet, LosesWhatItsForcesAndTurnsAre) {
   for (const int deg : {36, 20, 5}) {
     SCOPED_TRACE(deg);
     Deployment held{};
-    DeploymentRow row{};
+    Deployment::Row row{};
     row.pilot_deg = deg;
     row.x = way.x_of(deg);
     held.rows = {row};

@@ -130,7 +130,7 @@ TEST_F(Table1Way, ReleasedAt36Degrees) {
   EXPECT_NEAR(mass_kg_mm2(0.5), 81.4, 0.05);
   for (const auto& [pilot_deg, time_s] :
        {std::pair(30.0, 0.0433), {20.0, 0.0704}, {10.0, 0.0892}, {5.0, 0.0972}}) {
-    const auto at = std::find_if(run.rows.begin(), run.rows.end(), [&](const DeploymentRow& row) {
+    const auto at = std::find_if(run.rows.begin(), run.rows.end(), [&](const Deployment::Row& row) {
       return std::abs(row.pilot_deg - pilot_deg) < 1e-9;
     });
     ASSERT_NE(at, run.rows.end()) << pilot_deg;
@@ -144,7 +144,7 @@ TEST_F(Table1Way, EnergyIsKeptOverTenSwings) {
   EXPECT_EQ(run.outcome, Outcome::passed_flat);  // for the next time
   const double energy = run.rows.front().total_n_mm;
   double worst = 0;
-  for (const DeploymentRow& row : run.rows) {
+  for (const Deployment::Row& row : run.rows) {
     worst = std::max(worst, std::abs(row.total_n_mm / energy - 1));
   }
   EXPECT_LT(worst, 1e-8);
@@ -200,7 +200,7 @@ TEST_F(Table1Way, ComesToRestThere) {
   for (const double from_deg : {30.0, 156.0}) {
     const Deployment run = deploy(released(options), {-well_x, well_x}, {.from_deg = from_deg});
     EXPECT_EQ(run.outcome, Outcome::at_rest) << from_deg;
-    EXPECT_NEAR(run.last().pilot_deg, 60, DeploymentOptions{}.well_deg);
+    EXPECT_NEAR(run.last().pilot_deg, 60, Deployment::Options{}.well_deg);
   }
 }
 
