@@ -85,7 +85,7 @@ std::optional<double> DeploymentStudy::barrier_n_mm() const {
   return *flat - *deepest;
 }
 
-DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy,
+DeploymentStudy study_deployment(const Sheet& sheet, const EnergyModel::Options& energy,
                                  const Deployment::Options& options,
                                  const std::optional<JointForces::Options>& forces) {
   const EnergyModel deploying(sheet, energy);
@@ -110,10 +110,11 @@ DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy
   return study;
 }
 
-std::optional<double> critical_friction_in_motion(const Sheet& sheet, const EnergyOptions& energy,
+std::optional<double> critical_friction_in_motion(const Sheet& sheet,
+                                                  const EnergyModel::Options& energy,
                                                   const Deployment::Options& options,
                                                   double relative) {
-  EnergyOptions tried = energy;
+  EnergyModel::Options tried = energy;
   const auto arrives = [&](double friction_n_mm_per_mm) {
     tried.joints.friction_n_mm_per_mm = friction_n_mm_per_mm;
     const EnergyModel deploying(sheet, tried);
@@ -212,7 +213,7 @@ StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const ReleaseOptions& op
     bare.restitution = {};
     bare.swings = 0;
     study.least_damping = least_damping([&](double damping) {
-      EnergyOptions tried = options.sheet;
+      EnergyModel::Options tried = options.sheet;
       tried.joints.damping_n_mm_s_per_mm = damping;
       const EnergyModel deploying(sheet, tried);
       return deploy(deploying, wells_of(find_equilibria(deploying)), bare);

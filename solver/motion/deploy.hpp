@@ -15,7 +15,7 @@ namespace misalign::solver {
 
 struct ReleaseOptions {
   std::optional<double> from_deg;  ///< none: kDeployFrom_deg, or D where that is less
-  EnergyOptions sheet;
+  EnergyModel::Options sheet;
   Deployment::Options motion;                  ///< but for its start
   std::optional<JointForces::Options> forces;  ///< none: they are not found
   bool seeks_damping = false;                  ///< the least with which it does not pass flat
@@ -29,7 +29,7 @@ struct LeastDamping {
 };
 
 struct DeploymentStudy {
-  EnergyOptions sheet;
+  EnergyModel::Options sheet;
   Deployment::Options options;
   double mass_t;
   std::vector<Equilibrium> equilibria;
@@ -62,13 +62,14 @@ std::optional<LeastDamping> least_damping(const std::function<Deployment(double)
 
 /// `options.from_deg` and the angles at which springs and creases are relaxed must lie on the way.
 /// With the forces in the joints if `forces` says how.
-DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy,
+DeploymentStudy study_deployment(const Sheet& sheet, const EnergyModel::Options& energy,
                                  const Deployment::Options& options,
                                  const std::optional<JointForces::Options>& forces = {});
 
 /// The largest crease friction with which it gets to flat, damping and all, by letting it go again
 /// and again: to `relative` of itself. None if it does not get there without friction.
-std::optional<double> critical_friction_in_motion(const Sheet& sheet, const EnergyOptions& energy,
+std::optional<double> critical_friction_in_motion(const Sheet& sheet,
+                                                  const EnergyModel::Options& energy,
                                                   const Deployment::Options& options,
                                                   double relative = 1e-4);
 

@@ -38,7 +38,7 @@ struct TwoPanels {
     way.emplace(mechanism, sheet.vertices_mm, WayCoordinate{0}, step, end, std::move(stations));
     shape.emplace(sheet, std::vector<int>{}, mechanism);
   }
-  EnergyModel sheet(const EnergyOptions& options) const {
+  EnergyModel sheet(const EnergyModel::Options& options) const {
     return EnergyModel(*way, *shape, base, options);
   }
 
@@ -61,7 +61,7 @@ struct Oscillator : TwoPanels, testing::Test {
   }
   Deployment released() const { return deploy(sheet(options), {0.0}, run); }
 
-  EnergyOptions options;
+  EnergyModel::Options options;
   Deployment::Options run;
   double mass, inertia, stiffness, frequency;
 };
@@ -269,7 +269,7 @@ struct FreePanels : TwoPanels, testing::Test {
   double generalised(double x) const {
     return mass * kPanel_mm * kPanel_mm * (std::pow(std::sin(x / 2), 2) / 8 + 1.0 / 24);
   }
-  EnergyOptions options;
+  EnergyModel::Options options;
   double mass;
 };
 

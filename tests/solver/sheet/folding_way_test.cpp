@@ -58,7 +58,7 @@ struct Table1Way : testing::Test {
     way.find_state(x, state);
     return model.shape().vertices_mm(way.geometry(), state);
   }
-  EnergyModel released(const EnergyOptions& options = {}) const {
+  EnergyModel released(const EnergyModel::Options& options = {}) const {
     return EnergyModel(way, model.shape(), sheet.base, options);
   }
 
@@ -157,7 +157,7 @@ TEST_F(Table1Way, CriticalFrictionIsWhereTheMotionJustArrives) {
     const auto limit = find_friction_limits(released(), from_deg).critical_n_mm_per_mm;
     ASSERT_TRUE(limit);
     for (const double density : {2.7, 0.5}) {
-      EnergyOptions options;
+      EnergyModel::Options options;
       options.plates.density_g_per_cm3 = density;
       for (const double share : {0.999, 1.001}) {
         options.joints.friction_n_mm_per_mm = share * *limit;
@@ -176,7 +176,7 @@ TEST_F(Table1Way, CriticalFrictionIsWhereTheMotionJustArrives) {
 TEST_F(Table1Way, RestsWhereSpringsAreRelaxed) {
   const FoldingHistory history = sheet.history(vertices_mm);
   for (const int rest_deg : {30, 60, 90, 120}) {
-    EnergyOptions options;
+    EnergyModel::Options options;
     options.springs.rest_deg = rest_deg;
     const EnergyModel deploying = released(options);
     const std::vector<Equilibrium> found = find_equilibria(deploying);
@@ -193,7 +193,7 @@ TEST_F(Table1Way, RestsWhereSpringsAreRelaxed) {
 }
 
 TEST_F(Table1Way, ComesToRestThere) {
-  EnergyOptions options;
+  EnergyModel::Options options;
   options.springs.rest_deg = 60;
   options.joints.damping_n_mm_s_per_mm = 0.01;
   const double well_x = way.x_of(60);
