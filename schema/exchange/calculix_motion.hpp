@@ -19,7 +19,7 @@ class MotionReader {
   /// What came since; the last line may be a part of one.
   void feed(const std::string& text);
   /// The first is the start; the last is before the first one that is no result.
-  const std::vector<solver::ElasticRow>& rows() const { return rows_; }
+  const std::vector<solver::StressStudy::Row>& rows() const { return rows_; }
   bool is_sound() const { return is_sound_; }
 
  private:
@@ -35,9 +35,9 @@ class MotionReader {
   const PanelMesh mesh_;
   std::string rest_;  // of a line that is not whole yet
   Block block_ = Block::none;
-  solver::ElasticRow row_;
+  solver::StressStudy::Row row_;
   Eigen::Matrix3Xd corners_mm_;  // of each panel its four
-  std::vector<solver::ElasticRow> rows_;
+  std::vector<solver::StressStudy::Row> rows_;
   bool is_sound_ = true;  // no increment was none
 };
 

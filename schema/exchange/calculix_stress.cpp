@@ -60,7 +60,7 @@ class StressReader {
   struct Frame {
     double time_s = 0;
     bool is_sound = true;
-    solver::StressAt outside, anywhere;
+    solver::StressHistory::Peak outside, anywhere;
     std::vector<double> panels_mpa;
   };
 
@@ -106,7 +106,7 @@ void StressReader::see_entry(const std::string& line) {
 
 void StressReader::see_stress(const Node& node, double stress_mpa) {
   frame_.is_sound = frame_.is_sound && is_result(stress_mpa);
-  const auto raise = [&](solver::StressAt& most) {
+  const auto raise = [&](solver::StressHistory::Peak& most) {
     if (stress_mpa > most.stress_mpa) {
       most = {stress_mpa, frame_.time_s, node.panel, node.flat_mm};
     }
@@ -131,7 +131,8 @@ void StressReader::end_block() {
     history_.time_s.push_back(frame_.time_s);
     history_.outside_mpa.push_back(frame_.outside.stress_mpa);
     history_.anywhere_mpa.push_back(frame_.anywhere.stress_mpa);
-    const auto raise = [](std::optional<solver::StressAt>& most, const solver::StressAt& now) {
+    const auto raise = [](std::optional<solver::StressHistory::Peak>& most,
+                          const solver::StressHistory::Peak& now) {
       if (now.panel >= 0 && (!most || now.stress_mpa > most->stress_mpa)) most = now;
     };
     raise(history_.outside, frame_.outside);

@@ -7,7 +7,7 @@
 namespace misalign::schema {
 namespace {
 
-const char* name_of(solver::DeploymentEvent event) {
+const char* name_of(solver::Deployment::Event event) {
   constexpr const char* kNames[] = {"", "start", "flat", "turn", "end"};
   return kNames[static_cast<std::size_t>(event)];
 }
@@ -82,8 +82,8 @@ Json forces_json(const solver::Mechanism& mechanism, const solver::JointForces& 
 }
 
 Json pins_json(const solver::PinFriction& pins, double own_mm) {
-  const solver::PinRow& locks = pins.locks_first();
-  const Json rows = json_list(pins.rows, [](const solver::PinRow& row) {
+  const solver::PinFriction::Row& locks = pins.locks_first();
+  const Json rows = json_list(pins.rows, [](const solver::PinFriction::Row& row) {
     return Json{{"pilot_deg", row.pilot_deg}, {"locks_mm", row.locks_mm()}};
   });
   return {{"critical_mm", or_null(pins.critical_mm)},
@@ -121,7 +121,7 @@ Json exported_deployment_json(const solver::DeploymentStudy& study) {
 
 Json deployment_json(const solver::Mechanism& mechanism, const solver::DeploymentStudy& study) {
   Json json = deployment_metrics_json(study);
-  const solver::DeploymentRow& last = study.run.last();
+  const solver::Deployment::Row& last = study.run.last();
   const solver::Plates& plates = study.sheet.plates;
   json.update({{"from_deg", study.options.from_deg},
                {"springs", springs_json(mechanism, study.sheet.springs)},
@@ -157,7 +157,7 @@ Json deployment_json(const solver::Mechanism& mechanism, const solver::Deploymen
 Json deployment_history_json(const solver::Mechanism& mechanism,
                              const solver::DeploymentStudy& study) {
   Json json = deployment_json(mechanism, study);
-  using Row = solver::DeploymentRow;
+  using Row = solver::Deployment::Row;
   const std::vector<Row>& rows = study.run.rows;
   json.update({{"time_s", json_list(rows, &Row::time_s)},
                {"pilot_deg", json_list(rows, &Row::pilot_deg)},
@@ -168,7 +168,7 @@ Json deployment_history_json(const solver::Mechanism& mechanism,
   if (study.forces) json["forces"] = forces_json(mechanism, *study.forces);
   Json& events = json["events"] = Json::array();
   for (const Row& row : rows) {
-    if (row.event == solver::DeploymentEvent::none) continue;
+    if (row.event == solver::Deployment::Event::none) continue;
     events.push_back({{"event", name_of(row.event)},
                       {"time_s", row.time_s},
                       {"pilot_deg", row.pilot_deg},

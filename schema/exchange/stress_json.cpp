@@ -5,7 +5,7 @@
 namespace misalign::schema {
 namespace {
 
-Json at_json(const SimulatedSheet& sheet, const std::optional<solver::StressAt>& at) {
+Json at_json(const SimulatedSheet& sheet, const std::optional<solver::StressHistory::Peak>& at) {
   if (!at) return nullptr;
   return {{"stress_mpa", at->stress_mpa},
           {"time_s", at->time_s},
@@ -14,8 +14,8 @@ Json at_json(const SimulatedSheet& sheet, const std::optional<solver::StressAt>&
           {"y_mm", at->flat_mm.y()}};
 }
 
-Json rows_json(const std::vector<solver::ElasticRow>& rows) {
-  using Row = solver::ElasticRow;
+Json rows_json(const std::vector<solver::StressStudy::Row>& rows) {
+  using Row = solver::StressStudy::Row;
   return {{"time_s", json_list(rows, &Row::time_s)},
           {"pilot_deg", json_list(rows, &Row::pilot_deg)},
           {"widest_deg", json_list(rows, &Row::widest_deg)},
@@ -33,8 +33,8 @@ Json stress_json(const SimulatedSheet& sheet, const DeckOptions& deck, double di
     panels.push_back(
         {{"panel", sheet.places[k]}, {"outside_discs_mpa", study.stress.panel_outside_mpa[k]}});
   }
-  const Json rigid = {{"time_s", json_list(study.rigid, &solver::DeploymentRow::time_s)},
-                      {"pilot_deg", json_list(study.rigid, &solver::DeploymentRow::pilot_deg)}};
+  const Json rigid = {{"time_s", json_list(study.rigid, &solver::Deployment::Row::time_s)},
+                      {"pilot_deg", json_list(study.rigid, &solver::Deployment::Row::pilot_deg)}};
   const Json history = {{"time_s", study.stress.time_s},
                         {"outside_discs_mpa", study.stress.outside_mpa},
                         {"anywhere_mpa", study.stress.anywhere_mpa}};

@@ -254,11 +254,11 @@ Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
 
 Json page_deployment_json(const solver::DeploymentStudy& study) {
   std::vector<double> time_s, pilot_deg;
-  for (const solver::DeploymentRow& row : study.run.rows) {
+  for (const solver::Deployment::Row& row : study.run.rows) {
     time_s.push_back(row.time_s);
     pilot_deg.push_back(row.pilot_deg);
   }
-  const solver::DeploymentRow& last = study.run.last();
+  const solver::Deployment::Row& last = study.run.last();
   Json json = deployment_metrics_json(study);
   json.update({{"from_deg", study.options.from_deg},
                {"outcome", solver::name_of(study.run.outcome)},

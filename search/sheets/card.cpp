@@ -186,8 +186,8 @@ class CardMaker {
     }
     const solver::DeploymentStudy study = deployed(sheet_, release_);
     Number rate, energy;
-    for (const solver::DeploymentRow& row : study.run.rows) {
-      if (row.event != solver::DeploymentEvent::flat) continue;
+    for (const solver::Deployment::Row& row : study.run.rows) {
+      if (row.event != solver::Deployment::Event::flat) continue;
       rate = std::abs(row.rate_deg_per_s);
       energy = row.kinetic_n_mm;
       break;

@@ -11,8 +11,7 @@
 namespace misalign::search {
 namespace {
 
-using solver::DeploymentEvent;
-using solver::DeploymentRow;
+using solver::Deployment;
 using solver::DeploymentStudy;
 using solver::Outcome;
 
@@ -46,8 +45,8 @@ std::string released_sheet_text(const DeploymentStudy& study) {
 
 // Against a stop: how often, and the first time's speed and energy.
 std::string bounces_text(const DeploymentStudy& study) {
-  for (const DeploymentRow& row : study.run.rows) {
-    if (row.event != DeploymentEvent::flat) continue;
+  for (const Deployment::Row& row : study.run.rows) {
+    if (row.event != Deployment::Event::flat) continue;
     return fmt::format(
         ", against a stop from which it bounced {} times; first with {:.4g} deg/s, {:.4g} N mm",
         study.run.bounces, std::abs(row.rate_deg_per_s), row.kinetic_n_mm);
@@ -66,7 +65,7 @@ std::string damping_text(const DeploymentStudy& study) {
 }
 
 std::string outcome_text(const DeploymentStudy& study) {
-  const DeploymentRow& last = study.run.last();
+  const Deployment::Row& last = study.run.last();
   const std::string when = fmt::format("after {:.4g} s", last.time_s);
   const std::string speed = fmt::format("{:.4g} deg/s", std::abs(last.rate_deg_per_s));
   switch (study.run.outcome) {
@@ -191,12 +190,12 @@ std::string motion_text(const DeploymentStudy& study) {
   const double from_deg = std::abs(study.options.from_deg);
   const double every_deg = from_deg > 90 ? 10 : from_deg > 40 ? 5 : from_deg > 8 ? 2 : 0.5;
   std::string text = "\n  time_s  pilot_deg  deg_per_s  springs_n_mm  kinetic_n_mm\n";
-  for (const DeploymentRow& row : study.run.rows) {
-    const bool is_event = row.event != DeploymentEvent::none;
+  for (const Deployment::Row& row : study.run.rows) {
+    const bool is_event = row.event != Deployment::Event::none;
     if (!is_event && std::abs(std::remainder(row.pilot_deg, every_deg)) > 1e-6) continue;
     const char* event = "";
-    if (row.event == DeploymentEvent::flat) event = "  flat";
-    if (row.event == DeploymentEvent::turn) event = "  turns";
+    if (row.event == Deployment::Event::flat) event = "  flat";
+    if (row.event == Deployment::Event::turn) event = "  turns";
     text += fmt::format("{:>8.4f} {:>10.4g} {:>10.4g} {:>13.5g} {:>13.5g}{}\n", row.time_s,
                         std::abs(row.pilot_deg) < 1e-9 ? 0 : row.pilot_deg, row.rate_deg_per_s,
                         row.springs_n_mm, row.kinetic_n_mm, event);
@@ -205,7 +204,7 @@ std::string motion_text(const DeploymentStudy& study) {
 }
 
 std::string pins_text(const char* where, const solver::PinFriction& pins, double own_mm) {
-  const solver::PinRow& locks = pins.locks_first();
+  const solver::PinFriction::Row& locks = pins.locks_first();
   std::string text = fmt::format("pins {}: ", where);
   text += pins.critical_mm
               ? fmt::format("it gets to flat with friction times radius up to {:.4g} mm",

@@ -45,8 +45,8 @@ Number thickness_mm(const Found& found) {
 
 Number landing_rate_deg_per_s(const Found& found) {
   if (!found.motion) return {};
-  for (const solver::DeploymentRow& row : found.motion->run.rows) {
-    if (row.event == solver::DeploymentEvent::flat) return std::abs(row.rate_deg_per_s);
+  for (const solver::Deployment::Row& row : found.motion->run.rows) {
+    if (row.event == solver::Deployment::Event::flat) return std::abs(row.rate_deg_per_s);
   }
   return {};
 }

@@ -11,7 +11,6 @@
 namespace misalign::search {
 namespace {
 
-using solver::ElasticRow;
 using solver::StressStudy;
 
 // What has been added to a file since it was last looked at.
@@ -48,7 +47,7 @@ void check_begun(const StressStudy& study, const CalculixEnd& end,
 
 StressStudy study_stress(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
                          const std::string& directory, const std::string& job,
-                         const std::function<bool(const ElasticRow&)>& goes_on) {
+                         const std::function<bool(const StressStudy::Row&)>& goes_on) {
   const std::string ccx = find_calculix();
   const RunDirectory run(directory, job);
   schema::write_text_file(job_file(run.path(), job, ".inp"),
@@ -57,7 +56,9 @@ StressStudy study_stress(const schema::SimulatedSheet& sheet, const StressStudyO
   schema::MotionReader motion(sheet, mesh);
   GrowingFile dat(job_file(run.path(), job, ".dat"));
   std::size_t seen = 0;
-  const auto is_flat = [&](const ElasticRow& row) { return row.widest_deg < options.flat_deg; };
+  const auto is_flat = [&](const StressStudy::Row& row) {
+    return row.widest_deg < options.flat_deg;
+  };
   StressStudy study;
   const CalculixEnd end = run_calculix(ccx, run.path(), job, [&] {
     motion.feed(dat.news());

@@ -21,9 +21,9 @@ struct StressStudyOptions {
 /// what it found. `goes_on` gets the last row now and then, and ends the run by false: what was
 /// found until then is the result. UserError (failure): no ccx, nothing can be written, or ccx
 /// found nothing at all.
-solver::StressStudy study_stress(const schema::SimulatedSheet& sheet,
-                                 const StressStudyOptions& options, const std::string& directory,
-                                 const std::string& job,
-                                 const std::function<bool(const solver::ElasticRow&)>& goes_on);
+solver::StressStudy study_stress(
+    const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
+    const std::string& directory, const std::string& job,
+    const std::function<bool(const solver::StressStudy::Row&)>& goes_on);
 
 }  // namespace misalign::search

@@ -7,10 +7,10 @@
 namespace misalign::search {
 namespace {
 
-using solver::ElasticRow;
+using solver::StressStudy;
 
 std::string stress_line(const std::string& where, const schema::SimulatedSheet& sheet,
-                        const std::optional<solver::StressAt>& at) {
+                        const std::optional<solver::StressHistory::Peak>& at) {
   if (!at) return fmt::format("  {}: no node lies there; take a finer --mesh\n", where);
   const auto [row, column] = sheet.places[static_cast<std::size_t>(at->panel)];
   return fmt::format(
@@ -21,7 +21,7 @@ std::string stress_line(const std::string& where, const schema::SimulatedSheet& 
 
 std::string stress_summary(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
                            const solver::StressStudy& study) {
-  const ElasticRow& last = study.rows.back();
+  const StressStudy::Row& last = study.rows.back();
   const schema::Material& material = options.deck.material;
   std::string text = fmt::format(
       "{:g} deg, {} x {} elements a panel of {} ({:g} GPa, {:g} mm), springs of {:g} N/mm\n",
@@ -62,7 +62,7 @@ std::string motion_table(const solver::StressStudy& study) {
   const std::size_t count = study.rows.size(), every = (count + kRows - 1) / kRows;
   std::size_t frame = 0;
   for (std::size_t k = (count - 1) % every; k < count; k += every) {
-    const ElasticRow& row = study.rows[k];
+    const StressStudy::Row& row = study.rows[k];
     double largest_mpa = 0;
     for (; frame < study.stress.time_s.size() &&
            study.stress.time_s[frame] <= row.time_s * (1 + 1e-5);

@@ -11,7 +11,7 @@ constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
 
 // How it ends, and when.
 void add_motion(CLI::App& verb, DeployInput& input) {
-  solver::DeploymentOptions& options = input.options.motion;
+  solver::Deployment::Options& options = input.options.motion;
   auto* latch =
       verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
   constexpr double kMostRestitution = 0.99;

@@ -29,7 +29,7 @@
 namespace misalign::search {
 namespace {
 
-using solver::ElasticRow;
+using solver::StressStudy;
 
 struct StressCall : SheetCall {
   ReleaseCall release;
@@ -86,7 +86,7 @@ class StressProgress {
   StressProgress(const StressProgress&) = delete;
   StressProgress& operator=(const StressProgress&) = delete;
 
-  void show(const ElasticRow& row) {
+  void show(const StressStudy::Row& row) {
     std::string line =
         fmt::format("{:.4f} s of at most {:g} s: pilot at {:.2f} deg, creases within {:.2f} deg",
                     row.time_s, end_s_, row.pilot_deg, row.widest_deg);
@@ -111,8 +111,8 @@ class StressProgress {
 };
 
 // With rigid panels; it is the way that the motion tends to as panels get stiffer.
-std::vector<solver::DeploymentRow> rigid_motion(const solver::Sheet& sheet,
-                                                const schema::SimulatedSheet& released) {
+std::vector<solver::Deployment::Row> rigid_motion(const solver::Sheet& sheet,
+                                                  const schema::SimulatedSheet& released) {
   solver::ReleaseOptions options;
   options.from_deg = released.pilot_deg;
   options.sheet.springs.stiffness_n_per_mm = released.stiffness_n_per_mm;
@@ -146,10 +146,11 @@ void show_stress(StressCall& call) {
       return exit_code_of(schema::Cause::failure);
     });
     StressProgress progress(call.options.deck.end_s);
-    study = study_stress(released, call.options, call.directory, job, [&](const ElasticRow& row) {
-      progress.show(row);
-      return stop_request() == StopRequest::none;
-    });
+    study =
+        study_stress(released, call.options, call.directory, job, [&](const StressStudy::Row& row) {
+          progress.show(row);
+          return stop_request() == StopRequest::none;
+        });
   }
   study.rigid = rigid_motion(sheet, released);
   schema::Json json =

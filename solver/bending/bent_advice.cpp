@@ -115,7 +115,7 @@ std::optional<double> useful_stiffness_n_per_mm(const BentWay& way) {
 
 BentAdvice advise(const Sheet& sheet, const ReleaseOptions& deploying, const BentPanels& study,
                   double wanted_margin) {
-  const EnergyOptions& held = deploying.sheet;
+  const EnergyModel::Options& held = deploying.sheet;
   const BentWay way(sheet, study.options.material, study.thickness_mm, study.options.to_deg,
                     study.from_deg, study.options.angles);
   BentAdvice advice{useful_stiffness_n_per_mm(way), wanted_margin, {}};

@@ -223,7 +223,7 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& de
   const StudyResult<ReleaseOptions> fitted = validated_release(sheet, deploying);
   if (!fitted) return fitted.obstacle();
   const double from_deg = fitted->motion.from_deg;
-  const EnergyOptions& held = deploying.sheet;
+  const EnergyModel::Options& held = deploying.sheet;
   if (!sheet.base().springs.at_vertices()) {
     return OptionFault{
         "panels", "bend",

@@ -11,9 +11,9 @@ constexpr int kShares = 10;
 StartFinder::~StartFinder() = default;
 
 // Everything is as small as the pilot's angle at the first station.
-CloseStepOptions options_of_shares(const HalfAngle<double>& pilot) {
+CloseSteps::Options options_of_shares(const HalfAngle<double>& pilot) {
   const double unit_rad = 2 * pilot.s;
-  CloseStepOptions options;
+  CloseSteps::Options options;
   // Creases at the first station may turn by this share of the pilot's own angle from one share to
   // the next: what goes farther has left the branch.
   options.longest_half_sine = 0.5 * pilot.s;

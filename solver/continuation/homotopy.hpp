@@ -33,52 +33,8 @@ class StartFinder {
   virtual void find(std::span<FarStart> sheets) = 0;
 };
 
-/// Loop closure of sheets with a share of their shifts, factored in the fixed order. The pilot
-/// crease of a state stands for the share: half_sine / that of the first station. The joint itself
-/// is held there; its column of the Jacobian is the share's, which is in every equation and so kept
-/// beside the sparse factors. As a PathFollower wants it, like SparseClosure.
-template <class T>
-class ShareClosure {
- public:
-  /// `mechanism` and `elimination` must outlive this object.
-  ShareClosure(const Mechanism& mechanism, const Elimination& elimination,
-               const HalfAngle<double>& pilot, const FlatVertices& base_vertices_mm)
-      : mechanism_(mechanism),
-        pilot_{T(pilot.c), T(pilot.s)},
-        base_(in_all_lanes<T>(mechanism, base_vertices_mm)),
-        geometry_(base_),
-        lu_(elimination),
-        state_(flat_state<T>(mechanism)),
-        residual_(static_cast<std::size_t>(mechanism.unknowns), T(0)),
-        before_(residual_),
-        after_(residual_),
-        of_residual_(residual_),
-        of_share_(residual_),
-        work_(residual_) {}
-
-  void restart(int) {}
-  T linearize(const SheetGeometry<T>& sheet, const FoldState<T>& state);
-  void solve(const T& is_free, T* x, T* null);
-  T orientation() const { return lu_.orientation(); }
-
- private:
-  // For the residual's rate of change with the share: error 1e-10 of it, which only bends the
-  // tangent.
-  static constexpr double kDifference = 1e-5;
-
-  void solve_with(const T& of_residual, const T& partner, const T& share, T* x);
-
-  const Mechanism& mechanism_;
-  const HalfAngle<T> pilot_;
-  SheetGeometry<T> base_, geometry_;
-  SparseLu<T> lu_;
-  FoldState<T> state_;
-  // Per equation, with room for one more: the residual and the share's column, then L y of each.
-  std::vector<T> residual_, before_, after_, of_residual_, of_share_, work_;
-};
-
 /// How the share's path is followed, and where it pauses.
-CloseStepOptions options_of_shares(const HalfAngle<double>& pilot);
+CloseSteps::Options options_of_shares(const HalfAngle<double>& pilot);
 PathPlan plan_of_shares(const PathPlan& path, const Mechanism& mechanism);
 
 template <class T>
@@ -90,7 +46,7 @@ class ShiftHomotopy final : public StartFinder {
       : pilot_(mechanism.pilot),
         first_(plan.stations.front().pilot),
         shares_(plan_of_shares(plan, mechanism)),
-        follower_(mechanism, ShareClosure<T>(mechanism, elimination, first_, base_vertices_mm),
+        follower_(mechanism, Closure(mechanism, elimination, first_, base_vertices_mm),
                   options_of_shares(first_)) {}
 
   void find(std::span<FarStart> sheets) override {
@@ -115,17 +71,60 @@ class ShiftHomotopy final : public StartFinder {
   }
 
  private:
+  // Loop closure of sheets with a share of their shifts, factored in the fixed order. The pilot
+  // crease of a state stands for the share: half_sine / that of the first station. The joint itself
+  // is held there; its column of the Jacobian is the share's, which is in every equation and so
+  // kept beside the sparse factors. As a PathFollower wants it, like SparseClosure.
+  class Closure {
+   public:
+    // `mechanism` and `elimination` must outlive this object.
+    Closure(const Mechanism& mechanism, const Elimination& elimination,
+            const HalfAngle<double>& pilot, const FlatVertices& base_vertices_mm)
+        : mechanism_(mechanism),
+          pilot_{T(pilot.c), T(pilot.s)},
+          base_(in_all_lanes<T>(mechanism, base_vertices_mm)),
+          geometry_(base_),
+          lu_(elimination),
+          state_(flat_state<T>(mechanism)),
+          residual_(static_cast<std::size_t>(mechanism.unknowns), T(0)),
+          before_(residual_),
+          after_(residual_),
+          of_residual_(residual_),
+          of_share_(residual_),
+          work_(residual_) {}
+
+    void restart(int) {}
+    T linearize(const SheetGeometry<T>& sheet, const FoldState<T>& state);
+    void solve(const T& is_free, T* x, T* null);
+    T orientation() const { return lu_.orientation(); }
+
+   private:
+    // For the residual's rate of change with the share: error 1e-10 of it, which only bends the
+    // tangent.
+    static constexpr double kDifference = 1e-5;
+
+    void solve_with(const T& of_residual, const T& partner, const T& share, T* x);
+
+    const Mechanism& mechanism_;
+    const HalfAngle<T> pilot_;
+    SheetGeometry<T> base_, geometry_;
+    SparseLu<T> lu_;
+    FoldState<T> state_;
+    // Per equation, with room for one more: the residual and the share's column, then L y of each.
+    std::vector<T> residual_, before_, after_, of_residual_, of_share_, work_;
+  };
+
   const int pilot_;
   const HalfAngle<double> first_;
   const PathPlan shares_;
-  PathFollower<T, CloseSteps, ShareClosure<T>> follower_;
+  PathFollower<T, CloseSteps, Closure> follower_;
   std::span<FarStart> sheets_;
   std::size_t next_ = 0;
   std::array<std::size_t, kLanes<T>> in_lane_{};
 };
 
 template <class T>
-T ShareClosure<T>::linearize(const SheetGeometry<T>& sheet, const FoldState<T>& state) {
+T ShiftHomotopy<T>::Closure::linearize(const SheetGeometry<T>& sheet, const FoldState<T>& state) {
   const HalfAngle<T>& carrier = state.creases[mechanism_.pilot];
   const T share = carrier.s / pilot_.s, difference(kDifference);
   const T per_difference = carrier.c / (T(4) * difference * pilot_.s);
@@ -145,7 +144,7 @@ T ShareClosure<T>::linearize(const SheetGeometry<T>& sheet, const FoldState<T>& 
 }
 
 template <class T>
-void ShareClosure<T>::solve(const T& is_free, T* x, T* null) {
+void ShiftHomotopy<T>::Closure::solve(const T& is_free, T* x, T* null) {
   const std::size_t last = static_cast<std::size_t>(mechanism_.equations) - 1;
   const T &of_partner = lu_.partner_coefficient(), &of_share = of_share_[last];
   const auto holds_share =
@@ -159,7 +158,8 @@ void ShareClosure<T>::solve(const T& is_free, T* x, T* null) {
 // So many times the residual, less the share's column: for a share and a partner that satisfy the
 // equation that is left.
 template <class T>
-void ShareClosure<T>::solve_with(const T& of_residual, const T& partner, const T& share, T* x) {
+void ShiftHomotopy<T>::Closure::solve_with(const T& of_residual, const T& partner, const T& share,
+                                           T* x) {
   for (std::size_t i = 0; i < work_.size(); ++i) {
     work_[i] = of_residual * of_residual_[i] - share * of_share_[i];
   }

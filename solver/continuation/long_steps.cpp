@@ -76,7 +76,7 @@ PathStep LongSteps::after(const NewtonReport& report) {
   ++result_.newton_iterations;
   const bool is_first = function_.count() == 0;
   const Correction::Options correction{
-      NewtonOptions{}.closure_tolerance, 0, (is_first ? 2 : 1) * options_.max_corrections,
+      Newton::Options{}.closure_tolerance, 0, (is_first ? 2 : 1) * options_.max_corrections,
       is_first ? kLongestStartShare * start_rad_ : options_.longest_correction_rad};
   const Correction::Now now = correction_.after(report, correction, is_first);
   if (now == Correction::Now::goes_on) return {};

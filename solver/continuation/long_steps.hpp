@@ -11,31 +11,29 @@
 
 namespace misalign::solver {
 
-struct LongStepOptions {
-  /// Of all corrections of a node together (rad): what lies farther from the extrapolation may
-  /// belong to another branch.
-  double longest_correction_rad = 0.1;
-  /// How far the extrapolation is wanted to be off (rad): the next step's length follows.
-  double wanted_correction_rad = 3e-3;
-  /// The same of what a segment's polynomials would lose without their last node (panel widths,
-  /// rad); beyond the last number the segment is not believed.
-  double wanted_roughness = 3e-8, most_roughness = 3e-7;
-  /// Beyond it paths are followed closely: next to 180 degrees branches are near each other.
-  double last_deg = 178.5;
-  double longest_step_rad = 0.4, shortest_step_rad = 1e-3;
-  /// Between the tangents of neighbouring nodes.
-  double least_tangent_cosine = 0.7;
-  int max_corrections = 5;
-  /// How well a limit point is wanted (rad of pilot): 6e-8 degrees.
-  double limit_tolerance_rad = 1e-9;
-};
-
 class LongSteps {
  public:
-  using Options = LongStepOptions;
+  struct Options {
+    /// Of all corrections of a node together (rad): what lies farther from the extrapolation may
+    /// belong to another branch.
+    double longest_correction_rad = 0.1;
+    /// How far the extrapolation is wanted to be off (rad): the next step's length follows.
+    double wanted_correction_rad = 3e-3;
+    /// The same of what a segment's polynomials would lose without their last node (panel widths,
+    /// rad); beyond the last number the segment is not believed.
+    double wanted_roughness = 3e-8, most_roughness = 3e-7;
+    /// Beyond it paths are followed closely: next to 180 degrees branches are near each other.
+    double last_deg = 178.5;
+    double longest_step_rad = 0.4, shortest_step_rad = 1e-3;
+    /// Between the tangents of neighbouring nodes.
+    double least_tangent_cosine = 0.7;
+    int max_corrections = 5;
+    /// How well a limit point is wanted (rad of pilot): 6e-8 degrees.
+    double limit_tolerance_rad = 1e-9;
+  };
 
   /// `mechanism` must outlive this object.
-  explicit LongSteps(const Mechanism& mechanism, const Options& options = {});
+  LongSteps(const Mechanism& mechanism, const Options& options);
   ~LongSteps();
   LongSteps(const LongSteps&);
 

@@ -57,11 +57,11 @@ bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPla
   const HalfAngle<double> pilot = half_angle_of_rad(pilot_rad);
   corrector.put(geometry, near, pilot, 0);
   double corrected_rad = 0;
-  for (int k = 0; k < NewtonOptions{}.max_iterations; ++k) {
+  for (int k = 0; k < Newton::Options{}.max_iterations; ++k) {
     corrector.iterate(0, tangent);
     if (!std::isfinite(corrector.open_by())) return false;
     corrected_rad += corrector.largest_correction();
-    if (corrector.open_by() > NewtonOptions{}.closure_tolerance) continue;
+    if (corrector.open_by() > Newton::Options{}.closure_tolerance) continue;
     if (corrected_rad > kFarthest_rad) return false;
     point.state = corrector.trial();
     tangent = corrector.tangent();

@@ -107,7 +107,8 @@ bool CloseJudge::is_short_enough() {
   is_believed_ = true;
   if (function.count() > 1) {
     const double roughness = function.roughness();
-    is_believed_ = roughness <= LongStepOptions{}.most_roughness && function.to() > function.from();
+    is_believed_ =
+        roughness <= LongSteps::Options{}.most_roughness && function.to() > function.from();
     const bool is_fine = !finds_extremes_ || roughness <= kMostRoughness;
     if (can_halve && !(is_believed_ && is_fine)) return false;
   }

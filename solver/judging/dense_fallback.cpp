@@ -47,7 +47,7 @@ const std::vector<int>& DenseFallback::sheets() {
 DenseFallback::Follower& DenseFallback::follower() {
   if (!follower_) {
     system_ = std::make_unique<ClosureSystem>(mechanism_);
-    CloseStepOptions options;
+    CloseSteps::Options options;
     options.arc.singular_gap_rad = kSingularGap_deg * kRadPerDeg;
     follower_ = std::make_unique<Follower>(mechanism_, DenseClosure(*system_), options);
   }

@@ -57,6 +57,13 @@ double Subsegment::least_slope_at() const {
   return 0.5 * (low + high);
 }
 
+// Lengths that are even in the pilot's angle set out from flat as a rho^2 + b rho^4. The square's
+// part at a first sample (panel widths), where a diagonal has moved by `on` and moves at `slope`,
+// goes back by more than rates of change are known to.
+bool sets_out_back_at_flat(double on, double slope, double pilot_rad) {
+  return 2 * on - slope * pilot_rad / 2 < -kBumpBand_widths;
+}
+
 }  // namespace
 
 double goes_back_from_deg(const PathFunction& function, int diagonal, int direction,
@@ -135,7 +142,7 @@ void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x,
     const bool goes_on = right >= 0, from_flat = last_deg_ == 0 && function.is_even();
     const bool sets_out_back =
         from_flat &&
-        FromFlat(direction * (here.lengths[d] - last_[d]), right, step_rad).sets_out_back();
+        sets_out_back_at_flat(direction * (here.lengths[d] - last_[d]), right, step_rad);
     if (goes_on && !(from_flat ? sets_out_back : seen.least_slope < 0)) {
       back_since_deg_[d] = 0;
       continue;

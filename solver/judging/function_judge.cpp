@@ -72,7 +72,7 @@ ObserverResult FunctionJudge::see(const PathFunction& function) {
     const double pilot_rad = station.pilot_deg * kRadPerDeg;
     if (turns && std::abs(pilot_rad - end_rad) <= end_error) return unsure();
     if (pilot_rad > end_rad + (turns ? 0 : 1e-12)) break;
-    if (station.pilot_deg > LongStepOptions{}.last_deg) return lost();
+    if (station.pilot_deg > LongSteps::Options{}.last_deg) return lost();
     if (station.sample == 0) continue;
     const double x = function.locate(pilot_rad);
     function.find_lengths(x, here_.lengths, here_.length_errors);

@@ -18,6 +18,8 @@ T distance(const Vec3<T>& p, const Vec3<T>& q) {
   return norm(p - q);
 }
 
+namespace detail {
+
 /// The corner of a panel that carries the end of a spring, on the flat sheet.
 template <class T>
 struct CarrierCorner {
@@ -44,12 +46,14 @@ struct CarrierCorner {
   }
 };
 
+}  // namespace detail
+
 /// Where the spring at a corner of a hole ends, on the flat sheet (panel widths).
 template <class T>
 Vec3<T> spring_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const Loop& loop,
                    int corner) {
   if (mechanism.springs.at_vertices()) return flat_point(geometry, loop.corners[corner]);
-  const CarrierCorner<T> panel(geometry, loop.corners[corner], loop.carriers[corner]);
+  const detail::CarrierCorner<T> panel(geometry, loop.corners[corner], loop.carriers[corner]);
   const Vec3<T> place = panel.place(mechanism), along = panel.bisector();
   const T length = norm(along);
   Vec3<T> end = panel.vertex + (place.x / length) * along;
@@ -70,7 +74,7 @@ void add_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const
   add(loop.corners[corner], force);
   if (mechanism.springs.at_vertices()) return;
   const auto across = [](const Vec3<T>& v, const Vec3<T>& unit) { return v - dot(unit, v) * unit; };
-  const CarrierCorner<T> panel(geometry, loop.corners[corner], loop.carriers[corner]);
+  const detail::CarrierCorner<T> panel(geometry, loop.corners[corner], loop.carriers[corner]);
   const Vec3<T> place = panel.place(mechanism), turned{force.y, -force.x, T(0)};
   const T length = norm(panel.bisector());
   const Vec3<T> unit = (T(1) / length) * panel.bisector();

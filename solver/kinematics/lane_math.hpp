@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 // One function is a fifth faster in lanes than calls that pass poses through memory. Under the
 // address sanitizer the compiler would take minutes for each.
@@ -14,23 +15,23 @@
 
 namespace misalign::solver {
 
+namespace detail {
+
 template <class T>
 struct ScalarOf {
+  using type = T;
+};
+template <class T>
+requires requires { typename T::value_type; }
+struct ScalarOf<T> {
   using type = typename T::value_type;
 };
-template <class T>
-struct ScalarOf<const T> : ScalarOf<T> {};
-template <>
-struct ScalarOf<double> {
-  using type = double;
-};
-template <>
-struct ScalarOf<float> {
-  using type = float;
-};
+
+}  // namespace detail
+
 /// What a lane of T holds.
 template <class T>
-using Scalar = typename ScalarOf<T>::type;
+using Scalar = typename detail::ScalarOf<std::remove_const_t<T>>::type;
 
 template <class T>
 inline constexpr int kLanes = static_cast<int>(sizeof(T) / sizeof(Scalar<T>));

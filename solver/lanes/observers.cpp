@@ -72,7 +72,7 @@ bool JudgingObserver::see(const Station& station, int lane) {
 
 bool JudgingObserver::is_open(const SheetGeometry<double>& geometry) {
   return !(evaluate(model_.mechanism(), geometry, point_.state, residual_.data(), nullptr) <=
-           NewtonOptions{}.closure_tolerance);
+           Newton::Options{}.closure_tolerance);
 }
 
 void JudgingObserver::ended(PathResult path, int lane) {

@@ -39,23 +39,23 @@ int DenseSolve::determinant_sign() const {
   return sign;
 }
 
-Newton::Newton(const Mechanism& mechanism, const NewtonOptions& options)
+Newton::Newton(const Mechanism& mechanism, const Options& options)
     : options_(options),
       system_(mechanism),
       solve_(mechanism.equations),
       step_(Eigen::VectorXd::Zero(mechanism.unknowns)) {}
 
-NewtonResult Newton::correct(const SheetGeometry<double>& geometry, FoldState<double>& state) {
+Newton::Result Newton::correct(const SheetGeometry<double>& geometry, FoldState<double>& state) {
   const Mechanism& mechanism = system_.mechanism();
   assert(state.creases.size() == mechanism.creases.size());
   assert(state.balls.size() == mechanism.balls.size());
   for (int iteration = 0;; ++iteration) {
     const double open = system_.evaluate(geometry, state);
-    if (!system_.residual().allFinite()) return {NewtonEnd::not_a_number, iteration, open};
+    if (!system_.residual().allFinite()) return {StopReason::not_a_number, iteration, open};
     if (open <= options_.closure_tolerance && iteration > 0) {
-      return {NewtonEnd::converged, iteration, open};
+      return {StopReason::converged, iteration, open};
     }
-    if (iteration == options_.max_iterations) return {NewtonEnd::too_many_steps, iteration, open};
+    if (iteration == options_.max_iterations) return {StopReason::too_many_steps, iteration, open};
     solve_.factorize(system_.jacobian().leftCols(mechanism.equations));
     step_.head(mechanism.equations) = -solve_.solve(system_.residual());
     advance(mechanism, step_.data(), state);  // the pilot's entry, the last, stays zero

@@ -10,27 +10,6 @@
 
 namespace misalign::solver {
 
-struct NewtonOptions {
-  /// Every loop's rotation (nine entries) and translation (panel widths) within this of closed. At
-  /// 1e-8 lengths are off by 8e-7 mm, at 1e-6 verdicts break; rounding leaves 1e-15 to 6e-14
-  /// (20 x 20).
-  double closure_tolerance = 1e-12;
-  /// Three are usual from 1 degree away; what needs more than this has lost its branch.
-  int max_iterations = 15;
-};
-
-enum class NewtonEnd {
-  converged,       ///< open_by <= closure_tolerance
-  too_many_steps,  ///< max_iterations corrections were made and it is still open
-  not_a_number     ///< a residual that is not finite: a singular Jacobian, coordinates out of range
-};
-
-struct NewtonResult {
-  NewtonEnd end;
-  int iterations;  ///< corrections made
-  double open_by;  ///< of the state returned
-};
-
 /// Equations, their Jacobian and its factors at one state; owns its memory from the start.
 class ClosureSystem {
  public:
@@ -101,17 +80,39 @@ class DenseSolve {
 
 class Newton {
  public:
-  explicit Newton(const Mechanism& mechanism, const NewtonOptions& options = {});
+  struct Options {
+    /// Every loop's rotation (nine entries) and translation (panel widths) within this of closed.
+    /// At 1e-8 lengths are off by 8e-7 mm, at 1e-6 verdicts break; rounding leaves 1e-15 to 6e-14
+    /// (20 x 20).
+    double closure_tolerance = 1e-12;
+    /// Three are usual from 1 degree away; what needs more than this has lost its branch.
+    int max_iterations = 15;
+  };
+
+  enum class StopReason {
+    converged,       ///< open_by <= closure_tolerance
+    too_many_steps,  ///< max_iterations corrections were made and it is still open
+    not_a_number     ///< the residual is not finite: a singular Jacobian, coordinates out of range
+  };
+
+  struct Result {
+    StopReason end;
+    int iterations;  ///< corrections made
+    double open_by;  ///< of the state returned
+  };
+
+  explicit Newton(const Mechanism& mechanism) : Newton(mechanism, Options{}) {}
+  Newton(const Mechanism& mechanism, const Options& options);
 
   /// Corrects `state` with its pilot crease held. After `converged`, factors() are those of the
   /// last Jacobian that was needed: at the state to first order.
-  NewtonResult correct(const SheetGeometry<double>& geometry, FoldState<double>& state);
+  Result correct(const SheetGeometry<double>& geometry, FoldState<double>& state);
 
   /// Factors of the square Jacobian (pilot column removed).
   DenseSolve& factors() { return solve_; }
 
  private:
-  NewtonOptions options_;
+  Options options_;
   ClosureSystem system_;
   DenseSolve solve_;
   Eigen::VectorXd step_;

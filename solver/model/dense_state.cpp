@@ -31,9 +31,9 @@ void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<dou
   auto& [system, newton, factors, smallest, trial, misfit] = *matrices_;
   point.state = state;
   open_by_ = system.evaluate(geometry, point.state);
-  if (open_by_ > NewtonOptions{}.closure_tolerance) {
+  if (open_by_ > Newton::Options{}.closure_tolerance) {
     trial = point.state;
-    if (newton.correct(geometry, trial).end == NewtonEnd::converged) point.state = trial;
+    if (newton.correct(geometry, trial).end == Newton::StopReason::converged) point.state = trial;
     open_by_ = system.evaluate(geometry, point.state);
   }
   factors.factorize(system.jacobian().leftCols(mechanism_.equations));

@@ -21,7 +21,7 @@ Panels panels_of(const PerforatedSheet& base, const Mechanism& mechanism) {
 }
 
 double shape_tolerance(const Panels& panels) {
-  return NewtonOptions{}.closure_tolerance * static_cast<double>(panels.facets.size());
+  return Newton::Options{}.closure_tolerance * static_cast<double>(panels.facets.size());
 }
 
 }  // namespace misalign::solver

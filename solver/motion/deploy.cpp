@@ -66,8 +66,8 @@ std::optional<OptionFault> preload_fault(const Springs& springs) {
 }  // namespace
 
 std::optional<double> DeploymentStudy::deploy_time_s() const {
-  const auto flat = std::find_if(run.rows.begin(), run.rows.end(), [](const DeploymentRow& row) {
-    return row.event == DeploymentEvent::flat;
+  const auto flat = std::find_if(run.rows.begin(), run.rows.end(), [](const Deployment::Row& row) {
+    return row.event == Deployment::Event::flat;
   });
   if (flat != run.rows.end()) return flat->time_s;
   if (run.outcome == Outcome::flat) return run.last().time_s;
@@ -85,9 +85,9 @@ std::optional<double> DeploymentStudy::barrier_n_mm() const {
   return *flat - *deepest;
 }
 
-DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy,
-                                 const DeploymentOptions& options,
-                                 const std::optional<JointForcesOptions>& forces) {
+DeploymentStudy study_deployment(const Sheet& sheet, const EnergyModel::Options& energy,
+                                 const Deployment::Options& options,
+                                 const std::optional<JointForces::Options>& forces) {
   const EnergyModel deploying(sheet, energy);
   DeploymentStudy study{};
   study.sheet = energy;
@@ -110,10 +110,11 @@ DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy
   return study;
 }
 
-std::optional<double> critical_friction_in_motion(const Sheet& sheet, const EnergyOptions& energy,
-                                                  const DeploymentOptions& options,
+std::optional<double> critical_friction_in_motion(const Sheet& sheet,
+                                                  const EnergyModel::Options& energy,
+                                                  const Deployment::Options& options,
                                                   double relative) {
-  EnergyOptions tried = energy;
+  EnergyModel::Options tried = energy;
   const auto arrives = [&](double friction_n_mm_per_mm) {
     tried.joints.friction_n_mm_per_mm = friction_n_mm_per_mm;
     const EnergyModel deploying(sheet, tried);
@@ -200,19 +201,19 @@ StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const ReleaseOptions& op
   if constexpr (!has("SUNDIALS")) return NoResult::not_in_this_build;
   const StudyResult<ReleaseOptions> fitted = validated_release(sheet, options);
   if (!fitted) return fitted.obstacle();
-  const DeploymentOptions& motion = fitted->motion;
+  const Deployment::Options& motion = fitted->motion;
   DeploymentStudy study = study_deployment(sheet, options.sheet, motion, options.forces);
   if (options.sheet.joints.damping_n_mm_s_per_mm > 0) {
     study.friction.critical_n_mm_per_mm = critical_friction_in_motion(sheet, options.sheet, motion);
   }
   study.seeks_damping = options.seeks_damping;
   if (options.seeks_damping) {
-    DeploymentOptions bare = motion;
+    Deployment::Options bare = motion;
     bare.latch = false;
     bare.restitution = {};
     bare.swings = 0;
     study.least_damping = least_damping([&](double damping) {
-      EnergyOptions tried = options.sheet;
+      EnergyModel::Options tried = options.sheet;
       tried.joints.damping_n_mm_s_per_mm = damping;
       const EnergyModel deploying(sheet, tried);
       return deploy(deploying, wells_of(find_equilibria(deploying)), bare);

@@ -15,10 +15,10 @@ namespace misalign::solver {
 
 struct ReleaseOptions {
   std::optional<double> from_deg;  ///< none: kDeployFrom_deg, or D where that is less
-  EnergyOptions sheet;
-  DeploymentOptions motion;                  ///< but for its start
-  std::optional<JointForcesOptions> forces;  ///< none: they are not found
-  bool seeks_damping = false;                ///< the least with which it does not pass flat
+  EnergyModel::Options sheet;
+  Deployment::Options motion;                  ///< but for its start
+  std::optional<JointForces::Options> forces;  ///< none: they are not found
+  bool seeks_damping = false;                  ///< the least with which it does not pass flat
 };
 
 /// The least damping of the creases (N mm s per mm) with which a sheet comes to rest flat without
@@ -29,8 +29,8 @@ struct LeastDamping {
 };
 
 struct DeploymentStudy {
-  EnergyOptions sheet;
-  DeploymentOptions options;
+  EnergyModel::Options sheet;
+  Deployment::Options options;
   double mass_t;
   std::vector<Equilibrium> equilibria;
   FrictionLimits friction;
@@ -62,14 +62,15 @@ std::optional<LeastDamping> least_damping(const std::function<Deployment(double)
 
 /// `options.from_deg` and the angles at which springs and creases are relaxed must lie on the way.
 /// With the forces in the joints if `forces` says how.
-DeploymentStudy study_deployment(const Sheet& sheet, const EnergyOptions& energy,
-                                 const DeploymentOptions& options,
-                                 const std::optional<JointForcesOptions>& forces = {});
+DeploymentStudy study_deployment(const Sheet& sheet, const EnergyModel::Options& energy,
+                                 const Deployment::Options& options,
+                                 const std::optional<JointForces::Options>& forces = {});
 
 /// The largest crease friction with which it gets to flat, damping and all, by letting it go again
 /// and again: to `relative` of itself. None if it does not get there without friction.
-std::optional<double> critical_friction_in_motion(const Sheet& sheet, const EnergyOptions& energy,
-                                                  const DeploymentOptions& options,
+std::optional<double> critical_friction_in_motion(const Sheet& sheet,
+                                                  const EnergyModel::Options& energy,
+                                                  const Deployment::Options& options,
                                                   double relative = 1e-4);
 
 /// The same with the start that is meant (in `motion`), where it lies on the sheet's way as all

@@ -32,7 +32,7 @@ constexpr double kCreep_deg = 1e-5;
 class Run {
  public:
   Run(const EnergyModel& sheet, const std::vector<double>& wells_x,
-      const DeploymentOptions& options)
+      const Deployment::Options& options)
       : sheet_(sheet),
         way_(sheet.way()),
         options_(options),
@@ -40,8 +40,8 @@ class Run {
         unit_s_(time_unit_s(sheet, from_x_, wells_x)),
         integrator_([this](double x, double rate) { return acceleration(x, rate); },
                     sheet.options().joints.damping_n_mm_s_per_mm > 0
-                        ? MotionMethod::backward_differences
-                        : MotionMethod::adams,
+                        ? MotionIntegrator::Method::backward_differences
+                        : MotionIntegrator::Method::adams,
                     way_.end(), std::abs(from_x_), options.relative_tolerance) {
     assert(std::abs(from_x_) < way_.end() && "the way reaches beyond the start");
     assert(options.row_deg > 0 && options.time_limit_s > 0);
@@ -49,12 +49,12 @@ class Run {
   }
 
   Deployment run() {
-    const MotionState start{0, from_x_, 0};
-    add_row(start, DeploymentEvent::start);
+    const MotionIntegrator::State start{0, from_x_, 0};
+    add_row(start, Deployment::Event::start);
     if (is_held(from_x_)) return end(held_at(from_x_));
     set_off(start);
     for (;;) {
-      const MotionState before = integrator_.state();
+      const MotionIntegrator::State before = integrator_.state();
       const MotionIntegrator::Stop stop = integrator_.step();
       ++run_.steps;
       if (stop == MotionIntegrator::Stop::failed) return end(Outcome::failed);
@@ -77,16 +77,16 @@ class Run {
 
   // What a stop means; nothing where the motion goes on.
   std::optional<Outcome> after(Stop stop) {
-    const MotionState here = integrator_.state();
+    const MotionIntegrator::State here = integrator_.state();
     switch (stop) {
       case Stop::at_zero:
-        add_row(here, DeploymentEvent::flat);
+        add_row(here, Deployment::Event::flat);
         if (options_.latch) return Outcome::latched;
         if (options_.restitution) return bounced(here);
         if (++run_.passes > options_.swings) return Outcome::passed_flat;
         return {};
       case Stop::at_rest:
-        add_row({here.time, here.x, 0}, DeploymentEvent::turn);
+        add_row({here.time, here.x, 0}, Deployment::Event::turn);
         ++run_.turns;
         if (is_held(here.x)) return held_at(here.x);
         if (!loses_energy() && run_.turns > options_.swings) {
@@ -95,10 +95,10 @@ class Run {
         set_off({here.time, here.x, 0});
         return {};
       case Stop::at_end:
-        add_row(here, DeploymentEvent::end);
+        add_row(here, Deployment::Event::end);
         return Outcome::fold_limit;
       case Stop::at_time:
-        add_row(here, DeploymentEvent::end);
+        add_row(here, Deployment::Event::end);
         return Outcome::time_limit;
       case Stop::step:
       case Stop::failed:
@@ -110,12 +110,12 @@ class Run {
   bool loses_energy() const { return sheet_.options().joints.slows_down() || options_.restitution; }
 
   // By a stop at flat; there it stays if what is left does not take it out of flat's neighbourhood.
-  std::optional<Outcome> bounced(const MotionState& here) {
+  std::optional<Outcome> bounced(const MotionIntegrator::State& here) {
     assert(*options_.restitution >= 0 && *options_.restitution < 1);
-    const MotionState back{here.time, 0, -*options_.restitution * here.rate};
+    const MotionIntegrator::State back{here.time, 0, -*options_.restitution * here.rate};
     const EnergyAt flat = sheet_.at(0), beside = sheet_.at(way_.x_of(options_.flat_deg));
     if (flat.potential + kinetic(flat, back.rate) <= beside.potential) {
-      add_row({here.time, 0, 0}, DeploymentEvent::end);
+      add_row({here.time, 0, 0}, Deployment::Event::end);
       return Outcome::flat;
     }
     ++run_.bounces;
@@ -123,8 +123,10 @@ class Run {
     return {};
   }
 
-  void set_off(const MotionState& from) { move(from, sheet_.at(from.x).slope > 0 ? -1 : 1); }
-  void move(const MotionState& from, int direction) {
+  void set_off(const MotionIntegrator::State& from) {
+    move(from, sheet_.at(from.x).slope > 0 ? -1 : 1);
+  }
+  void move(const MotionIntegrator::State& from, int direction) {
     assert(std::abs(direction) == 1);
     direction_ = direction;
     integrator_.start(from);
@@ -165,7 +167,7 @@ class Run {
 
   // Friction will hold it before it has gone on by kCreep_deg: it would come to rest there in no
   // time, or creep for ever.
-  bool creeps_to_rest(const MotionState& here, const EnergyAt& now) const {
+  bool creeps_to_rest(const MotionIntegrator::State& here, const EnergyAt& now) const {
     if (now.friction <= 0 || here.rate == 0) return false;
     const double ahead_x =
         here.x +
@@ -179,10 +181,10 @@ class Run {
 
   // In the nearest well, without the energy to leave its neighbourhood; or next to where friction
   // holds it.
-  std::optional<Outcome> at_rest(const MotionState& here) {
+  std::optional<Outcome> at_rest(const MotionIntegrator::State& here) {
     if (!sheet_.options().joints.slows_down()) return {};
     if (creeps_to_rest(here, sheet_.at(here.x))) {
-      add_row({here.time, here.x, 0}, DeploymentEvent::end);
+      add_row({here.time, here.x, 0}, Deployment::Event::end);
       return held_at(here.x);
     }
     if (wells_.empty()) return {};
@@ -192,7 +194,7 @@ class Run {
         });
     const EnergyAt now = sheet_.at(here.x);
     if (now.potential + kinetic(now, here.rate) > well.edge) return {};
-    add_row(here, DeploymentEvent::end);
+    add_row(here, Deployment::Event::end);
     return held_at(here.x);
   }
 
@@ -201,23 +203,26 @@ class Run {
   }
 
   // At the multiples of row_deg that were passed; between two stops x goes one way.
-  void add_rows_between(const MotionState& before, const MotionState& after) {
+  void add_rows_between(const MotionIntegrator::State& before,
+                        const MotionIntegrator::State& after) {
     const double from_deg = way_.pilot_deg(before.x), to_deg = way_.pilot_deg(after.x);
     const int sign = to_deg > from_deg ? 1 : -1;
     constexpr double kSame = 1e-9;  // of a row
     double row = sign > 0 ? std::floor(from_deg / options_.row_deg + kSame) + 1
                           : std::ceil(from_deg / options_.row_deg - kSame) - 1;
     for (; sign * (to_deg - row * options_.row_deg) > kSame * options_.row_deg; row += sign) {
-      if (row != 0) add_row(passing(row * options_.row_deg, before, after), DeploymentEvent::none);
+      if (row == 0) continue;
+      add_row(passing(row * options_.row_deg, before, after), Deployment::Event::none);
     }
   }
 
   // When the pilot has this angle: by Newton's method on the integrator's own polynomial.
-  MotionState passing(double pilot_deg, const MotionState& before, const MotionState& after) const {
+  MotionIntegrator::State passing(double pilot_deg, const MotionIntegrator::State& before,
+                                  const MotionIntegrator::State& after) const {
     assert(before.time <= after.time && before.x != after.x);
     const double x = way_.x_of(pilot_deg);
     double time = before.time + (after.time - before.time) * (x - before.x) / (after.x - before.x);
-    MotionState here = integrator_.state_at(time);
+    MotionIntegrator::State here = integrator_.state_at(time);
     for (int k = 0; k < 20 && std::abs(here.x - x) > 1e-15; ++k) {
       const double next = here.rate != 0 ? time - (here.x - x) / here.rate : time;
       if (next == time) break;
@@ -227,7 +232,7 @@ class Run {
     return here;
   }
 
-  void add_row(const MotionState& at, DeploymentEvent event) {
+  void add_row(const MotionIntegrator::State& at, Deployment::Event event) {
     const EnergyAt here = sheet_.at(at.x);
     const double rate = at.rate / unit_s_, moving = kinetic(here, at.rate);
     run_.rows.push_back({at.time * unit_s_, at.x, rate, way_.pilot_deg(at.x),
@@ -242,7 +247,7 @@ class Run {
 
   const EnergyModel& sheet_;
   const FoldingWay& way_;
-  const DeploymentOptions& options_;
+  const Deployment::Options& options_;
   const double from_x_, unit_s_;
   int direction_ = -1;
   std::vector<Well> wells_;
@@ -277,7 +282,7 @@ const char* name_of(Outcome outcome) {
 }
 
 Deployment deploy(const EnergyModel& sheet, const std::vector<double>& wells_x,
-                  const DeploymentOptions& options) {
+                  const Deployment::Options& options) {
   if constexpr (has("SUNDIALS")) return Run(sheet, wells_x, options).run();
   throw std::logic_error("built without SUNDIALS, nothing deploys");
 }

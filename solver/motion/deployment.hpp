@@ -9,23 +9,6 @@
 
 namespace misalign::solver {
 
-struct DeploymentOptions {
-  double from_deg = 36;  ///< at rest; the paper's "20 % folded"
-  bool latch = false;    ///< caught when it first is flat
-  /// Of a stop at flat, from 0 to less than 1: with how much of its speed the sheet leaves it
-  /// again.
-  std::optional<double> restitution{};
-  /// How often it may pass flat or, where nothing slows it down, turn round before the run ends.
-  int swings = 0;
-  double time_limit_s = 60;
-  double row_deg = 0.5;   ///< a row at each multiple of it, and at each event
-  double flat_deg = 0.5;  ///< what comes to rest as close as this to flat is flat
-  /// As close as this to a well that is not flat it is there. At rest is what has not the energy to
-  /// go farther than these from the nearest well.
-  double well_deg = 0.01;
-  double relative_tolerance = 1e-11;  ///< of the integration
-};
-
 enum class Outcome {
   flat,         ///< comes to rest flat
   passed_flat,  ///< goes through flat
@@ -39,26 +22,43 @@ enum class Outcome {
 };
 const char* name_of(Outcome outcome);
 
-enum class DeploymentEvent { none, start, flat, turn, end };
-
-struct DeploymentRow {
-  double time_s, x, x_rate;  ///< rate in rad/s
-  double pilot_deg, rate_deg_per_s;
-  double springs_n_mm, kinetic_n_mm, total_n_mm;
-  DeploymentEvent event;
-};
-
 struct Deployment {
+  struct Options {
+    double from_deg = 36;  ///< at rest; the paper's "20 % folded"
+    bool latch = false;    ///< caught when it first is flat
+    /// Of a stop at flat, from 0 to less than 1: with how much of its speed the sheet leaves it
+    /// again.
+    std::optional<double> restitution{};
+    /// How often it may pass flat or, where nothing slows it down, turn round before the run ends.
+    int swings = 0;
+    double time_limit_s = 60;
+    double row_deg = 0.5;   ///< a row at each multiple of it, and at each event
+    double flat_deg = 0.5;  ///< what comes to rest as close as this to flat is flat
+    /// As close as this to a well that is not flat it is there. At rest is what has not the energy
+    /// to go farther than these from the nearest well.
+    double well_deg = 0.01;
+    double relative_tolerance = 1e-11;  ///< of the integration
+  };
+
+  enum class Event { none, start, flat, turn, end };
+
+  struct Row {
+    double time_s, x, x_rate;  ///< rate in rad/s
+    double pilot_deg, rate_deg_per_s;
+    double springs_n_mm, kinetic_n_mm, total_n_mm;
+    Event event;
+  };
+
   Outcome outcome;
-  std::vector<DeploymentRow> rows;  ///< the first at rest at from_deg, the last where it ended
+  std::vector<Row> rows;  ///< the first at rest at from_deg, the last where it ended
   int passes = 0, turns = 0, bounces = 0, steps = 0;
 
-  const DeploymentRow& last() const { return rows.back(); }
+  const Row& last() const { return rows.back(); }
 };
 
 /// `sheet`'s way must reach beyond from_deg. `wells_x`: where its potential has minima
 /// (find_wells). Only where this build has SUNDIALS.
 Deployment deploy(const EnergyModel& sheet, const std::vector<double>& wells_x,
-                  const DeploymentOptions& options);
+                  const Deployment::Options& options);
 
 }  // namespace misalign::solver

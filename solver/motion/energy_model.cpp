@@ -37,7 +37,7 @@ VectorXd relaxed_angles(const FoldingWay& way, double rest_deg) {
 // Rows: the generalised mass, and where the centre of mass is; on the other side of flat it is
 // below where it was above.
 SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
-                              const PerforatedSheet& base, const EnergyOptions& options) {
+                              const PerforatedSheet& base, const EnergyModel::Options& options) {
   const Panels panels = panels_of(base, way.mechanism());
   const std::optional<int> held = options.held ? std::optional(options.held->panel) : std::nullopt;
   assert(!held || (*held >= 0 && *held < std::ssize(panels.facets)));
@@ -84,7 +84,7 @@ VectorXd sides_of_diagonals(const FoldingWay& way) {
 }
 
 EnergyModel::EnergyModel(const FoldingWay& way, const FoldedShape& shape,
-                         const PerforatedSheet& base, const EnergyOptions& options)
+                         const PerforatedSheet& base, const Options& options)
     : way_(way),
       options_(options),
       mass_t_(mass_of_all(way, base, options.plates)),

@@ -42,13 +42,6 @@ struct HeldPanel {
   Eigen::Vector3d gravity_mm_per_s2 = Eigen::Vector3d::Zero();  ///< in its flat frame, z up
 };
 
-struct EnergyOptions {
-  Springs springs;
-  JointResistance joints;
-  Plates plates;
-  std::optional<HeldPanel> held;  ///< none: free in space
-};
-
 /// At one x. Derivatives are by x.
 struct EnergyAt {
   double mass, mass_slope;  ///< t mm^2
@@ -66,15 +59,22 @@ Eigen::VectorXd sides_of_diagonals(const FoldingWay& way);
 
 class EnergyModel {
  public:
+  struct Options {
+    Springs springs;
+    JointResistance joints;
+    Plates plates;
+    std::optional<HeldPanel> held;  ///< none: free in space
+  };
+
   /// The sheet's way must be there, and outlive this object. Rest angles must lie on it.
-  EnergyModel(const Sheet& sheet, const EnergyOptions& options)
+  EnergyModel(const Sheet& sheet, const Options& options)
       : EnergyModel(*sheet.way(), sheet.model().shape(), sheet.base(), options) {}
   /// `way` and `shape` must outlive this object. Rest angles must lie on the way.
   EnergyModel(const FoldingWay& way, const FoldedShape& shape, const PerforatedSheet& base,
-              const EnergyOptions& options);
+              const Options& options);
 
   const FoldingWay& way() const { return way_; }
-  const EnergyOptions& options() const { return options_; }
+  const Options& options() const { return options_; }
   double mass_t() const { return mass_t_; }
   /// How long each spring is without force.
   const Eigen::VectorXd& relaxed_mm() const { return rest_mm_; }
@@ -103,7 +103,7 @@ class EnergyModel {
   void find_lengths(double x) const;
 
   const FoldingWay& way_;
-  const EnergyOptions options_;
+  const Options options_;
   double mass_t_;
   Eigen::VectorXd crease_mm_, rest_mm_, rest_rad_;
   SmoothTable masses_;  // generalised mass; centre of mass x, y, z

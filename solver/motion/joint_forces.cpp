@@ -21,7 +21,7 @@ constexpr int kOfCrease = 5, kOfBall = 3;
 class Reactions {
  public:
   Reactions(const EnergyModel& sheet, const FoldedShape& shape, const PerforatedSheet& base,
-            const JointForcesOptions& options)
+            const JointForces::Options& options)
       : mechanism_(sheet.way().mechanism()), loads_(sheet, shape, base, options.in_motion) {}
 
   int count() const {
@@ -31,7 +31,7 @@ class Reactions {
   int rank() const { return rank_; }
 
   // Those at a row: matrices' rows are filled in.
-  void find(const DeploymentRow& at, Index row, JointForces& forces);
+  void find(const Deployment::Row& at, Index row, JointForces& forces);
 
  private:
   Eigen::MatrixXd reactions_matrix() const;
@@ -59,13 +59,13 @@ Eigen::MatrixXd Reactions::reactions_matrix() const {
   };
   const auto add_moment = [&](int crease, const Vector3d& about) {
     const Crease& of = mechanism_.creases[static_cast<std::size_t>(crease)];
-    const Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(crease)];
+    const PanelLoads::Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(crease)];
     add(loads_.panel_of(of.right), loads_.panel_of(of.left), hinge.middle_mm, Vector3d::Zero(),
         hinge.length_mm * about);
   };
   for (int k = 0; k < static_cast<int>(loads_.hinges().size()); ++k) {
     const Crease& crease = mechanism_.creases[static_cast<std::size_t>(k)];
-    const Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
+    const PanelLoads::Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
     for (int i = 0; i < 3; ++i) {
       add(loads_.panel_of(crease.right), loads_.panel_of(crease.left), hinge.middle_mm,
           Vector3d::Unit(i), Vector3d::Zero());
@@ -96,7 +96,7 @@ Eigen::MatrixXd Reactions::self_stresses() const {
     for (const Passage& passage : whole[w]->passages) {
       assert(!passage.ball && "round a whole vertex there are creases alone");
       const auto crease = static_cast<std::size_t>(passage.joint);
-      const Hinge& hinge = loads_.hinges()[crease];
+      const PanelLoads::Hinge& hinge = loads_.hinges()[crease];
       const int left = loads_.panel_of(mechanism_.creases[crease].left);
       const Vector3d arm_mm = loads_.place_mm(left, passage.vertex) - hinge.middle_mm;
       for (int i = 0; i < 3; ++i) {
@@ -142,7 +142,7 @@ VectorXd Reactions::solve(const VectorXd& loads) {
   return factors.solve(wanted);
 }
 
-void Reactions::find(const DeploymentRow& at, Index row, JointForces& forces) {
+void Reactions::find(const Deployment::Row& at, Index row, JointForces& forces) {
   loads_.pose(at);
   const VectorXd found = solve(loads_.find());
 
@@ -150,7 +150,7 @@ void Reactions::find(const DeploymentRow& at, Index row, JointForces& forces) {
                       mechanism_.side);  // forces are seen in the mirror, moments turn round there
   Index next = 0;
   for (Index k = 0; k < static_cast<Index>(loads_.hinges().size()); ++k, next += kOfCrease) {
-    const Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
+    const PanelLoads::Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
     const Vector3d moment =
         hinge.length_mm * (found(next + 3) * hinge.one + found(next + 4) * hinge.other);
     forces.crease_force_n.block<1, 3>(row, 3 * k) =
@@ -171,10 +171,10 @@ void Reactions::find(const DeploymentRow& at, Index row, JointForces& forces) {
 
 JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape,
                               const PerforatedSheet& base, const Deployment& deployment,
-                              const JointForcesOptions& options) {
+                              const JointForces::Options& options) {
   const Mechanism& mechanism = sheet.way().mechanism();
-  std::vector<const DeploymentRow*> rows;
-  for (const DeploymentRow& row : deployment.rows) {
+  std::vector<const Deployment::Row*> rows;
+  for (const Deployment::Row& row : deployment.rows) {
     if (std::abs(row.pilot_deg) >= options.from_deg) rows.push_back(&row);
   }
   const auto count = static_cast<Index>(rows.size());
@@ -186,7 +186,7 @@ JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape
   forces.crease_axis.resize(count, 3 * creases);
   forces.ball_force_n.resize(count, 3 * static_cast<Index>(mechanism.balls.size()));
   for (Index k = 0; k < count; ++k) {
-    const DeploymentRow& row = *rows[static_cast<std::size_t>(k)];
+    const Deployment::Row& row = *rows[static_cast<std::size_t>(k)];
     forces.pilot_deg.push_back(row.pilot_deg);
     reactions.find(row, k, forces);
   }

@@ -13,15 +13,15 @@
 
 namespace misalign::solver {
 
-struct JointForcesOptions {
-  /// In the motion, with inertia and the joints' resistance; or held at each row by a moment about
-  /// the pilot crease, nothing moving.
-  bool in_motion = true;
-  double from_deg = 1;  ///< closer to flat the balance is singular
-};
-
 /// Vectors in the flat coordinates of the first panel, as seen from +z.
 struct JointForces {
+  struct Options {
+    /// In the motion, with inertia and the joints' resistance; or held at each row by a moment
+    /// about the pilot crease, nothing moving.
+    bool in_motion = true;
+    double from_deg = 1;  ///< closer to flat the balance is singular
+  };
+
   std::vector<double> pilot_deg;  ///< of the rows
   /// Rows x 3 per crease: on the panel to its right, by the one to its left (walking from a to b).
   Eigen::MatrixXd crease_force_n, crease_moment_n_mm;
@@ -37,6 +37,6 @@ struct JointForces {
 /// At the rows of a deployment that are that far from flat; `options` are the sheet's.
 JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape,
                               const PerforatedSheet& base, const Deployment& deployment,
-                              const JointForcesOptions& options = {});
+                              const JointForces::Options& options = {});
 
 }  // namespace misalign::solver

@@ -45,9 +45,9 @@ void silence([[maybe_unused]] void* cvode) {
 }  // namespace
 
 struct MotionIntegrator::Cvode {
-  Cvode(Acceleration how, MotionMethod method, double farthest)
+  Cvode(Acceleration how, MotionIntegrator::Method method, double farthest)
       : acceleration(std::move(how)), end(farthest) {
-    const bool is_stiff = method == MotionMethod::backward_differences;
+    const bool is_stiff = method == MotionIntegrator::Method::backward_differences;
     y = made(N_VNew_Serial(2, context));
     passed = made(N_VNew_Serial(2, context));
     memory = made(CVodeCreate(is_stiff ? CV_BDF : CV_ADAMS, context));
@@ -95,7 +95,7 @@ struct MotionIntegrator::Cvode {
   SUNLinearSolver solver = nullptr;
 };
 
-MotionIntegrator::MotionIntegrator(Acceleration acceleration, MotionMethod method, double end,
+MotionIntegrator::MotionIntegrator(Acceleration acceleration, Method method, double end,
                                    double scale, double tolerance)
     : cvode_(std::make_unique<Cvode>(std::move(acceleration), method, end)) {
   assert(end > 0 && scale > 0 && tolerance > 0);
@@ -112,7 +112,7 @@ MotionIntegrator::MotionIntegrator(Acceleration acceleration, MotionMethod metho
 
 MotionIntegrator::~MotionIntegrator() = default;
 
-void MotionIntegrator::start(const MotionState& state) {
+void MotionIntegrator::start(const State& state) {
   assert(std::isfinite(state.x) && std::isfinite(state.rate));
   assert(std::abs(state.x) <= cvode_->end);
   state_ = state;
@@ -141,7 +141,7 @@ MotionIntegrator::Stop MotionIntegrator::step() {
   return Stop::at_zero;
 }
 
-MotionState MotionIntegrator::state_at(double time) const {
+MotionIntegrator::State MotionIntegrator::state_at(double time) const {
   if (CVodeGetDky(cvode_->memory, time, 0, cvode_->passed) != CV_SUCCESS) return state_;
   const double* const y = N_VGetArrayPointer(cvode_->passed);
   return {time, y[0], y[1]};

@@ -7,41 +7,42 @@
 
 namespace misalign::solver {
 
-struct MotionState {
-  double time, x, rate;
-};
-
-/// By Adams' methods, of changing order and step. By backward differences where much damping makes
-/// the equation stiff: it settles to a slow creep at once, which Adams' steps would have to follow.
-enum class MotionMethod { adams, backward_differences };
-
 class MotionIntegrator {
  public:
+  /// By Adams' methods, of changing order and step. By backward differences where much damping
+  /// makes the equation stiff: it settles to a slow creep at once, which Adams' steps would have to
+  /// follow.
+  enum class Method { adams, backward_differences };
+
+  struct State {
+    double time, x, rate;
+  };
+
   using Acceleration = std::function<double(double x, double rate)>;
 
   /// Where x reaches `end` or -`end` it must stop. Errors of x are kept at `tolerance` times
   /// `scale` a step, and so are those of its rate.
-  MotionIntegrator(Acceleration acceleration, MotionMethod method, double end, double scale,
+  MotionIntegrator(Acceleration acceleration, Method method, double end, double scale,
                    double tolerance);
   ~MotionIntegrator();
   MotionIntegrator(const MotionIntegrator&) = delete;
   MotionIntegrator& operator=(const MotionIntegrator&) = delete;
 
   /// Begins there, or goes on with an acceleration that has jumped.
-  void start(const MotionState& state);
+  void start(const State& state);
   void stop_at(double time);
 
   enum class Stop { step, at_zero, at_rest, at_end, at_time, failed };
   /// One step, or less: up to where x is zero, the rate is zero, or the end or the time is reached.
   Stop step();
-  const MotionState& state() const { return state_; }
+  const State& state() const { return state_; }
   /// Within the last step.
-  MotionState state_at(double time) const;
+  State state_at(double time) const;
 
  private:
   struct Cvode;
   const std::unique_ptr<Cvode> cvode_;
-  MotionState state_{};
+  State state_{};
 };
 
 }  // namespace misalign::solver

@@ -32,14 +32,14 @@ struct RigidMotion {
 RigidMotion rigid_motion(const MovingPanels& sheet) {
   double mass_t = 0;
   Vector3d momentum = Vector3d::Zero(), angular = momentum;
-  for (const MovingPanel& panel : sheet.panels) {
+  for (const MovingPanels::Panel& panel : sheet.panels) {
     mass_t += panel.mass_t;
     momentum += panel.mass_t * panel.velocity;
   }
   const Vector3d centre = sheet.centre_mm();
   assert(mass_t > 0);
   Matrix3d inertia = Matrix3d::Zero();
-  for (const MovingPanel& panel : sheet.panels) {
+  for (const MovingPanels::Panel& panel : sheet.panels) {
     const Vector3d arm = panel.centre_mm - centre;
     angular += panel.mass_t * arm.cross(panel.velocity) + panel.inertia * panel.spin;
     inertia += panel.inertia + inertia_of(panel.mass_t, arm);
@@ -48,7 +48,7 @@ RigidMotion rigid_motion(const MovingPanels& sheet) {
 }
 
 void subtract(const RigidMotion& motion, MovingPanels& sheet) {
-  for (MovingPanel& panel : sheet.panels) {
+  for (MovingPanels::Panel& panel : sheet.panels) {
     panel.velocity -= motion.velocity + motion.spin.cross(panel.centre_mm - motion.centre_mm);
     panel.spin -= motion.spin;
   }
@@ -59,7 +59,7 @@ void subtract(const RigidMotion& motion, MovingPanels& sheet) {
 
 double MovingPanels::generalised_mass() const {
   double twice_energy = 0;
-  for (const MovingPanel& panel : panels) {
+  for (const Panel& panel : panels) {
     twice_energy +=
         panel.mass_t * panel.velocity.squaredNorm() + panel.spin.dot(panel.inertia * panel.spin);
   }
@@ -69,7 +69,7 @@ double MovingPanels::generalised_mass() const {
 Vector3d MovingPanels::centre_mm() const {
   double mass_t = 0;
   Vector3d moment = Vector3d::Zero();
-  for (const MovingPanel& panel : panels) {
+  for (const Panel& panel : panels) {
     mass_t += panel.mass_t;
     moment += panel.mass_t * panel.centre_mm;
   }
@@ -96,7 +96,7 @@ MovingPanels SheetMover::move(const FoldState<double>& state, const double* rate
                             spread.trace() * Matrix3d::Identity() - spread});
   }
   if (held_) {
-    const MovingPanel& held = sheet.panels[static_cast<std::size_t>(*held_)];
+    const MovingPanels::Panel& held = sheet.panels[static_cast<std::size_t>(*held_)];
     subtract({held.spin, held.velocity, held.centre_mm}, sheet);
   } else {
     subtract(rigid_motion(sheet), sheet);

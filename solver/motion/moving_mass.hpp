@@ -9,17 +9,17 @@
 
 namespace misalign::solver {
 
-/// Coordinates are those of the first panel (mm from A1; its flat ones); rates are per unit of x.
-struct MovingPanel {
-  double mass_t;
-  Eigen::Vector3d centre_mm, velocity, spin;
-  Eigen::Matrix3d inertia;  ///< about its centre, t mm^2
-};
-
 /// A sheet in one state. Free in space it moves without momentum and angular momentum, which of all
 /// motions with these joints' rates has the least energy (Koenig); or a panel is held.
 struct MovingPanels {
-  std::vector<MovingPanel> panels;
+  /// Coordinates are those of the first panel (mm from A1; its flat ones); rates are per unit of x.
+  struct Panel {
+    double mass_t;
+    Eigen::Vector3d centre_mm, velocity, spin;
+    Eigen::Matrix3d inertia;  ///< about its centre, t mm^2
+  };
+
+  std::vector<Panel> panels;
   Eigen::Vector3d frame_spin;  ///< of the first panel itself
 
   /// T = generalised_mass() / 2 * (dx/dt)^2, in t mm^2.

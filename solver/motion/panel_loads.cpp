@@ -24,7 +24,7 @@ SmoothTable momenta_on_the_way(const FoldingWay& way, SheetMover& mover) {
     const MovingPanels sheet = mover.move(station.state, station.rates.data());
     if (k == 0) values.resize(kOfPanel * static_cast<Index>(sheet.panels.size()), count);
     Index row = 0;
-    for (const MovingPanel& panel : sheet.panels) {
+    for (const MovingPanels::Panel& panel : sheet.panels) {
       values.block<3, 1>(row, k) = panel.velocity;
       values.block<3, 1>(row + 3, k) = panel.inertia * panel.spin;
       row += kOfPanel;
@@ -60,7 +60,7 @@ PanelLoads::PanelLoads(const EnergyModel& sheet, const FoldedShape& shape,
   }
 }
 
-void PanelLoads::pose(const DeploymentRow& at) {
+void PanelLoads::pose(const Deployment::Row& at) {
   x_ = at.x;
   moved_ = {0, 0};
   if (in_motion_) {

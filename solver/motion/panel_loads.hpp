@@ -7,14 +7,14 @@
 
 namespace misalign::solver {
 
-/// A crease where it lies now, in the coordinates of the first panel.
-struct Hinge {
-  Eigen::Vector3d middle_mm, axis, one, other;  ///< from a to b; and two directions square to it
-  double length_mm;
-};
-
 class PanelLoads {
  public:
+  /// A crease where it lies now, in the coordinates of the first panel.
+  struct Hinge {
+    Eigen::Vector3d middle_mm, axis, one, other;  ///< from a to b; and two directions square to it
+    double length_mm;
+  };
+
   /// Force and moment about its centre.
   static constexpr int kOfPanel = 6;
 
@@ -23,7 +23,7 @@ class PanelLoads {
              bool in_motion);
 
   /// Places the panels as they are there.
-  void pose(const DeploymentRow& at);
+  void pose(const Deployment::Row& at);
   /// Of the sheet as it was posed: six a panel, N and N mm.
   Eigen::VectorXd find();
 

@@ -35,7 +35,7 @@ PinStudy loads_at(const EnergyModel& sheet, const Model& model,
   const Mechanism& mechanism = model.mechanism();
   Deployment held{};
   for (const double angle_deg : pilot_deg) {
-    DeploymentRow row{};
+    Deployment::Row row{};
     row.x = way.x_of(angle_deg);
     row.pilot_deg = angle_deg;
     held.rows.push_back(row);
@@ -86,7 +86,7 @@ double integral(double a_deg, double a, double b_deg, double b) {
 // Energy that has become free since the start, over what 1 mm of mu r has taken: the least.
 void find_critical(const EnergyModel& sheet, PinFriction& friction) {
   const FoldingWay& way = sheet.way();
-  const std::vector<PinRow>& rows = friction.rows;
+  const std::vector<PinFriction::Row>& rows = friction.rows;
   assert(rows.size() >= 2 && rows.front().pilot_deg > rows.back().pilot_deg);
   const double start_n_mm = sheet.at(way.x_of(rows.front().pilot_deg)).potential;
   double taken = 0, least_mm = rows.front().locks_mm();
@@ -98,7 +98,7 @@ void find_critical(const EnergyModel& sheet, PinFriction& friction) {
     see(way.x_of(rows[k].pilot_deg));
   }
   // Below the last row as between the last two.
-  const PinRow &last = rows.back(), &before = rows[rows.size() - 2];
+  const PinFriction::Row &last = rows.back(), &before = rows[rows.size() - 2];
   const double power =
       std::log(before.loss_n / last.loss_n) / std::log(before.pilot_deg / last.pilot_deg);
   taken += last.loss_n * last.pilot_deg * kRadPerDeg / (std::max(power, 0.0) + 1);
@@ -108,9 +108,9 @@ void find_critical(const EnergyModel& sheet, PinFriction& friction) {
 
 }  // namespace
 
-const PinRow& PinFriction::locks_first() const {
+const PinFriction::Row& PinFriction::locks_first() const {
   assert(!rows.empty());
-  return *std::ranges::min_element(rows, {}, &PinRow::locks_mm);
+  return *std::ranges::min_element(rows, {}, &Row::locks_mm);
 }
 
 std::optional<double> PinFriction::stall_deg(double mu_r_mm) const {

@@ -13,21 +13,21 @@
 
 namespace misalign::solver {
 
-/// At an angle: what drives the sheet, and what 1 mm of mu r takes of it, both by the pilot's
-/// angle.
-struct PinRow {
-  double pilot_deg;
-  double driving_n_mm;  ///< to flat: springs, elastic creases and weight
-  double loss_n;        ///< sum of N |d fold angle| over hinges and ball joints
-  /// The mu r (mm) from which on it does not move on by itself: it locks.
-  double locks_mm() const { return driving_n_mm > 0 ? driving_n_mm / loss_n : 0; }
-};
-
 struct PinFriction {
-  std::vector<PinRow> rows;  ///< from the start down
+  /// At an angle: what drives the sheet, and what 1 mm of mu r takes of it, both by the pilot's
+  /// angle.
+  struct Row {
+    double pilot_deg;
+    double driving_n_mm;  ///< to flat: springs, elastic creases and weight
+    double loss_n;        ///< sum of N |d fold angle| over hinges and ball joints
+    /// The mu r (mm) from which on it does not move on by itself: it locks.
+    double locks_mm() const { return driving_n_mm > 0 ? driving_n_mm / loss_n : 0; }
+  };
+
+  std::vector<Row> rows;  ///< from the start down
   /// The largest mu r (mm) with which a sheet let go at the start gets to flat. None: it does not.
   std::optional<double> critical_mm;
-  const PinRow& locks_first() const;  ///< the least locks_mm
+  const Row& locks_first() const;  ///< the least locks_mm
   /// The first angle on the way down from which a sheet that moves slowly is locked; none: it moves
   /// on down to the last.
   std::optional<double> stall_deg(double mu_r_mm) const;

@@ -7,8 +7,8 @@ namespace misalign::solver {
 
 void StressStudy::end_where_deployed(double flat_deg) {
   assert(flat_deg > 0);
-  const auto deployed = std::find_if(
-      rows.begin(), rows.end(), [&](const ElasticRow& row) { return row.widest_deg < flat_deg; });
+  const auto deployed = std::find_if(rows.begin(), rows.end(),
+                                     [&](const Row& row) { return row.widest_deg < flat_deg; });
   if (deployed == rows.end()) return;
   deployed_s = deployed->time_s;
   rows.erase(deployed + 1, rows.end());

@@ -9,32 +9,32 @@
 
 namespace misalign::solver {
 
-/// The start, or one increment. A crease's fold angle is the one between its panels' normals, each
-/// the cross product of the panel's diagonals: panels bend.
-struct ElasticRow {
-  double time_s = 0;
-  double pilot_deg = 0;
-  double widest_deg = 0;  ///< of all creases, the farthest from flat
-  double springs_n_mm = 0, strain_n_mm = 0, kinetic_n_mm = 0;
-};
-
-/// Von Mises stress at a node, and where that is on the flat sheet.
-struct StressAt {
-  double stress_mpa = 0, time_s = 0;
-  int panel = -1;
-  Eigen::Vector2d flat_mm = Eigen::Vector2d::Zero();
-};
-
 struct StressHistory {
+  /// Von Mises stress at a node, and where that is on the flat sheet.
+  struct Peak {
+    double stress_mpa = 0, time_s = 0;
+    int panel = -1;
+    Eigen::Vector2d flat_mm = Eigen::Vector2d::Zero();
+  };
+
   bool is_sound = true;  ///< if not, it ends before the first frame that is no result
   /// Of each time that was written: the largest outside the discs, and anywhere.
   std::vector<double> time_s, outside_mpa, anywhere_mpa;
-  std::optional<StressAt> outside, anywhere;  ///< the largest of all times
-  std::vector<double> panel_outside_mpa;      ///< the same of each panel; 0 where nothing is
+  std::optional<Peak> outside, anywhere;  ///< the largest of all times
+  std::vector<double> panel_outside_mpa;  ///< the same of each panel; 0 where nothing is
 };
 
 struct StressStudy {
-  std::vector<ElasticRow> rows;  ///< up to the deployed one
+  /// The start, or one increment. A crease's fold angle is the one between its panels' normals,
+  /// each the cross product of the panel's diagonals: panels bend.
+  struct Row {
+    double time_s = 0;
+    double pilot_deg = 0;
+    double widest_deg = 0;  ///< of all creases, the farthest from flat
+    double springs_n_mm = 0, strain_n_mm = 0, kinetic_n_mm = 0;
+  };
+
+  std::vector<Row> rows;  ///< up to the deployed one
   StressHistory stress;
   std::optional<double> deployed_s;
   bool was_stopped = false;  ///< by whom it was shown to
@@ -42,7 +42,7 @@ struct StressStudy {
   bool gave_up = false;
   double cpu_s = 0, memory_mb = 0;
   /// Of the same sheet with rigid panels, from the same start until it is flat or turns round.
-  std::vector<DeploymentRow> rigid;
+  std::vector<Deployment::Row> rigid;
 
   /// Without what comes after the first row in which every crease is this close to flat.
   void end_where_deployed(double flat_deg);

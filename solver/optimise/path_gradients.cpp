@@ -103,7 +103,7 @@ PathGradients::~PathGradients() = default;
 bool PathGradients::solve_at(double pilot_deg) {
   Workspace& with = *workspace_;
   sheet_.way()->find_state(sheet_.way()->x_of(pilot_deg), with.state);
-  return with.newton.correct(with.geometry, with.state).end == NewtonEnd::converged;
+  return with.newton.correct(with.geometry, with.state).end == Newton::StopReason::converged;
 }
 
 std::optional<VectorXd> PathGradients::folds_deg(double pilot_deg) {

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "solver/continuation/path_follower.hpp"
-#include "solver/linear/loose_closure.hpp"
+#include "solver/linear/dense_closure.hpp"
+#include "solver/linear/sparse_closure.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -21,8 +22,8 @@ constexpr double kLeastGrowth = 1.0 / 256;
 // Near flat all branches are close: steps along the arc stay below a degree of all joints together.
 constexpr double kLongestArc_rad = 0.02;
 
-CloseStepOptions step_options() {
-  CloseStepOptions options;
+CloseSteps::Options step_options() {
+  CloseSteps::Options options;
   options.longest_start_share = kLongestLooseShare;
   options.arc.longest_step_rad = kLongestArc_rad;
   return options;
@@ -31,15 +32,54 @@ CloseStepOptions step_options() {
 }  // namespace
 
 struct BacklashFollower::Followers {
+  // Loop closure of a sheet whose joints have play, in the fixed order. The geometry that the
+  // follower carries, of the same sheet as designed, is not looked at.
+  class Closure {
+   public:
+    // All must outlive this object; the sheet may change between paths.
+    Closure(const Mechanism& mechanism, const Elimination& elimination,
+            const LooseSheet<double>& sheet)
+        : closure_(mechanism, elimination), sheet_(sheet) {}
+
+    void restart(int lane) { closure_.restart(lane); }
+    double linearize(const SheetGeometry<double>&, const FoldState<double>& state) {
+      return closure_.linearize(sheet_, state);
+    }
+    void solve(double is_free, double* x, double* null) { closure_.solve(is_free, x, null); }
+    double orientation() const { return closure_.orientation(); }
+
+   private:
+    SparseClosure<double> closure_;
+    const LooseSheet<double>& sheet_;
+  };
+
+  // The same as equations for a DenseClosure.
+  class Equations {
+   public:
+    // Both must outlive this object.
+    Equations(const Mechanism& mechanism, const LooseSheet<double>& sheet)
+        : system_(mechanism), sheet_(sheet) {}
+
+    double evaluate(const SheetGeometry<double>&, const FoldState<double>& state) {
+      return system_.evaluate(sheet_, state);
+    }
+    const Eigen::VectorXd& residual() const { return system_.residual(); }
+    const Eigen::MatrixXd& jacobian() const { return system_.jacobian(); }
+
+   private:
+    ClosureSystem system_;
+    const LooseSheet<double>& sheet_;
+  };
+
   Followers(const Model& model, const LooseSheet<double>& sheet)
       : equations(model.mechanism(), sheet),
-        sparse(model.mechanism(), LooseClosure(model.mechanism(), model.elimination(), sheet),
+        sparse(model.mechanism(), Closure(model.mechanism(), model.elimination(), sheet),
                step_options()),
         dense(model.mechanism(), DenseClosure(equations), step_options()) {}
 
-  LooseEquations equations;
-  PathFollower<double, CloseSteps, LooseClosure> sparse;
-  PathFollower<double, CloseSteps, DenseClosure<LooseEquations>> dense;
+  Equations equations;
+  PathFollower<double, CloseSteps, Closure> sparse;
+  PathFollower<double, CloseSteps, DenseClosure<Equations>> dense;
 };
 
 // One path, up or down, and what is seen on it.

@@ -17,7 +17,7 @@ constexpr double kSameLength_widths = 1e-5;
 // Whether a solved state is the one that the function has there.
 bool is_the_same(const PathRecord& record, const RequestedState& requested,
                  const SolvedState& solved) {
-  if (!(solved.quality.open_by <= NewtonOptions{}.closure_tolerance)) return false;
+  if (!(solved.quality.open_by <= Newton::Options{}.closure_tolerance)) return false;
   if (requested.sample == 0) return true;
   const std::size_t diagonals = record.flat.size();
   const double* const expected =

@@ -98,7 +98,7 @@ bool ArcLength::correct(const SheetGeometry<double>& geometry) {
   for (int k = 0; k <= kMaxCorrections; ++k) {
     const double open = system_.evaluate(geometry, trial_);
     if (!system_.residual().allFinite()) return false;
-    if (open <= NewtonOptions{}.closure_tolerance) return true;
+    if (open <= Newton::Options{}.closure_tolerance) return true;
     if (k > 1 && open > last_open) return false;
     last_open = open;
     bordered_.topRows(mechanism.equations) = system_.jacobian();
@@ -134,7 +134,7 @@ bool ArcLength::land(const SheetGeometry<double>& geometry, const HalfAngle<doub
   step_ = share * step * tangent_;
   advance(mechanism, step_.data(), landing_);
   landing_.creases[mechanism.pilot] = target;
-  if (newton.correct(geometry, landing_).end != NewtonEnd::converged) return false;
+  if (newton.correct(geometry, landing_).end != Newton::StopReason::converged) return false;
   return newton.factors().determinant_sign() == forward_sign &&
          largest_half_sine(from, landing_) <= step;
 }

@@ -31,7 +31,7 @@ GrownStart grow_start(const Mechanism& mechanism, const FoldState<double>& base_
     const double share = std::min(1.0, start.share + step);
     place(mechanism, base_vertices_mm + share * shifts_mm, geometry);
     next = start.state;
-    const bool is_closed = newton.correct(geometry, next).end == NewtonEnd::converged;
+    const bool is_closed = newton.correct(geometry, next).end == Newton::StopReason::converged;
     const double turn = largest_half_sine(next, start.state) / pilot_half_sine;
     const int sign_here = newton.factors().determinant_sign();
     if (sign == 0) sign = sign_here;

@@ -50,10 +50,10 @@ bool PathTracker::advance_to(const SheetGeometry<double>& geometry, const Statio
 bool PathTracker::step_to(const SheetGeometry<double>& geometry, const Station& station) {
   trial_ = state_;
   trial_.creases[pilot_] = station.pilot;
-  const NewtonResult newton = newton_.correct(geometry, trial_);
+  const Newton::Result newton = newton_.correct(geometry, trial_);
   ++result_.newton_solves;
   result_.newton_iterations += newton.iterations;
-  if (newton.end != NewtonEnd::converged) return false;
+  if (newton.end != Newton::StopReason::converged) return false;
   if (largest_half_sine(state_, trial_) > kJumpHalfSine) return false;
   const int sign = newton_.factors().determinant_sign();
   if (forward_sign_ == 0) forward_sign_ = sign;

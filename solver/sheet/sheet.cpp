@@ -207,8 +207,8 @@ const Sheet::Pose& Sheet::at(double pilot_deg) const {
   Pose pose{path.stations().front().state, true, {}, {}, {}};
   path.find_state(path.x_of(pilot_deg), pose.state);
   if (!model().is_overconstrained()) {
-    pose.is_closed =
-        Newton(mechanism()).correct(path.geometry(), pose.state).end == NewtonEnd::converged;
+    pose.is_closed = Newton(mechanism()).correct(path.geometry(), pose.state).end ==
+                     Newton::StopReason::converged;
   }
   pose.vertices_mm = model().shape().vertices_mm(path.geometry(), pose.state);
   pose.fold_deg.resize(std::ssize(pose.state.creases));

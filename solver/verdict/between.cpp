@@ -6,8 +6,8 @@
 
 namespace misalign::solver {
 
-CubicBetween cubic_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,
-                           double slowing, int direction) {
+CubicBetween cubic_between(const CubicBetween::Sample& here, const CubicBetween::Sample& next,
+                           double step_rad, double slowing, int direction) {
   assert(step_rad > 0 && slowing > 0);
   const double u = 2 * step_rad / (1 + slowing), v = u * (slowing - 1);
   const double rise = direction * (next.length - here.length);
@@ -33,8 +33,8 @@ void Retreat::go_along(const CubicBetween& cubic) {
   for (int k = 0; k < 3; ++k) go(cubic.length(parts[k + 1]) - cubic.length(parts[k]));
 }
 
-BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,
-                            double slowing, int direction) {
+BetweenSamples look_between(const CubicBetween::Sample& here, const CubicBetween::Sample& next,
+                            double step_rad, double slowing, int direction) {
   const CubicBetween cubic = cubic_between(here, next, step_rad, slowing, direction);
   const auto& [u, v, b, c, d] = cubic;
   double least = std::min(direction * here.slope, direction * next.slope);

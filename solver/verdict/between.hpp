@@ -34,11 +34,6 @@ struct Retreat {
   void go_along(const CubicBetween& cubic);
 };
 
-struct LengthAndSlope {
-  double length;  ///< panel widths
-  double slope;   ///< panel widths per radian of pilot
-};
-
 /// What the cubic does on the way from one sample to the next.
 struct BetweenSamples {
   double least_slope;  ///< least rate of change along `direction`, panel widths per radian
@@ -49,6 +44,11 @@ struct BetweenSamples {
 /// The cubic itself, with t from 0 to 1 along the path. The length counts from this sample, growing
 /// where the diagonal goes on: b t + c t^2 + d t^3; the pilot's rate is u + v t.
 struct CubicBetween {
+  struct Sample {
+    double length;  ///< panel widths
+    double slope;   ///< panel widths per radian of pilot
+  };
+
   double u, v, b, c, d;
 
   double length(double t) const { return ((d * t + c) * t + b) * t; }
@@ -59,8 +59,8 @@ struct CubicBetween {
   void find_turns(double& first, double& second) const;
 };
 /// Its arguments are those of look_between.
-CubicBetween cubic_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,
-                           double slowing, int direction);
+CubicBetween cubic_between(const CubicBetween::Sample& here, const CubicBetween::Sample& next,
+                           double step_rad, double slowing, int direction);
 
 /// `step_rad` apart; `direction` is +1 for a diagonal that grows, -1 for one that shrinks.
 /// `slowing` (positive) is the pilot's rate along the path at the next sample, to that at this one:
@@ -68,25 +68,13 @@ CubicBetween cubic_between(const LengthAndSlope& here, const LengthAndSlope& nex
 /// cubic in the pilot itself would see bumps that are none; along the path all is smooth, the pilot
 /// a parabola. Error of the cubic where nothing slows: step^4 / 384 times the fourth derivative of
 /// the length.
-BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,
-                            double slowing, int direction);
+BetweenSamples look_between(const CubicBetween::Sample& here, const CubicBetween::Sample& next,
+                            double step_rad, double slowing, int direction);
 
 /// Of springs that end off the mid-plane: their rate of change at flat, by the parabola through
 /// what they moved by up to a first sample (panel widths) and their rate there.
 inline double slope_at_flat(double on, double slope, double pilot_rad) {
   return 2 * on / pilot_rad - slope;
 }
-
-/// The way from flat to a first sample: there lengths of others are even in the pilot's angle,
-/// a rho^2 + b rho^4. By how much each part of them has moved a diagonal in its direction, panel
-/// widths.
-struct FromFlat {
-  double square, fourth;
-
-  FromFlat(double on, double slope, double pilot_rad)
-      : square(2 * on - slope * pilot_rad / 2), fourth(slope * pilot_rad / 2 - on) {}
-  /// By more than rates of change are known to.
-  bool sets_out_back() const { return square < -kBumpBand_widths; }
-};
 
 }  // namespace misalign::solver

@@ -32,12 +32,12 @@ inline MujocoRun load(const schema::SimulatedSheet& sheet, double friction_n_mm_
 
 /// Largest difference of the pilot's angle, as a share of the start's, on the way to flat.
 inline double largest_difference(const schema::SimulatedSheet& sheet,
-                                 const std::vector<solver::DeploymentRow>& rigid, bool shown) {
+                                 const std::vector<solver::Deployment::Row>& rigid, bool shown) {
   MujocoRun run = load(sheet, 0);
   if (shown) std::printf("   time_s  rigid_deg mujoco_deg springs_n_mm mujoco_n_mm\n");
   double largest = 0, next_deg = sheet.pilot_deg;
   double before_s = 0, before_deg = run.pilot_deg(), before_n_mm = run.spring_energy_n_mm();
-  for (const solver::DeploymentRow& row : rigid) {
+  for (const solver::Deployment::Row& row : rigid) {
     if (row.pilot_deg < 0) break;
     while (run.time_s() < row.time_s) {
       before_s = run.time_s(), before_deg = run.pilot_deg(), before_n_mm = run.spring_energy_n_mm();

@@ -42,7 +42,7 @@ class Studies {
     const FoldingWay* const way = sheet_.way();
     EXPECT_TRUE(way);
     if (!way) return;
-    EnergyOptions free = sheet_options();
+    EnergyModel::Options free = sheet_options();
     look_at_deployment("free", *way, free);
     free.held = HeldPanel{held_panel(), seen(Eigen::Vector3d(1500, -4000, -9000))};
     free.joints = {1e-3, 1e-2 * unit_, 1e-5, 1e-3, 10};
@@ -72,8 +72,8 @@ class Studies {
         panels_.corners, [&](const auto& corners) { return sorted(corners) == held_corners_; });
     return static_cast<int>(at - panels_.corners.begin());
   }
-  EnergyOptions sheet_options() const {
-    EnergyOptions options;
+  EnergyModel::Options sheet_options() const {
+    EnergyModel::Options options;
     options.springs.stiffness_n_per_mm /= unit_;
     options.plates = {unit_, 2.7 / std::pow(unit_, 4)};
     return options;
@@ -155,10 +155,10 @@ class Studies {
   }
 
   void look_at_deployment(const std::string& name, const FoldingWay& way,
-                          const EnergyOptions& options) {
-    DeploymentOptions run;
+                          const EnergyModel::Options& options) {
+    Deployment::Options run;
     run.from_deg = std::min(36.0, deploys_from_deg_);
-    const DeploymentStudy study = study_deployment(sheet_, options, run, JointForcesOptions{});
+    const DeploymentStudy study = study_deployment(sheet_, options, run, JointForces::Options{});
     put(name + " mass", study.mass_t * unit_);
     put(name + " outcome", static_cast<double>(study.run.outcome));
     put(name + " time", study.deploy_time_s().value_or(-1));

@@ -95,7 +95,7 @@ class Errors {
     near_.creases[model_.mechanism().pilot] =
         solver::half_angle_of_deg(pilot_rad / solver::kRadPerDeg);
     solver_.find(geometry_, near_, solved_);
-    if (!(solver_.open_by() <= solver::NewtonOptions{}.closure_tolerance)) {
+    if (!(solver_.open_by() <= solver::Newton::Options{}.closure_tolerance)) {
       ++unsolved_;
       return;
     }

@@ -153,7 +153,7 @@ class Spoiler {
       interval.to_deg = std::min(to_deg, interval.from_deg + kWidth_deg);
       state.creases[static_cast<std::size_t>(mechanism_.pilot)] =
           solver::half_angle_of_deg(0.5 * (interval.from_deg + interval.to_deg));
-      if (newton.correct(geometry, state).end != solver::NewtonEnd::converged) break;
+      if (newton.correct(geometry, state).end != solver::Newton::StopReason::converged) break;
       interval.middle = state;
       interval.graded = false;
       interval.box = 1e-7;

@@ -135,7 +135,7 @@ class CurvePath : public Witness {
       }
       solver::FoldState<double> state = curve.state();
       state.creases[mechanism_.pilot] = station.pilot;
-      if (newton_.correct(geometry_, state).end != solver::NewtonEnd::converged) {
+      if (newton_.correct(geometry_, state).end != solver::Newton::StopReason::converged) {
         return conclude({PathEnd::stalled, 0, 0, 0, 0});
       }
       if (!see(station, state, history)) break;

@@ -40,13 +40,13 @@ class StationObserver : public ProblemObserver {
  public:
   StationObserver(const Problem& problem, const Demand& demand, int lanes);
 
-  const solver::CloseStepOptions& options() const { return options_; }
+  const solver::CloseSteps::Options& options() const { return options_; }
   solver::PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
   bool see(const solver::Station&, int lane);
 
  private:
-  solver::CloseStepOptions options_;
+  solver::CloseSteps::Options options_;
   solver::PathPoint point_;
 };
 
@@ -56,12 +56,12 @@ class FunctionObserver : public ProblemObserver {
  public:
   FunctionObserver(const Problem& problem, const Demand& demand, int lanes);
 
-  const solver::LongStepOptions& options() const { return options_; }
+  const solver::LongSteps::Options& options() const { return options_; }
   solver::ObserverResult see(const solver::PathFunction& function, int lane);
 
  private:
   const std::size_t diagonals_;
-  solver::LongStepOptions options_;
+  solver::LongSteps::Options options_;
   solver::PathFunction::Estimate estimate_;
 };
 

@@ -49,7 +49,7 @@ Truth::Truth(const Problem& problem) : problem_(problem) {
     solver::FoldState<double> state = problem.base_state(1);
     for (int degree = 1; degree <= kEnd_deg; ++degree) {
       state.creases[mechanism.pilot] = solver::half_angle_of_deg(degree);
-      if (newton.correct(sheet.geometry, state).end != solver::NewtonEnd::converged) {
+      if (newton.correct(sheet.geometry, state).end != solver::Newton::StopReason::converged) {
         throw std::runtime_error("no solution to refine");
       }
       refine(sheet, state);

@@ -214,7 +214,7 @@ TEST_F(Calculix, MotionIsReadAsItGrows) {
   EXPECT_NEAR(reader.rows()[0].springs_n_mm, actuation_.energy_n_mm[36], 1e-8);
   reader.feed(text.substr(1234));
   ASSERT_EQ(reader.rows().size(), 2u);
-  const solver::ElasticRow& row = reader.rows()[1];
+  const solver::StressStudy::Row& row = reader.rows()[1];
   EXPECT_EQ(row.time_s, 0.02);
   EXPECT_NEAR(row.pilot_deg, 30, 1e-4);  // displacements of some mm with seven digits
   EXPECT_NEAR(row.widest_deg, folded_.history().fold_angle_deg.row(29).cwiseAbs().maxCoeff(), 1e-4);
@@ -230,7 +230,7 @@ TEST_F(Calculix, MotionEndsWhereNumbersDo) {
     schema::MotionReader reader(sheet_, schema::PanelMesh(2));
     reader.feed(good + bad + increment(sheet_, sheet_, "0.3000000E-01", "        1.000000E+00"));
     EXPECT_EQ(reader.is_sound(), reader.rows().size() == 4) << bad.substr(0, 200);
-    for (const solver::ElasticRow& row : reader.rows()) {
+    for (const solver::StressStudy::Row& row : reader.rows()) {
       EXPECT_TRUE(std::isfinite(row.pilot_deg + row.widest_deg + row.springs_n_mm +
                                 row.strain_n_mm + row.kinetic_n_mm + row.time_s));
       EXPECT_GT(row.widest_deg, 30);

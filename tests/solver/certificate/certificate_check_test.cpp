@@ -328,7 +328,8 @@ FoldState<double> on_the_way_back(const CertifiedSheet& sheet, const PathInterva
   }
   SheetGeometry<double> geometry;
   place(sheet.sheet.mechanism, sheet.vertices_mm, geometry);
-  EXPECT_EQ(Newton(sheet.sheet.mechanism).correct(geometry, state).end, NewtonEnd::converged);
+  EXPECT_EQ(Newton(sheet.sheet.mechanism).correct(geometry, state).end,
+            Newton::StopReason::converged);
   return state;
 }
 

@@ -37,7 +37,7 @@ struct PaperSheet {
   /// The state at an angle next to that of a state.
   FoldState<double> solved(FoldState<double> near, double pilot_deg) const {
     near.creases[static_cast<std::size_t>(mechanism.pilot)] = half_angle_of_deg(pilot_deg);
-    EXPECT_EQ(Newton(mechanism).correct(geometry, near).end, NewtonEnd::converged);
+    EXPECT_EQ(Newton(mechanism).correct(geometry, near).end, Newton::StopReason::converged);
     return near;
   }
   std::vector<double> lengths(const FoldState<double>& state) const {

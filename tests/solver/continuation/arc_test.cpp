@@ -13,7 +13,7 @@
 namespace misalign::solver {
 namespace {
 
-constexpr ArcOptions kArc;
+constexpr CloseSteps::ArcOptions kArc;
 
 /// pilot = top - curvature / 2 u^2, everything in rad; forward is u < 0.
 struct Parabola {
@@ -49,7 +49,7 @@ HalfAngle<double> half_angle_of_rad(double angle) {
 /// Makes the steps of a control on a parabola, as a path follower would with exact arithmetic.
 class ArcWalker {
  public:
-  ArcWalker(const Parabola& curve, const CloseStepOptions& options = kUsual)
+  ArcWalker(const Parabola& curve, const CloseSteps::Options& options = kUsual)
       : curve_(curve), control_(options) {}
 
   const PathResult& result() const { return control_.result(); }
@@ -141,7 +141,7 @@ class ArcWalker {
 TEST(Arc, FoldLimitIsTheParabolasTop) {
   const PathPlan plan = stations_at({10, 60});
   for (const double tolerance_deg : {kArc.limit_tolerance_rad / kRadPerDeg, 0.1}) {
-    CloseStepOptions options = kUsual;
+    CloseSteps::Options options = kUsual;
     options.arc.limit_tolerance_rad = tolerance_deg * kRadPerDeg;
     double worst = 0;
     for (const double height_deg : {1e-5, 1e-3, 0.1, 1.0, 7.0, 30.0, 49.9}) {
@@ -180,7 +180,7 @@ TEST(Arc, LandsOnStationsBelowTheTop) {
 // A limit point next to a station may be the station itself, where the equations are singular: it
 // is tried once with the pilot held.
 TEST(Arc, ALimitPointNextToASingularStation) {
-  CloseStepOptions options = kUsual;
+  CloseSteps::Options options = kUsual;
   options.arc.singular_gap_rad = 1e-5 * kRadPerDeg;
   const auto followed = [&](double below_deg, std::optional<double> away) {
     ArcWalker arc({30 - below_deg, 1}, options);

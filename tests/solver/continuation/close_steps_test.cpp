@@ -174,7 +174,7 @@ TEST_F(CloseStepsTest, JumpWalksFromItsBoundOn) {
 // All corrections since departing count together, but not those of the start, which has a bound of
 // its own.
 TEST_F(CloseStepsTest, LongCorrectionsWalkFromTheirBoundOn) {
-  CloseStepOptions options = kUsual;
+  CloseSteps::Options options = kUsual;
   options.longest_correction_rad = 0.125;
   for (const double second : {0.0625, 0.0626, kNoNumber}) {
     CloseSteps control(options);

@@ -136,7 +136,7 @@ TEST_P(PathFunctions, RecordsAreThoseOfTheHistory) {
       EXPECT_NEAR(record.lengths[k], close.lengths[k], k < at_d ? 5e-6 : 1e-10) << k;
     }
     EXPECT_NEAR(record.singular_value_min / close.singular_value_min, 1, 1e-5);
-    EXPECT_LE(record.residual_max, NewtonOptions{}.closure_tolerance);
+    EXPECT_LE(record.residual_max, Newton::Options{}.closure_tolerance);
     EXPECT_LE(record.isometry_error, 1e-10);
     ASSERT_EQ(record.miscut_margin_mm.has_value(), close.miscut_margin_mm.has_value());
     if (close.miscut_margin_mm) {

@@ -75,7 +75,7 @@ TEST(Path, ReachesAStationWhereTheEquationsAreSingular) {
   for (int k = 1; k <= 9000; ++k) {
     const FoldState<double> last = state;
     state.creases[sheet.mechanism.pilot] = half_angle_of_deg(0.02 * k);
-    ASSERT_EQ(newton.correct(geometry, state).end, NewtonEnd::converged) << 0.02 * k;
+    ASSERT_EQ(newton.correct(geometry, state).end, Newton::StopReason::converged) << 0.02 * k;
     ASSERT_LE(largest_half_sine(last, state), std::sin(0.5 * kRadPerDeg)) << "a jump";
   }
   std::vector<double> lengths(sheet.mechanism.diagonals.size());

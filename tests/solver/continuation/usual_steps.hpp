@@ -8,8 +8,8 @@
 namespace misalign::solver {
 
 /// A station is believed as soon as it closes.
-inline constexpr CloseStepOptions kUsual = [] {
-  CloseStepOptions options;
+inline constexpr CloseSteps::Options kUsual = [] {
+  CloseSteps::Options options;
   options.least_corrections = 0;
   return options;
 }();

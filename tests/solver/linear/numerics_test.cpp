@@ -88,7 +88,7 @@ TEST(Numerics, SmallestSingularValueAtTheFoldedEnd) {
                      return true;
                    });
     EXPECT_NEAR(histories[i].singular_value_min.back() / expected, 1, 1e-5) << "sheet " << i;
-    EXPECT_LE(histories[i].open_by.back(), NewtonOptions{}.closure_tolerance) << "sheet " << i;
+    EXPECT_LE(histories[i].open_by.back(), Newton::Options{}.closure_tolerance) << "sheet " << i;
   }
   EXPECT_GT(reached, 3);
 }
@@ -98,8 +98,8 @@ TEST(Numerics, NewtonTellsHowItEnded) {
   Newton newton(sheet.mechanism);
   auto state = sheet.folded(50);
   state.creases[sheet.mechanism.pilot] = half_angle_of_deg(51);
-  const NewtonResult good = newton.correct(sheet.geometry, state);
-  EXPECT_EQ(good.end, NewtonEnd::converged);
+  const Newton::Result good = newton.correct(sheet.geometry, state);
+  EXPECT_EQ(good.end, Newton::StopReason::converged);
   EXPECT_LE(good.open_by, 1e-12);
   EXPECT_LE(good.iterations, 5);
 
@@ -107,11 +107,11 @@ TEST(Numerics, NewtonTellsHowItEnded) {
   Newton impatient(sheet.mechanism, {1e-12, 1});
   state = sheet.folded(50);
   state.creases[sheet.mechanism.pilot] = half_angle_of_deg(51);
-  EXPECT_EQ(impatient.correct(sheet.geometry, state).end, NewtonEnd::too_many_steps);
+  EXPECT_EQ(impatient.correct(sheet.geometry, state).end, Newton::StopReason::too_many_steps);
 
   state = sheet.folded(50);
   state.creases[0].c = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(newton.correct(sheet.geometry, state).end, NewtonEnd::not_a_number);
+  EXPECT_EQ(newton.correct(sheet.geometry, state).end, Newton::StopReason::not_a_number);
 }
 
 }  // namespace

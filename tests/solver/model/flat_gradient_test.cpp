@@ -17,7 +17,7 @@ Eigen::VectorXd lengths_of(const TestSheet& sheet, const FlatVertices& vertices_
   SheetGeometry<double> geometry;
   place(sheet.mechanism, vertices_mm, geometry);
   Newton newton(sheet.mechanism);
-  EXPECT_EQ(newton.correct(geometry, state).end, NewtonEnd::converged);
+  EXPECT_EQ(newton.correct(geometry, state).end, Newton::StopReason::converged);
   Eigen::VectorXd lengths(sheet.mechanism.diagonal_count());
   folded_lengths(sheet.mechanism, geometry, state, lengths.data());
   return lengths;
@@ -84,7 +84,7 @@ TEST(FlatGradient, EqualsDifferencesBetweenSheets) {
       place(sheet.mechanism, vertices_mm, geometry);
       FoldState<double> state = sheet.folded(pilot_deg);
       Newton newton(sheet.mechanism);
-      ASSERT_EQ(newton.correct(geometry, state).end, NewtonEnd::converged);
+      ASSERT_EQ(newton.correct(geometry, state).end, Newton::StopReason::converged);
       const Eigen::MatrixXd gradients = gradients_of(sheet.mechanism, geometry, state);
       constexpr double kStep_mm = 1e-3;
       for (Eigen::Index k = 0; k < vertices_mm.size(); ++k) {

@@ -22,7 +22,7 @@ constexpr double kReleased_deg = 36, kStiffness = 50, kApart_rad = 1e-4;
 struct GradedSheet : testing::Test {
   GradedSheet() {
     const FoldingWay& way = *own.sheet.way();
-    study = study_deployment(own.sheet, {}, {.from_deg = kReleased_deg}, JointForcesOptions{});
+    study = study_deployment(own.sheet, {}, {.from_deg = kReleased_deg}, JointForces::Options{});
     FoldState<double> state = way.stations().front().state;
     way.find_state(way.x_of(0.5), state);
     coordinates.emplace(family.base, vertices_mm,

@@ -38,7 +38,7 @@ struct TwoPanels {
     way.emplace(mechanism, sheet.vertices_mm, WayCoordinate{0}, step, end, std::move(stations));
     shape.emplace(sheet, std::vector<int>{}, mechanism);
   }
-  EnergyModel sheet(const EnergyOptions& options) const {
+  EnergyModel sheet(const EnergyModel::Options& options) const {
     return EnergyModel(*way, *shape, base, options);
   }
 
@@ -61,8 +61,8 @@ struct Oscillator : TwoPanels, testing::Test {
   }
   Deployment released() const { return deploy(sheet(options), {0.0}, run); }
 
-  EnergyOptions options;
-  DeploymentOptions run;
+  EnergyModel::Options options;
+  Deployment::Options run;
   double mass, inertia, stiffness, frequency;
 };
 
@@ -76,7 +76,7 @@ TEST_F(Oscillator, SwingsAsOneDoes) {
   EXPECT_NEAR(deployment.last().time_s / quarter_s, 1, kTimes);
   EXPECT_NEAR(deployment.last().rate_deg_per_s / (-60 * frequency), 1, kTimes);
   double last_deg = 60;
-  for (const DeploymentRow& row : deployment.rows) {
+  for (const Deployment::Row& row : deployment.rows) {
     EXPECT_NEAR(row.pilot_deg, 60 * std::cos(frequency * row.time_s), 60 * kTimes);
     EXPECT_LE(std::abs(row.pilot_deg - last_deg), run.row_deg * (1 + 1e-9));
     last_deg = row.pilot_deg;
@@ -106,12 +106,12 @@ TEST_F(Oscillator, BouncesOffAStop) {
   EXPECT_EQ(deployment.outcome, Outcome::flat);
   double angle_deg = 60, time_s = -kPi / 2 / frequency;
   int turns = 0, flats = 0;
-  for (const DeploymentRow& row : deployment.rows) {
-    if (row.event == DeploymentEvent::turn) {
+  for (const Deployment::Row& row : deployment.rows) {
+    if (row.event == Deployment::Event::turn) {
       ++turns;
       angle_deg /= 2;
       EXPECT_NEAR(row.pilot_deg, angle_deg, 60 * kTimes);
-    } else if (row.event == DeploymentEvent::flat) {
+    } else if (row.event == Deployment::Event::flat) {
       ++flats;
       time_s += kPi / frequency;
       EXPECT_NEAR(row.time_s, time_s, kTimes * time_s);
@@ -142,7 +142,7 @@ TEST_F(Oscillator, RestsOnAStopUnderItsWeight) {
       if (at.is_well) wells_x.push_back(at.x);
     }
     const Deployment deployment = deploy(weighed, wells_x, run);
-    for (const DeploymentRow& row : deployment.rows) EXPECT_GE(row.pilot_deg, -1e-6) << g;
+    for (const Deployment::Row& row : deployment.rows) EXPECT_GE(row.pilot_deg, -1e-6) << g;
     const bool is_pressed = weighed.at(0.01).slope > weighed.at(0).friction;
     EXPECT_EQ(deployment.outcome == Outcome::flat, is_pressed) << g;
     pressed += is_pressed;
@@ -160,8 +160,8 @@ TEST_F(Oscillator, BouncesAgainstFriction) {
   EXPECT_EQ(deployment.outcome, Outcome::flat);
   double angle = 60 * kRadPerDeg;
   int turns = 0;
-  for (const DeploymentRow& row : deployment.rows) {
-    if (row.event != DeploymentEvent::turn) continue;
+  for (const Deployment::Row& row : deployment.rows) {
+    if (row.event != Deployment::Event::turn) continue;
     ++turns;
     const double up = 0.81 * (stiffness / 2 * angle * angle - friction * angle);
     angle = (std::sqrt(friction * friction + 2 * stiffness * up) - friction) / stiffness;
@@ -208,7 +208,7 @@ TEST_F(Oscillator, CreepsToWhereFrictionHoldsIt) {
   const double root = std::sqrt(decay * decay - frequency * frequency);
   const double slow = frequency * frequency / (decay + root);
   const double from_deg = (60 - held_deg) * (decay + root) / (2 * root);
-  for (const DeploymentRow& row : creep.rows) {
+  for (const Deployment::Row& row : creep.rows) {
     if (row.time_s * decay < 50) continue;  // by then the fast root has gone
     EXPECT_NEAR(row.pilot_deg, held_deg + from_deg * std::exp(-slow * row.time_s), 60 * kTimes);
   }
@@ -269,7 +269,7 @@ struct FreePanels : TwoPanels, testing::Test {
   double generalised(double x) const {
     return mass * kPanel_mm * kPanel_mm * (std::pow(std::sin(x / 2), 2) / 8 + 1.0 / 24);
   }
-  EnergyOptions options;
+  EnergyModel::Options options;
   double mass;
 };
 
@@ -290,7 +290,7 @@ TEST_F(FreePanels, ForceInTheHingeWhileItMoves) {
   const JointForces forces = find_joint_forces(free, *shape, base, deployment);
   const double stiffness = options.joints.stiffness_n_mm_per_mm * kAlong_mm;
   Eigen::Index row = 0;
-  for (const DeploymentRow& at : deployment.rows) {
+  for (const Deployment::Row& at : deployment.rows) {
     if (std::abs(at.pilot_deg) < 1) continue;
     const double slope = mass * kPanel_mm * kPanel_mm * std::sin(at.x) / 16, rate = at.x_rate;
     const double acceleration = (-slope * rate * rate / 2 - stiffness * at.x) / generalised(at.x);

@@ -58,7 +58,7 @@ TEST_F(PinnedSheet, LosesWhatItsForcesAndTurnsAre) {
   for (const int deg : {36, 20, 5}) {
     SCOPED_TRACE(deg);
     Deployment held{};
-    DeploymentRow row{};
+    Deployment::Row row{};
     row.pilot_deg = deg;
     row.x = way.x_of(deg);
     held.rows = {row};
@@ -95,7 +95,7 @@ TEST_F(PinnedSheet, LosesWhatItsForcesAndTurnsAre) {
     const auto loss = [&](const PinFriction& of) {
       std::size_t k = 0;
       while (of.rows[k + 1].pilot_deg > deg) ++k;
-      const PinRow &above = of.rows[k], &below = of.rows[k + 1];
+      const PinFriction::Row &above = of.rows[k], &below = of.rows[k + 1];
       const double share =
           std::log(deg / below.pilot_deg) / std::log(above.pilot_deg / below.pilot_deg);
       return below.loss_n * std::pow(above.loss_n / below.loss_n, share);
@@ -130,7 +130,7 @@ TEST_F(PinnedSheet, GetsToFlatWithItsEnergy) {
   for (const PinFriction* of : {&pins.in_middle, &pins.at_ends}) {
     double loss = 0;  // by trapezoids over the logarithm of the angle, flat where there is none
     for (std::size_t k = 0; k + 1 < of->rows.size(); ++k) {
-      const PinRow &above = of->rows[k], &below = of->rows[k + 1];
+      const PinFriction::Row &above = of->rows[k], &below = of->rows[k + 1];
       loss += 0.5 * std::log(above.pilot_deg / below.pilot_deg) * kRadPerDeg *
               (above.loss_n * above.pilot_deg + below.loss_n * below.pilot_deg);
     }

@@ -185,7 +185,7 @@ TEST_F(Optimising, KeepsTheLeastSlope) {
 // Springs of a sheet without shifts do not change: what is left of their energy is rounding.
 TEST_F(Optimising, StillSpringsRestNowhere) {
   const Sheet own(solver_, next_start(false)), still(solver_, 0 * own.shifts_mm());
-  EnergyOptions options;
+  EnergyModel::Options options;
   const auto equilibria = [&](const Sheet& sheet) {
     return find_equilibria(EnergyModel(sheet, options));
   };

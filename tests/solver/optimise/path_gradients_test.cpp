@@ -25,7 +25,7 @@ Eigen::VectorXd folded(const Model& model, const FlatVertices& vertices_mm,
   place(model.mechanism(), vertices_mm, geometry);
   FoldState<double> state = near;
   Newton newton(model.mechanism());
-  EXPECT_EQ(newton.correct(geometry, state).end, NewtonEnd::converged);
+  EXPECT_EQ(newton.correct(geometry, state).end, Newton::StopReason::converged);
   const Mechanism& mechanism = model.mechanism();
   const Eigen::Index diagonals = mechanism.diagonal_count();
   Eigen::VectorXd numbers(diagonals + std::ssize(mechanism.creases));
@@ -47,7 +47,7 @@ Eigen::VectorXd changing(const Model& model, const FlatVertices& vertices_mm,
   place(mechanism, vertices_mm, geometry);
   FoldState<double> solved = near;
   Newton newton(mechanism);
-  EXPECT_EQ(newton.correct(geometry, solved).end, NewtonEnd::converged);
+  EXPECT_EQ(newton.correct(geometry, solved).end, Newton::StopReason::converged);
   ClosureSystem system(mechanism);
   system.evaluate(geometry, solved);
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(system.jacobian().leftCols(mechanism.equations));

@@ -58,7 +58,7 @@ struct Table1Way : testing::Test {
     way.find_state(x, state);
     return model.shape().vertices_mm(way.geometry(), state);
   }
-  EnergyModel released(const EnergyOptions& options = {}) const {
+  EnergyModel released(const EnergyModel::Options& options = {}) const {
     return EnergyModel(way, model.shape(), sheet.base, options);
   }
 
@@ -130,7 +130,7 @@ TEST_F(Table1Way, ReleasedAt36Degrees) {
   EXPECT_NEAR(mass_kg_mm2(0.5), 81.4, 0.05);
   for (const auto& [pilot_deg, time_s] :
        {std::pair(30.0, 0.0433), {20.0, 0.0704}, {10.0, 0.0892}, {5.0, 0.0972}}) {
-    const auto at = std::find_if(run.rows.begin(), run.rows.end(), [&](const DeploymentRow& row) {
+    const auto at = std::find_if(run.rows.begin(), run.rows.end(), [&](const Deployment::Row& row) {
       return std::abs(row.pilot_deg - pilot_deg) < 1e-9;
     });
     ASSERT_NE(at, run.rows.end()) << pilot_deg;
@@ -144,7 +144,7 @@ TEST_F(Table1Way, EnergyIsKeptOverTenSwings) {
   EXPECT_EQ(run.outcome, Outcome::passed_flat);  // for the next time
   const double energy = run.rows.front().total_n_mm;
   double worst = 0;
-  for (const DeploymentRow& row : run.rows) {
+  for (const Deployment::Row& row : run.rows) {
     worst = std::max(worst, std::abs(row.total_n_mm / energy - 1));
   }
   EXPECT_LT(worst, 1e-8);
@@ -157,7 +157,7 @@ TEST_F(Table1Way, CriticalFrictionIsWhereTheMotionJustArrives) {
     const auto limit = find_friction_limits(released(), from_deg).critical_n_mm_per_mm;
     ASSERT_TRUE(limit);
     for (const double density : {2.7, 0.5}) {
-      EnergyOptions options;
+      EnergyModel::Options options;
       options.plates.density_g_per_cm3 = density;
       for (const double share : {0.999, 1.001}) {
         options.joints.friction_n_mm_per_mm = share * *limit;
@@ -176,7 +176,7 @@ TEST_F(Table1Way, CriticalFrictionIsWhereTheMotionJustArrives) {
 TEST_F(Table1Way, RestsWhereSpringsAreRelaxed) {
   const FoldingHistory history = sheet.history(vertices_mm);
   for (const int rest_deg : {30, 60, 90, 120}) {
-    EnergyOptions options;
+    EnergyModel::Options options;
     options.springs.rest_deg = rest_deg;
     const EnergyModel deploying = released(options);
     const std::vector<Equilibrium> found = find_equilibria(deploying);
@@ -193,14 +193,14 @@ TEST_F(Table1Way, RestsWhereSpringsAreRelaxed) {
 }
 
 TEST_F(Table1Way, ComesToRestThere) {
-  EnergyOptions options;
+  EnergyModel::Options options;
   options.springs.rest_deg = 60;
   options.joints.damping_n_mm_s_per_mm = 0.01;
   const double well_x = way.x_of(60);
   for (const double from_deg : {30.0, 156.0}) {
     const Deployment run = deploy(released(options), {-well_x, well_x}, {.from_deg = from_deg});
     EXPECT_EQ(run.outcome, Outcome::at_rest) << from_deg;
-    EXPECT_NEAR(run.last().pilot_deg, 60, DeploymentOptions{}.well_deg);
+    EXPECT_NEAR(run.last().pilot_deg, 60, Deployment::Options{}.well_deg);
   }
 }
 
