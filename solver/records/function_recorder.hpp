@@ -26,7 +26,7 @@ class FunctionRecorder {
         recorder_(recorder),
         observer_(model, lanes_of<T>()),
         measure_(model),
-        solved_(kLanes<T>, nothing_solved(model)) {}
+        solved_(model, kLanes<T>) {}
 
   /// Of every sheet of the block.
   const std::vector<PathRecord>& record(const SheetBlock& block) {
@@ -132,7 +132,7 @@ class FunctionRecorder {
   Recorder<T>& recorder_;
   RecordObserver observer_;
   StateMeasure<T> measure_;
-  std::vector<std::vector<SolvedState>> solved_;  // of lanes
+  SolvedStates solved_;
   std::vector<int> incomplete_, unsure_;
   std::vector<PathRecord> records_;
 };

@@ -5,12 +5,15 @@
 
 namespace misalign::solver {
 
-std::vector<SolvedState> nothing_solved(const Model& model) {
+SolvedStates::SolvedStates(const Model& model, int lanes) {
   const std::size_t diagonals = model.mechanism().diagonals.size();
   const SolvedState nothing{
       {0, 0, 0}, std::vector<double>(diagonals), std::vector<double>(diagonals)};
-  return std::vector<SolvedState>(model.margin_samples().size() + kPurposes, nothing);
+  of_lanes_.assign(static_cast<std::size_t>(lanes),
+                   std::vector<SolvedState>(model.margin_samples().size() + kPurposes, nothing));
 }
+
+SolvedStates::~SolvedStates() = default;
 
 void RequestedStates::begin(const Model& model) {
   model_ = &model;

@@ -23,8 +23,19 @@ struct SolvedState {
   std::vector<double> lengths, slopes;  ///< panel widths, per radian of pilot
 };
 
-/// Room for what is found at the requested states of one path.
-std::vector<SolvedState> nothing_solved(const Model& model);
+/// Room for what is found at the requested states of one path in each lane. It is made and unmade
+/// elsewhere than in lanes, whose instructions not every machine has.
+class SolvedStates {
+ public:
+  SolvedStates(const Model& model, int lanes);
+  ~SolvedStates();
+  std::vector<SolvedState>& operator[](int lane) {
+    return of_lanes_[static_cast<std::size_t>(lane)];
+  }
+
+ private:
+  std::vector<std::vector<SolvedState>> of_lanes_;
+};
 
 /// What a state is requested for, beside those of the model's margin_samples.
 enum class Purpose {
