@@ -48,8 +48,8 @@ Box descended(Box best, const Matrix3Xd& points_mm) {
   for (double step_deg = kFirstTurn_deg; step_deg > kLastTurn_deg;) {
     const Box from = best;
     for (int neighbour = 0; neighbour < 27; ++neighbour) {
-      const Vector3d way(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
-      const Box next = box_along(from.axes * turned_by(step_deg * way), points_mm);
+      const Eigen::Vector3i way(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
+      const Box next = box_along(from.axes * turned_by(step_deg * way.cast<double>()), points_mm);
       if (next.volume() < best.volume() * (1 - 1e-12)) best = next;
     }
     if (best.volume() == from.volume()) step_deg /= 2;
@@ -67,9 +67,10 @@ Vector3d least_box_mm(const Matrix3Xd& points_mm) {
           .matrixU();
   Box best = descended(box_along(principal, centred_mm), centred_mm);
   for (int start = 1; start < 27; ++start) {
-    const Matrix3d axes = principal * turned_by({kBetweenStarts_deg * (start % 3), 0, 0}) *
-                          turned_by({0, kBetweenStarts_deg * (start / 3 % 3), 0}) *
-                          turned_by({0, 0, kBetweenStarts_deg * (start / 9)});
+    const int about_x = start % 3, about_y = start / 3 % 3, about_z = start / 9;
+    const Matrix3d axes = principal * turned_by({kBetweenStarts_deg * about_x, 0, 0}) *
+                          turned_by({0, kBetweenStarts_deg * about_y, 0}) *
+                          turned_by({0, 0, kBetweenStarts_deg * about_z});
     const Box box = descended(box_along(axes, centred_mm), centred_mm);
     if (box.volume() < best.volume()) best = box;
   }
