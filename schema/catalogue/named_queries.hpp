@@ -20,7 +20,7 @@ struct LimitedQuery {
 };
 LimitedQuery limited(const std::string& named);
 
-/// What "the best first" means, stated in the query `best`: "ORDER BY ..., ..." on the columns of
+/// The order "the best first" as the query `best` states it: "ORDER BY ..., ..." on the columns of
 /// the view candidates.
 std::string best_order();
 

@@ -17,7 +17,7 @@ struct QueryText {
 /// request) for a word that names no query.
 QueryText query_text(SQLite::Database& database, const std::string& name_or_sql);
 
-/// Whether a named query's LIMIT left any out behind the `rows` that it gave.
+/// True where a named query's LIMIT left rows out behind the `rows` that it gave.
 bool leaves_rows_out(SQLite::Database& database, const std::string& named, std::uint64_t rows);
 
 }  // namespace misalign::schema

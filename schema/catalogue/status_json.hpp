@@ -5,7 +5,7 @@
 
 namespace misalign::schema {
 
-/// Of a state that has a ladder: populations, and what was found at each level.
+/// The ladder of a state that has one: populations, and what was found at each level.
 Json ladder_json(const CatalogueState& state);
 
 /// The contract's `status --json`, without the survival of its draws.

@@ -16,7 +16,7 @@ class MotionReader {
  public:
   MotionReader(const SimulatedSheet& sheet, const PanelMesh& mesh);
 
-  /// What came since; the last line may be a part of one.
+  /// Reads text that came since the last call; its last line may be a part of one.
   void feed(const std::string& text);
   /// The first is the start; the last is before the first one that is no result.
   const std::vector<solver::StressStudy::Row>& rows() const { return rows_; }

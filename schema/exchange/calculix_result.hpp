@@ -10,7 +10,8 @@ namespace misalign::schema {
 inline constexpr double kLargestResult = 1e30;
 bool is_result(double value);
 
-/// As Fortran writes it: 1.2-103 is 1.2E-103. What is no number, such as a field of stars, is NaN.
+/// A number as Fortran writes it: 1.2-103 is 1.2E-103. NaN for a field that holds none, such as
+/// stars.
 double fortran_number(std::string text);
 
 /// Numbers stand in columns, without a blank between where they are negative.

@@ -149,8 +149,8 @@ MatValue verdict(const FoldingView& view) {
   return MatValue::json("verdict", json);
 }
 
-// What the file's own `readme` says, before what is the sheet's: the variables with their axes and
-// units.
+// The part of the file's `readme` that is the same for every sheet: the variables with their axes
+// and units.
 constexpr const char* kMatReadme =
     "Lengths in mm, angles in degrees, forces in N; the unit ends each name.\n"
     "S rows: pilot angles, flat first. V vertices (row 1 is "

@@ -29,7 +29,7 @@ std::string stem_of(const std::string& output) {
   return path.parent_path() / (path.filename().string().substr(0, kLongestStem) + ".");
 }
 
-// What comes before the digits of a name of that form; empty of others.
+// The part before the digits of a name of that form; empty of others.
 std::string stem_within(const std::string& path) {
   const std::size_t added = kRandomDigits + std::string_view(kEnding).size();
   if (path.size() <= added || !path.ends_with(kEnding)) return "";

@@ -25,7 +25,7 @@ Json json_list(const Range& range, const Of& of) {
   return list;
 }
 
-/// Whether it is a list of so many numbers.
+/// True for a list of `count` numbers.
 bool are_numbers(const Json& value, std::size_t count);
 
 /// Removes from an object whatever `defaults` says just the same, in its objects, too.

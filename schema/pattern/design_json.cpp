@@ -85,7 +85,7 @@ void read_array(ObjectReader& reader, const char* key, std::optional<Array>& int
   }
 }
 
-// Whether there is such a panel, says who holds it.
+// The form alone is checked here; what holds a sheet says whether there is such a panel.
 bool is_place(const Json& one) {
   constexpr int kMostPlace = 1000;  // of a row or column
   return one.is_number_integer() && one >= 0 && one < kMostPlace;

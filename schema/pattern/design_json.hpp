@@ -17,11 +17,11 @@ Design read_springs(const Json& value, const std::string& where, InputFaults& fa
 
 /// Every key; null what is not said and has no number that holds instead.
 Json design_json(const Design& design);
-/// Without what says no more than that.
+/// The design as JSON without the parts that are as by default.
 Json explicit_design_json(const Design& design);
 
-/// Whether a design names what its sheet has. UserError (bad_input) about `source`: a preload of no
-/// diagonal, a hold that is no panel.
+/// Checks that a design names diagonals and panels of its sheet. UserError (bad_input) about
+/// `source`: a preload of no diagonal, a hold that is no panel.
 void check_names(const Design& design, const solver::PerforatedSheet& base,
                  const std::string& source);
 

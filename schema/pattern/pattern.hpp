@@ -22,7 +22,7 @@ struct Pattern {
   solver::FlatVertices vertices_mm() const { return base.sheet.vertices_mm + shifts_mm; }
 };
 
-/// Whether a pattern may have shifts of its own.
+/// A pattern's shifts of its own are allowed or refused.
 enum class Displacements { allowed, refused };
 
 /// Where a path is looked at, and what counts as a fault between.

@@ -7,7 +7,7 @@
 namespace misalign::schema {
 namespace {
 
-// Whether an overconstrained sheet folds all the same: `constraints` says that they are.
+// Checks that an overconstrained sheet folds all the same: `constraints` says that they are.
 void check_member(const std::string& where, const std::string& constraints, const Pattern& pattern,
                   InputFaults& faults) {
   const solver::CreasePattern& sheet = pattern.base.sheet;

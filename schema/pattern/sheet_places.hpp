@@ -12,7 +12,7 @@ namespace misalign::schema {
 /// "the face A0-A1-A5-A4"
 std::string face_label(const std::array<int, 4>& corners);
 
-/// Why a sheet's faces have no rows and columns.
+/// The reason why a sheet's faces have no rows and columns.
 struct NoPlaces {
   std::string problem, why;
   const char* suggestion;

@@ -26,8 +26,8 @@ struct DeployInput {
 /// where it is let go.
 double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sheet& sheet);
 
-/// How a sheet of this design is let go; `options` say what no design does. UserError (bad_request)
-/// where it has no such panel to hold.
+/// The options with which a sheet of this design is let go; `options` hold what no design says.
+/// UserError (bad_request) where it has no such panel to hold.
 solver::ReleaseOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet,
                                       solver::ReleaseOptions options = {});
 

@@ -34,7 +34,7 @@ struct Call {
 // One for all functions of a connection.
 class StudyFunctions {
  public:
-  // Without a campaign: by that of the catalogue.
+  // The catalogue's campaign is used where none is given.
   StudyFunctions(SQLite::Database& database, std::string path, const schema::Campaign* campaign)
       : database_(database), path_(std::move(path)), campaign_(campaign) {}
 

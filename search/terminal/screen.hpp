@@ -8,9 +8,9 @@ namespace misalign::search {
 bool is_terminal(int file);
 /// Columns of the terminal behind a file; 80 where there is none, or where it does not say.
 int terminal_width(int file);
-/// Whether TERM names a terminal that can go back within a line, erase and color.
+/// True where TERM names a terminal that can go back within a line, erase and color.
 bool terminal_is_able();
-/// Whether the locale's characters are UTF-8.
+/// True where the locale's characters are UTF-8.
 bool locale_is_utf8();
 
 /// One line on standard error, in the place of the last one; no wider than the terminal.

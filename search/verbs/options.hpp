@@ -15,7 +15,7 @@ namespace misalign::search {
 /// The first argument of verbs that look at sheets.
 void add_catalogue_or_pattern(CLI::App& verb, std::string& path);
 
-/// What verbs that study one sheet are asked, each with more of its own.
+/// The options that all verbs have which study one sheet; each has more of its own.
 struct SheetCall {
   std::string path;                   ///< a catalogue or a pattern file
   std::optional<std::uint64_t> draw;  ///< of a catalogue's campaign, accepted or not

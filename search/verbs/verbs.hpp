@@ -15,7 +15,7 @@ namespace misalign::search {
 /// UserError.
 using Action = std::function<int()>;
 
-/// What shows something of a call, and ends well.
+/// An action that shows something of a call and ends well.
 template <class Call, class Show>
 Action showing(const std::shared_ptr<Call>& call, Show show) {
   return [call, show] {

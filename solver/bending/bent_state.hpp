@@ -49,7 +49,7 @@ class HeldStiffness;
 /// equilibria lie close by, most of all near flat.
 class BentFollower {
  public:
-  /// In equilibrium to the end, whatever the displacements.
+  /// A state in equilibrium to the end, whatever the displacements.
   struct State : BentState {
     double moment_n = 0;  ///< d energy / d sum: N mm per mm
     Eigen::Matrix3Xd at_mm;

@@ -17,10 +17,10 @@ struct PanelMaterial {
   double e_mpa() const { return 1e3 * e_gpa; }
 };
 
-/// Along a side a panel gives like a strip with this share of its width: forces enter at corners.
+/// A panel gives along a side like a strip with this share of its width: forces enter at corners.
 /// Chosen on Table 1 (results/bending/README.md), tested on other sheets.
 inline constexpr double kEdgeShare = 0.12;
-/// What a plate that twists loses at each edge (Saint-Venant): 0.315 t of its width.
+/// A plate that twists loses 0.315 t of its width at each edge (Saint-Venant).
 inline constexpr double kFreeEdge = 0.315;
 
 class ElasticPanel {

@@ -16,13 +16,14 @@ struct SaddlePlate {
   double stiffness;
 };
 
-/// From 5 to 7 the stiffness of panels like the paper's falls by less than 2 %, most where two
-/// edges are free (tests/solver/bending/saddle_plate_test.cpp).
+/// The polynomials' degree in each direction. The stiffness of panels like the paper's falls from 5
+/// to 7 by less than 2 %, most where two edges are free
+/// (tests/solver/bending/saddle_plate_test.cpp).
 inline constexpr int kRitzDegree = 5;
-/// By the method of Ritz (polynomials of this degree in each direction): corners in mm,
-/// counter-clockwise; `is_straight[i]`: the edge from corner i to the next is a crease, which the
-/// neighbour keeps straight. Other edges are free. A rectangle whose edges all stay straight, or
-/// are all free, has 2 (1 - nu) / area: pure twist.
+/// Bends a plate by the method of Ritz (polynomials of this degree in each direction): corners in
+/// mm, counter-clockwise; `is_straight[i]`: the edge from corner i to the next is a crease, which
+/// the neighbour keeps straight. Other edges are free. A rectangle whose edges all stay straight,
+/// or are all free, has 2 (1 - nu) / area: pure twist.
 SaddlePlate bend_into_saddle(const std::array<Eigen::Vector2d, 4>& corners_mm,
                              const std::array<bool, 4>& is_straight, double poisson,
                              int degree = kRitzDegree);

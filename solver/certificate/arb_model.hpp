@@ -136,7 +136,7 @@ inline ArbNumber size_of(const ArbNumber& a) {
   arb_abs(result[0], a[0]);
   return result;
 }
-/// At least |f(s)| for every s.
+/// A bound from above of |f(s)| for every s.
 template <int Degree>
 ArbNumber most_of(const ArbModel<Degree>& f) {
   ArbBound most, size;

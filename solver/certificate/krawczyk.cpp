@@ -107,8 +107,8 @@ Eigen::VectorXd Krawczyk::times_deviation(const Eigen::VectorXd& radii) const {
   return rounded_up(sum);
 }
 
-// In the norm of r it is at most that of `most` / (1 - contraction), and within what the inequality
-// makes of a bound.
+// The bound in the norm of r is at most that of `most` / (1 - contraction), and within what the
+// inequality makes of a bound.
 Eigen::VectorXd Krawczyk::bound_solution(const PathTube& tube, const Eigen::VectorXd& most) const {
   if (!most.allFinite()) {
     return Eigen::VectorXd::Constant(most.size(), std::numeric_limits<double>::infinity());

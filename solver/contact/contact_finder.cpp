@@ -48,8 +48,8 @@ double angle_from_sector(const Vector3d& ray, const Vector3d& one, const Vector3
   return std::min(between(one), between(other));
 }
 
-// Between two panels with a common crease: how far its fold angle is from +-180 degrees, times the
-// panel width.
+// The clearance of two panels with a common crease: how far its fold angle is from +-180 degrees,
+// times the panel width.
 class CreaseWalk : public GapWalk {
  public:
   CreaseWalk(const PanelMotion& motion, int crease) : GapWalk(motion), crease_(crease) {}

@@ -70,7 +70,7 @@ class PolygonWalk : public GapWalk {
   double move_to(double x) override;
   /// Not more than the gap at x is, by spheres round both.
   double least_mm(double x) const;
-  /// Where it was moved to last, in flat coordinates of panel a.
+  /// The separation at the place of the last move, in flat coordinates of panel a.
   const Separation& separation() const { return separation_; }
 
  protected:

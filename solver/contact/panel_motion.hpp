@@ -78,7 +78,7 @@ class PanelMotion {
   mutable std::vector<Pose> solved_;
   mutable SparseLu<double> lu_;
   mutable std::vector<double> residual_, work_, turn_;
-  // By the polynomials: of each panel and of all creases the last that was found, and where.
+  // The last pose of each panel and of all creases that the polynomials gave, and where.
   struct CachedPose {
     double x;
     Pose pose;

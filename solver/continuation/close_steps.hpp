@@ -9,29 +9,29 @@ namespace misalign::solver {
 
 class CloseSteps {
  public:
-  /// Of the way along the arc (pseudo-arclength continuation: Keller; Allgower & Georg,
+  /// Options of steps along the arc (pseudo-arclength continuation: Keller; Allgower & Georg,
   /// Introduction to Numerical Continuation Methods, ch. 6). Lengths are Euclidean, over all
   /// unknowns.
   struct ArcOptions {
     double longest_step_rad = 0.1;
     double shortest_step_rad = 1e-9;  ///< below it the path has stalled
-    /// Where the pilot's rate falls, steps get no shorter than this before a limit point was seen.
+    /// Steps get no shorter than this where the pilot's rate falls, before a limit point was seen.
     double least_step_by_fall_rad = 0.005;
     /// 15 degrees between the tangents of neighbouring points.
     double least_tangent_cosine = 0.966;
     int most_steps = 5000;  ///< from one station to the next
-    /// How well the pilot's largest value is known: 6e-8 degrees; 0.001 is asked for.
+    /// The error of the pilot's largest value: 6e-8 degrees; 0.001 is asked for.
     double limit_tolerance_rad = 1e-9;
-    /// Where a path stalls or finds a limit point this close below a station, the station may be
-    /// singular, as 180 degrees where another branch crosses: it is tried once with the pilot held.
-    /// 0: never.
+    /// A path that stalls or finds a limit point this close below a station is tried once more with
+    /// the pilot held: the station may be singular, as 180 degrees where another branch crosses. 0:
+    /// never.
     double singular_gap_rad = 0;
-    /// From a node that is at least this far below it: straight ahead from there is off by the
-    /// square of that, and where that closes all loops nothing is better. A correction is off by
-    /// the rounding errors over the least singular value.
+    /// That try starts from a node at least this far below it: straight ahead from there is off by
+    /// the square of that, and where that closes all loops nothing is better. A correction is off
+    /// by the rounding errors over the least singular value.
     double try_from_rad = 1e-6;
-    /// Of a crease in that try, sin(half of its turn). The curve's own solution is at a distance
-    /// like the root of the gap: 4e-4 rad from 1e-5 degrees.
+    /// The largest turn of a crease in that try, sin(half of it). The curve's own solution is at a
+    /// distance like the root of the gap: 4e-4 rad from 1e-5 degrees.
     double longest_try_half_sine = 5e-3;
   };
 
@@ -39,21 +39,21 @@ class CloseSteps {
     double closure_tolerance = Newton::Options{}.closure_tolerance;
     /// Extrapolated stations converge in one or two corrections; more have lost the branch.
     int max_corrections = 10;
-    /// Of a station before it is believed, but for the first: its tangent is that of the state
-    /// before the last one.
+    /// A station needs so many corrections before it is believed, but for the first: its tangent is
+    /// that of the state before the last one.
     int least_corrections = 1;
-    /// Of a correction next to a solution beyond 179 degrees, see Correction: double ones are for
-    /// the arc.
+    /// The least gain of a correction next to a solution beyond 179 degrees, see Correction: double
+    /// ones are for the arc.
     double least_gain = 8;
-    /// Of a crease from one station to the next, sin(half of it), and of all its corrections
-    /// together (rad): what has gone farther is looked for along the arc. Steps of 1 degree move a
-    /// crease by 1 to 3 degrees, more only within 0.1 of a fold limit; 20 degrees is a jump to
-    /// another branch.
+    /// The largest turn of a crease from one station to the next, sin(half of it), and of all its
+    /// corrections together (rad): what has gone farther is looked for along the arc. Steps of 1
+    /// degree move a crease by 1 to 3 degrees, more only within 0.1 of a fold limit; 20 degrees is
+    /// a jump to another branch.
     double longest_half_sine = 0.17364817766693033;
     double longest_correction_rad = 2 * kPi;
     double longest_start_share = kLongestStartShare;
-    /// Between the tangents of neighbouring stations: where they differ more, a limit point may lie
-    /// between them. As on the arc, 15 degrees.
+    /// The least cosine between the tangents of neighbouring stations: where they differ more, a
+    /// limit point may lie between them. As on the arc, 15 degrees.
     double least_tangent_cosine = ArcOptions{}.least_tangent_cosine;
     ArcOptions arc;
   };

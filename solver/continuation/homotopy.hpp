@@ -99,8 +99,8 @@ class ShiftHomotopy final : public StartFinder {
     T orientation() const { return lu_.orientation(); }
 
    private:
-    // For the residual's rate of change with the share: error 1e-10 of it, which only bends the
-    // tangent.
+    // The difference of shares that gives the residual's rate of change: error 1e-10 of it, which
+    // only bends the tangent.
     static constexpr double kDifference = 1e-5;
 
     void solve_with(const T& of_residual, const T& partner, const T& share, T* x);
@@ -110,7 +110,8 @@ class ShiftHomotopy final : public StartFinder {
     SheetGeometry<T> base_, geometry_;
     SparseLu<T> lu_;
     FoldState<T> state_;
-    // Per equation, with room for one more: the residual and the share's column, then L y of each.
+    // Columns of an entry per equation and one more: the residual and the share's column, then L y
+    // of each.
     std::vector<T> residual_, before_, after_, of_residual_, of_share_, work_;
   };
 

@@ -14,21 +14,22 @@ namespace misalign::solver {
 class LongSteps {
  public:
   struct Options {
-    /// Of all corrections of a node together (rad): what lies farther from the extrapolation may
+    /// The largest sum of a node's corrections (rad): what lies farther from the extrapolation may
     /// belong to another branch.
     double longest_correction_rad = 0.1;
-    /// How far the extrapolation is wanted to be off (rad): the next step's length follows.
+    /// The wanted error of the extrapolation (rad): the next step's length follows.
     double wanted_correction_rad = 3e-3;
     /// The same of what a segment's polynomials would lose without their last node (panel widths,
     /// rad); beyond the last number the segment is not believed.
     double wanted_roughness = 3e-8, most_roughness = 3e-7;
-    /// Beyond it paths are followed closely: next to 180 degrees branches are near each other.
+    /// Paths are followed closely beyond this angle: next to 180 degrees branches are near each
+    /// other.
     double last_deg = 178.5;
     double longest_step_rad = 0.4, shortest_step_rad = 1e-3;
-    /// Between the tangents of neighbouring nodes.
+    /// The least cosine between the tangents of neighbouring nodes.
     double least_tangent_cosine = 0.7;
     int max_corrections = 5;
-    /// How well a limit point is wanted (rad of pilot): 6e-8 degrees.
+    /// The wanted error of a limit point (rad of pilot): 6e-8 degrees.
     double limit_tolerance_rad = 1e-9;
   };
 

@@ -45,7 +45,7 @@ class PathFunction {
     double angle_rad = 0;
   };
 
-  /// What is known of the diagonals at a point between nodes.
+  /// An estimate of the diagonals at a point between nodes.
   struct Estimate {
     explicit Estimate(const Mechanism& mechanism);
     ~Estimate();

@@ -13,7 +13,7 @@ namespace misalign::solver {
 
 class BaseJudge {
  public:
-  /// Of an overconstrained model, whose base has a parallel family. Must outlive this object.
+  /// The model is overconstrained, its base has a parallel family, and it must outlive this object.
   explicit BaseJudge(const Model& model);
 
   /// Of the sheet with these vertices: undecided where they are off the family.

@@ -22,8 +22,8 @@ namespace misalign::solver {
 struct Filler {
   struct Folded {
     Eigen::Vector3d apex_mm;
-    /// Of the edges before-corner, corner-apex, corner-after: degrees within +-180, valleys
-    /// positive.
+    /// Fold angles of the edges before-corner, corner-apex, corner-after: degrees within +-180,
+    /// valleys positive.
     std::array<double, 3> angle_deg;
   };
 

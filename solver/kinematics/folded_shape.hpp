@@ -22,7 +22,7 @@ class FoldedShape {
     std::vector<Vec3<T>> vertices;
   };
 
-  /// How a facet moves: its point that is at p now moves by spin x p + drift.
+  /// The velocity of a facet: its point that is at p now moves by spin x p + drift.
   template <class T>
   struct Twist {
     Vec3<T> spin, drift;

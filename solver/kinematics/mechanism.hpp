@@ -45,12 +45,12 @@ struct Passage {
 /// A closed walk over kept facets. Round a whole vertex the rotation must close, three equations
 /// (3.1); round a hole the translation too, six equations (3.4), (3.5).
 struct Loop {
-  /// What carries the end of a spring at a corner of a hole: that panel, the vertices of it before
-  /// and after the corner (counter-clockwise), and the first passage at which a walk is on it.
+  /// The panel that carries the end of a spring at a corner of a hole, its vertices before and
+  /// after the corner (counter-clockwise), and the first passage at which a walk is on it.
   struct Carrier {
     int facet, before, after;
     int arrival;
-    /// Of the end, from the vertex: along the bisector of the panel's corner, to its left, up.
+    /// The end's place from the vertex: along the bisector of the panel's corner, to its left, up.
     Eigen::Vector3d place_mm;
   };
 

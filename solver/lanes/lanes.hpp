@@ -11,7 +11,7 @@ namespace misalign::solver {
 class Batch;
 class Model;
 
-/// Of an overconstrained model, whatever the instruction set: in closed form.
+/// The batch of an overconstrained model, whatever the instruction set: in closed form.
 std::unique_ptr<Batch> make_base_batch(const Model& model);
 std::unique_ptr<Batch> make_baseline_batch(const Model& model);
 #ifdef MISALIGN_X86

@@ -24,10 +24,10 @@ struct ProductTable {
   explicit ProductTable(int count) : coordinates(count) {}
 
   const int coordinates;
-  /// Of each group, of each coordinate i, of each four of the coordinates i, i + 1, ...: of each of
-  /// its quantities four entries. Beyond the last coordinate: 0.
+  /// Four entries for each quantity of each group, of each coordinate i, of each four of the
+  /// coordinates i, i + 1, .... Beyond the last coordinate: 0.
   std::vector<Byte, xsimd::aligned_allocator<Byte, 64>> entries;
-  /// Of each group, of each of its quantities: the sum of all entries.
+  /// The sum of all entries for each quantity of each group.
   std::vector<std::int32_t> totals;
 
   /// That hold so many products; those of this coordinate with itself and those after it.

@@ -1,4 +1,4 @@
-// What rejection tests say of a sheet.
+// The answer of rejection tests about a sheet.
 #pragma once
 
 #include "solver/verdict/fault.hpp"

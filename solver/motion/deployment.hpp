@@ -26,16 +26,17 @@ struct Deployment {
   struct Options {
     double from_deg = 36;  ///< at rest; the paper's "20 % folded"
     bool latch = false;    ///< caught when it first is flat
-    /// Of a stop at flat, from 0 to less than 1: with how much of its speed the sheet leaves it
-    /// again.
+    /// The coefficient of restitution of a stop at flat, from 0 to less than 1: the share of its
+    /// speed with which the sheet leaves it again.
     std::optional<double> restitution{};
-    /// How often it may pass flat or, where nothing slows it down, turn round before the run ends.
+    /// The number of times that the sheet may pass flat or, where nothing slows it down, turn round
+    /// before the run ends.
     int swings = 0;
     double time_limit_s = 60;
     double row_deg = 0.5;   ///< a row at each multiple of it, and at each event
     double flat_deg = 0.5;  ///< what comes to rest as close as this to flat is flat
-    /// As close as this to a well that is not flat it is there. At rest is what has not the energy
-    /// to go farther than these from the nearest well.
+    /// The sheet is at a well that is not flat when it is as close as this. It is at rest when it
+    /// has not the energy to go farther than these from the nearest well.
     double well_deg = 0.01;
     double relative_tolerance = 1e-11;  ///< of the integration
   };

@@ -16,8 +16,8 @@ namespace misalign::solver {
 /// Vectors in the flat coordinates of the first panel, as seen from +z.
 struct JointForces {
   struct Options {
-    /// In the motion, with inertia and the joints' resistance; or held at each row by a moment
-    /// about the pilot crease, nothing moving.
+    /// The sheet is in motion, with inertia and the joints' resistance; or held at each row by a
+    /// moment about the pilot crease, nothing moving.
     bool in_motion = true;
     double from_deg = 1;  ///< closer to flat the balance is singular
   };

@@ -9,9 +9,9 @@ namespace misalign::solver {
 
 class MotionIntegrator {
  public:
-  /// By Adams' methods, of changing order and step. By backward differences where much damping
-  /// makes the equation stiff: it settles to a slow creep at once, which Adams' steps would have to
-  /// follow.
+  /// The method of integration: Adams' methods of changing order and step, or backward differences
+  /// where much damping makes the equation stiff: it settles to a slow creep at once, which Adams'
+  /// steps would have to follow.
   enum class Method { adams, backward_differences };
 
   struct State {

@@ -14,8 +14,8 @@
 namespace misalign::solver {
 
 struct PinFriction {
-  /// At an angle: what drives the sheet, and what 1 mm of mu r takes of it, both by the pilot's
-  /// angle.
+  /// The moments at an angle: what drives the sheet, and what 1 mm of mu r takes of it, both by the
+  /// pilot's angle.
   struct Row {
     double pilot_deg;
     double driving_n_mm;  ///< to flat: springs, elastic creases and weight

@@ -25,7 +25,7 @@ double force_n(const Sheet& sheet, const ReleaseOptions& deploying) {
   return rigid.spring_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
 }
 
-// Whether the goals of the floors are no lower.
+// True where the goals of the floors are no lower.
 bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
   return std::ranges::all_of(options.floors, [&](const OptimiseFloor& floor) {
     const auto value = value_of(*floor.goal, sheet, options);

@@ -60,7 +60,7 @@ struct Optimised {
     double per_share_of_stroke = 0;  ///< for each 1 of the stroke limit
     double per_n_of_force = 0;       ///< for each N of the largest force
     double per_mm_of_amplitude = 0;  ///< for each mm of amplitude
-    /// For each N/mm, and N, beyond the range in which it is chosen, at either end.
+    /// The loss for each N/mm, and N, beyond the range in which it is chosen, at either end.
     double per_n_per_mm_of_stiffness = 0, per_n_of_preload = 0;
     std::vector<double> per_floor;  ///< for each 1 that the floor is lower
     /// Diagonals that would turn back, where: the one with the largest price first.

@@ -20,8 +20,8 @@ inline constexpr double kSlopeStep_rad = 5e-4;
 
 class PathGradients {
  public:
-  /// At one pilot angle, which is held. A row of numbers each: x and y of each vertex in turn, per
-  /// mm.
+  /// The gradients at one pilot angle, which is held. A row of numbers each: x and y of each vertex
+  /// in turn, per mm.
   struct AtAngle {
     double pilot_deg;
     Eigen::VectorXd length_mm;     ///< of the diagonals' springs
@@ -30,13 +30,13 @@ class PathGradients {
     Eigen::MatrixXd fold_by_mm;    ///< creases x (2 vertices): deg per mm
   };
 
-  /// Of the diagonals at one pilot angle.
+  /// The slopes of the diagonals at one pilot angle.
   struct Slopes {
     Eigen::VectorXd slope_mm_per_rad;  ///< of the pilot's angle
     Eigen::MatrixXd slope_by_mm;       ///< diagonals x (2 vertices): mm per rad per mm
   };
 
-  /// Of the folded sheet at one pilot angle, its first panel held.
+  /// The folded sheet at one pilot angle, its first panel held.
   struct Shape {
     Eigen::Matrix3Xd at_mm;  ///< every vertex, where its panel has it
     Eigen::MatrixXd by_mm;   ///< (3 vertices) x (2 vertices): mm per mm

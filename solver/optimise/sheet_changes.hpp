@@ -47,8 +47,8 @@ class SpringChanges {
   /// A row of their changes: by the coordinates, `weights` one per spring.
   Eigen::VectorXd forces_row(const PathGradients::AtAngle& here,
                              const Eigen::VectorXd& weights) const;
-  /// Of the energy of springs with these forces, panels where they are: in equilibrium that changes
-  /// nothing to first order (the envelope theorem).
+  /// The gradient of the energy of springs with these forces, panels where they are: in equilibrium
+  /// that changes nothing to first order (the envelope theorem).
   Eigen::VectorXd energy_row(const PathGradients::AtAngle& here,
                              const Eigen::VectorXd& forces_n) const;
 

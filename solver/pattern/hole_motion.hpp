@@ -53,8 +53,8 @@ class HoleMotion {
   /// |(L - L0) / L0| of the diagonal that changes less.
   double stroke(const HalfAngle<double>& pilot) const;
 
-  /// Where both diagonals turn back, as T: roots at which the quadratic that has the sign of
-  /// -d(p . q)/dT changes its sign, ascending; infinite where there are fewer.
+  /// The places where both diagonals turn back, as T: roots at which the quadratic that has the
+  /// sign of -d(p . q)/dT changes its sign, ascending; infinite where there are fewer.
   std::array<double, 2> turns() const;
   /// +1 where the diagonal from corner 1 to 3 grows all the way from flat to 180 degrees and the
   /// other shrinks, -1 the other way round, 0 where neither is certain.

@@ -11,8 +11,9 @@ namespace misalign::solver {
 /// bisector of its corner and off its mid-plane, on the side of +z of the flat sheet. Where a hole
 /// lies across it is the panel before the vertex, counter-clockwise round the diagonal's hole.
 struct SpringEnds {
-  /// Of the spring that comes to one corner of a hole: its place on one of the panels that meet
-  /// there, from the vertex along the bisector of the panel's corner, to the left of that, and up.
+  /// The end of the spring that comes to one corner of a hole: its place on one of the panels that
+  /// meet there, from the vertex along the bisector of the panel's corner, to the left of that, and
+  /// up.
   struct Own {
     int hole, vertex, panel;
     Eigen::Vector3d place_mm;

@@ -13,7 +13,7 @@ struct BacklashOptions {
   /// Pilot angles from here to D count. Below, springs that are relaxed when flat hardly pull:
   /// their moment falls with the cube of the angle, to 1/370 of that at 36 degrees.
   double from_deg = 5;
-  /// Between the angles below `from_deg` at which the assignment is checked.
+  /// The step between the angles below `from_deg` at which the assignment is checked.
   double flat_step_deg = 0.1;
 };
 

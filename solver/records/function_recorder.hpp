@@ -28,7 +28,7 @@ class FunctionRecorder {
         measure_(model),
         solved_(model, kLanes<T>) {}
 
-  /// Of every sheet of the block.
+  /// Records every sheet of the block.
   const std::vector<PathRecord>& record(const SheetBlock& block) {
     std::vector<UnfinishedRecord>& made = observer_.follow(block, follower_, close_follower_);
     find_incomplete(made, incomplete_);
@@ -45,7 +45,7 @@ class FunctionRecorder {
  private:
   static constexpr int kMostReversalRounds = 5;
 
-  // As many of the incomplete sheets as there are lanes, or those that are left.
+  // Completes as many of the incomplete sheets as there are lanes, or those that are left.
   void complete_from(std::size_t first, const SheetBlock& block,
                      std::vector<UnfinishedRecord>& records) {
     measure_.put(block, incomplete_, first);

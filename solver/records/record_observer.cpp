@@ -6,7 +6,7 @@
 namespace misalign::solver {
 namespace {
 
-// Where close steps take over at the latest.
+// Close steps take over here at the latest.
 constexpr double kLastHandedOver_deg = 178;
 
 // Segments of fewer samples are short.
@@ -76,7 +76,7 @@ ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
                               station_of(in_order + 1).pilot_deg));
   }
   const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
-  // After short segments the last nodes may not reach back to D any more: it is noted on the way.
+  // The last nodes may not reach back to D any more after short segments: D is noted on the way.
   const double segment_deg = end_deg - function.pilot(function.from()) / kRadPerDeg;
   const bool is_short = segment_deg < kShortSegment_samples * samples_.front()->pilot_deg;
   if ((one.fault_seen || is_last || is_short) && in_order > 0) request_d(in_order, function, one);

@@ -34,7 +34,7 @@ class RecordObserver final : public QueueObserver {
     return records_;
   }
 
-  // For the follower.
+  // The follower calls these.
   ObserverResult see(const PathFunction& function, int lane);
   void ended(PathResult path, int lane);
   /// The states that were requested of the path that was just seen, and where it goes on if it is

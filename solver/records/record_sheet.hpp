@@ -20,7 +20,7 @@ FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_m
 FoldingHistory record_on_base(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit = nullptr);
 
-/// What metrics need to know of the path, as a campaign's draws are measured.
+/// The record of a path that metrics need, as a campaign's draws are measured.
 PathRecord record_path(const Model& model, const FlatVertices& vertices_mm);
 
 }  // namespace misalign::solver

@@ -17,7 +17,7 @@ struct RequestedState {
   FoldState<double> near;
 };
 
-/// What was found there.
+/// The solution at a requested state.
 struct SolvedState {
   SolveQuality quality;
   std::vector<double> lengths, slopes;  ///< panel widths, per radian of pilot
@@ -37,7 +37,7 @@ class SolvedStates {
   std::vector<std::vector<SolvedState>> of_lanes_;
 };
 
-/// What a state is requested for, beside those of the model's margin_samples.
+/// The purpose of a requested state, beside those of the model's margin_samples.
 enum class Purpose {
   first,
   second,

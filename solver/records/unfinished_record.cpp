@@ -7,14 +7,14 @@
 namespace misalign::solver {
 namespace {
 
-// Between two states that were evaluated the least singular value was never below this share of
-// the smaller of theirs, where it does not go on falling beyond them.
+// The least share of the smaller of two evaluated states' least singular values that was ever seen
+// between them, where it does not go on falling beyond them.
 constexpr double kLeastBetween = 0.5;
 
 // Errors of functions are below this by far; other branches are farther away.
 constexpr double kSameLength_widths = 1e-5;
 
-// Whether a solved state is the one that the function has there.
+// True where a solved state is the one that the function has there.
 bool is_the_same(const PathRecord& record, const RequestedState& requested,
                  const SolvedState& solved) {
   if (!(solved.quality.open_by <= Newton::Options{}.closure_tolerance)) return false;
@@ -28,7 +28,7 @@ bool is_the_same(const PathRecord& record, const RequestedState& requested,
   return true;
 }
 
-// Whether the least of these singular values, up to D, is the path's.
+// True where the least of these singular values, up to D, is the path's.
 bool ends_are_least(const std::vector<double>& values, int in_order) {
   if (in_order <= 4) return true;  // all were evaluated
   const std::size_t last = values.size() - 1;

@@ -10,7 +10,7 @@
 
 namespace misalign::solver {
 
-/// As the path's function has it.
+/// The record of a path as its function has it.
 struct UnfinishedRecord {
   bool is_sure = false;      ///< otherwise it is for the close steps
   bool is_accepted = false;  ///< it deploys from the threshold: the record is to be complete

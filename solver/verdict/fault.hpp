@@ -29,7 +29,7 @@ enum class Fault {
 };
 
 struct FaultEntry {
-  /// Whether one crease or one diagonal shows it: what Verdict::where numbers.
+  /// The part that shows the fault, one crease or one diagonal: what Verdict::where numbers.
   enum class ShownBy { nothing, crease, diagonal };
 
   Fault fault;

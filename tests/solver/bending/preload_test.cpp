@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-// What programs that share no code found of Table 1: 1 mm best with 0.05 N, none left at 0.10; 4 mm
-// 3 and 6; of 18 ways to leave flat eight or nine are unstable with any preload.
+// Programs that share no code found of Table 1: 1 mm best with 0.05 N, none left at 0.10; 4 mm 3
+// and 6; of 18 ways to leave flat eight or nine are unstable with any preload.
 TEST_F(Bent, PreloadOfTable1) {
   const VectorXd all = Preload{1, {}}.forces_n(own.sheet.mechanism().diagonals);
   const PreloadAtFlat thin = *preload_at_flat(own.sheet, {}, 1, all),

@@ -64,7 +64,7 @@ TEST(SaddlePlate, FewPolynomialsAreEnough) {
   EXPECT_LT(worst, 0.02);  // energies may be off by 3 %
 }
 
-// Next to the corners of 117 degrees stress grows with the degree; what counts does not.
+// Stress next to the corners of 117 degrees grows with the degree; what counts does not.
 TEST(SaddlePlate, StressConverges) {
   const std::array<Vector2d, 4> corners{Vector2d(0, 0), Vector2d(80, 0), Vector2d(120, 80),
                                         Vector2d(40, 80)};
