@@ -18,16 +18,11 @@ using Eigen::Index;
 
 constexpr Index kFlat = -1, kBeyond = -2;  // instead of a row of the history
 
-// Of each station the row that shows it. Angles this close are one (see plan_path).
-std::vector<Index> rows_at(const std::vector<double>& stations_deg,
-                           const std::vector<solver::Station>& solved) {
+// The row of the history that shows each angle.
+std::vector<Index> rows_at(const std::vector<double>& pilot_deg, const solver::Sheet& sheet) {
   std::vector<Index> rows;
-  for (const double angle_deg : stations_deg) {
-    const auto at = std::lower_bound(
-        solved.begin(), solved.end(), angle_deg - solver::kSameAngle_deg,
-        [](const solver::Station& station, double deg) { return station.pilot_deg < deg; });
-    const bool is_there = at != solved.end() && at->pilot_deg <= angle_deg + solver::kSameAngle_deg;
-    rows.push_back(angle_deg <= 0 ? kFlat : is_there ? at - solved.begin() : kBeyond);
+  for (const double angle_deg : pilot_deg) {
+    rows.push_back(angle_deg <= 0 ? kFlat : sheet.row_at(angle_deg).value_or(kBeyond));
   }
   return rows;
 }
@@ -84,7 +79,7 @@ py::dict fold(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
   if (!stations_deg) {
     for (const solver::Station& station : history.stations) pilot_deg.push_back(station.pilot_deg);
   }
-  const std::vector<Index> rows = rows_at(pilot_deg, history.stations);
+  const std::vector<Index> rows = rows_at(pilot_deg, *sheet);
   const auto diagonals = static_cast<Index>(history.flat_mm.size());
   const Eigen::VectorXd flat_mm = Eigen::VectorXd::Map(history.flat_mm.data(), diagonals);
   const Eigen::VectorXd no_creases =

@@ -1,8 +1,8 @@
 #include "search/sheets/release.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "schema/files/user_error.hpp"
 #include "search/sheets/springs_at_vertices.hpp"
@@ -42,45 +42,37 @@ const schema::Pattern& pattern_for(const schema::Pattern& base, const char* opti
   return base;
 }
 
-// The sheet where its pilot has an angle, which an option named.
-class StateAt {
- public:
-  StateAt(const FoldingModel& model, const solver::Sheet& sheet, const char* option,
-          double pilot_deg)
-      // One sample is enough; the path takes shorter steps where it needs them.
-      : model_(pattern_for(model.base(), option, pilot_deg, sheet.name()), {pilot_deg, pilot_deg},
-               model.design()),
-        sheet_(model_.sheet(sheet.shifts_mm(), sheet.name())) {
-    const solver::FoldingHistory& history = sheet_.history();
-    const auto rows = static_cast<Eigen::Index>(history.stations.size());
-    if (rows == 0 ||
-        std::abs(history.stations.back().pilot_deg - pilot_deg) > solver::kSameAngle_deg) {
-      const std::string limit_deg = shown_number(history.path.fold_limit_deg);
-      refuse(option, pilot_deg,
-             sheet.name() + (history.path.lost() ? " could not be followed that far"
-                                                 : " has its fold limit at " + limit_deg + " deg"));
-    }
-    if (solver::rows_folded_well(mechanism(), history) < rows) {
-      refuse(option, pilot_deg,
-             sheet.name() + " has panels that passed through each other before that");
-    }
-    std::vector<Eigen::Index> all(history.stations.size());
-    std::iota(all.begin(), all.end(), 0);
-    check_shapes(sheet_, all);
-  }
-
-  const solver::Mechanism& mechanism() const { return model_.mechanism(); }
-  const Eigen::Matrix3Xd& shape_mm() const { return sheet_.shapes_mm().back(); }
-  std::vector<double> fold_angle_deg() const {
-    const Eigen::MatrixXd& angle_deg = sheet_.history().fold_angle_deg;
-    const Eigen::VectorXd last_deg = angle_deg.row(angle_deg.rows() - 1);
-    return {last_deg.begin(), last_deg.end()};
-  }
-
- private:
-  FoldingModel model_;
-  const solver::Sheet sheet_;
+struct FoldedSheet {
+  Eigen::Matrix3Xd shape_mm;
+  std::vector<double> fold_angle_deg;
 };
+
+// The sheet where its pilot has an angle, which an option named: followed closely to it, so that
+// all that is wrong before it is known.
+FoldedSheet folded_to(const FoldingModel& model, const solver::Sheet& sheet, const char* option,
+                      double pilot_deg) {
+  // One sample is enough; the path takes shorter steps where it needs them.
+  FoldingModel to_angle(pattern_for(model.base(), option, pilot_deg, sheet.name()),
+                        {pilot_deg, pilot_deg}, model.design());
+  const solver::Sheet folded = to_angle.sheet(sheet.shifts_mm(), sheet.name());
+  const solver::FoldingHistory& history = folded.history();
+  const auto rows = static_cast<Eigen::Index>(history.stations.size());
+  if (!folded.row_at(pilot_deg)) {
+    const std::string limit_deg = shown_number(history.path.fold_limit_deg);
+    refuse(option, pilot_deg,
+           sheet.name() + (history.path.lost() ? " could not be followed that far"
+                                               : " has its fold limit at " + limit_deg + " deg"));
+  }
+  if (solver::rows_folded_well(to_angle.mechanism(), history) < rows) {
+    refuse(option, pilot_deg,
+           sheet.name() + " has panels that passed through each other before that");
+  }
+  std::vector<Eigen::Index> all(history.stations.size());
+  std::iota(all.begin(), all.end(), 0);
+  check_shapes(folded, all);
+  const Eigen::VectorXd last_deg = history.fold_angle_deg.row(rows - 1);
+  return {folded.shapes_mm().back(), {last_deg.begin(), last_deg.end()}};
+}
 
 Eigen::Matrix3Xd flat_shape(const solver::FlatVertices& vertices_mm) {
   Eigen::Matrix3Xd shape_mm = Eigen::Matrix3Xd::Zero(3, vertices_mm.cols());
@@ -100,7 +92,7 @@ schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& s
         "add " + schema::parameter("preload_n", "0") + " for springs that are relaxed when flat"});
   }
   const double from_deg = start_deg(sheet, options);
-  const StateAt start(model, sheet, "from_deg", from_deg);
+  FoldedSheet start = folded_to(model, sheet, "from_deg", from_deg);
   std::vector<std::array<int, 2>> places;
   for (const int facet : sheet.panels().facets) {
     places.push_back(model.base().base.sheet.places[static_cast<std::size_t>(facet)]);
@@ -111,12 +103,12 @@ schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& s
           std::move(places),
           sheet.vertices_mm(),
           from_deg,
-          start.shape_mm(),
-          start.fold_angle_deg(),
+          std::move(start.shape_mm),
+          std::move(start.fold_angle_deg),
           options.plates,
           model.actuators().stiffness_n_per_mm,
           options.rest_deg,
-          options.rest_deg > 0 ? StateAt(model, sheet, "rest_deg", options.rest_deg).shape_mm()
+          options.rest_deg > 0 ? folded_to(model, sheet, "rest_deg", options.rest_deg).shape_mm
                                : flat_shape(sheet.vertices_mm())};
 }
 

@@ -59,7 +59,6 @@ class BentWay {
   const ElasticSheet& panels() const { return panels_; }
   const Eigen::VectorXd& pilot_deg() const { return pilot_deg_; }
   const std::vector<Compliance>& compliances() const { return compliances_; }
-  const Eigen::Matrix3Xd& folded_mm(std::size_t angle) const { return folded_mm_[angle]; }
 
   Bending bending(const DiagonalSprings& springs) const;
   /// At every angle, linear or by Newton's method.

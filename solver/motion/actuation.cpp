@@ -19,12 +19,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 // The row of the actuation at the angle of use.
 Index row_of_use(const Sheet& sheet, std::optional<double> from_deg) {
   if (!from_deg) return sheet.rows_up_to_d();
-  const std::vector<Station>& stations = sheet.history().stations;
-  const auto at = std::ranges::find_if(stations, [&](const Station& station) {
-    return std::abs(station.pilot_deg - *from_deg) <= kSameAngle_deg;
-  });
-  assert(at != stations.end());
-  return at - stations.begin() + 1;
+  const std::optional<Index> row = sheet.row_at(*from_deg);
+  assert(row);
+  return *row + 1;
 }
 
 // Rows of the actuation that are samples up to the angle of use, and that itself.

@@ -185,7 +185,7 @@ StudyResult<StaticRelease> static_release(const Sheet& sheet, const ReleaseOptio
 std::optional<double> springs_n_mm(const Sheet& sheet, const ReleaseOptions& options) {
   if (const auto study = static_release(sheet, options)) return study->springs_n_mm;
   // By the state that was solved there: next to where it is folded flat ways are off.
-  if (!sheet.way() || options.from_deg != sheet.deploys_from_deg() ||
+  if (!sheet.way() || sheet.rows_up_to_d() == 0 || options.from_deg != sheet.deploys_from_deg() ||
       preload_fault(options.sheet.springs)) {
     return {};
   }

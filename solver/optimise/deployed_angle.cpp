@@ -15,10 +15,9 @@ constexpr double kAroundFlat_deg = 0.1, kFromLimit_deg = 1e-6;
 
 // The angle at which a crease is folded to 180 degrees; none where no crease is.
 std::optional<double> folded_flat_deg(const Sheet& sheet) {
-  PathGradients gradients(sheet);
   const auto is_beyond = [&](double angle_deg) {
-    const auto folds_deg = gradients.folds_deg(angle_deg);
-    return folds_deg && folds_deg->cwiseAbs().maxCoeff() > 180 + kOverFoldBand_deg;
+    const Sheet::Pose& pose = sheet.at(angle_deg);
+    return pose.is_closed && pose.fold_deg.cwiseAbs().maxCoeff() > 180 + kOverFoldBand_deg;
   };
   const FoldingWay& way = *sheet.way();
   const auto about_deg = way.over_folded_deg();

@@ -53,8 +53,8 @@ bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
   if (reverses_deg && *reverses_deg <= to_deg) return false;
   if (sheet.way()->end_deg() < to_deg) return true;  // its end is the sample, but for rounding
   // Solved: between their stations ways are off by thousandths of a degree, next to limits by more.
-  const auto folds_deg = PathGradients(sheet).folds_deg(to_deg);
-  return folds_deg && folds_deg->cwiseAbs().maxCoeff() <= 180 - kFromFlat_deg;
+  const Sheet::Pose& pose = sheet.at(to_deg);
+  return pose.is_closed && pose.fold_deg.cwiseAbs().maxCoeff() <= 180 - kFromFlat_deg;
 }
 
 bool keeps_slope(const Sheet& sheet, const Sheet& before, const OptimiseOptions& options) {

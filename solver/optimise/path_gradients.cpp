@@ -30,7 +30,6 @@ struct PathGradients::Workspace {
       : mechanism(sheet.mechanism()),
         system(mechanism),
         lu(mechanism.equations),
-        newton(mechanism),
         gradient(mechanism),
         state(sheet.way()->stations().front().state),
         rates(mechanism.unknowns) {
@@ -45,14 +44,6 @@ struct PathGradients::Workspace {
     assert(of_quantity.size() == coordinates());
     const VectorXd weights = -lu.solve_transposed(rates.head(mechanism.equations));
     gradient.add_closure(weights.data(), of_quantity.data());
-  }
-
-  VectorXd folds_deg() const {
-    VectorXd folds(std::ssize(state.creases));
-    for (Index c = 0; c < folds.size(); ++c) {
-      folds(c) = mechanism.side * angle_deg(state.creases[static_cast<std::size_t>(c)]);
-    }
-    return folds;
   }
 
   // Brings the state from near the limit to it: onto the curve by the shortest step, along it by
@@ -86,7 +77,6 @@ struct PathGradients::Workspace {
   const Mechanism& mechanism;
   ClosureSystem system;
   DenseSolve lu;
-  Newton newton;
   FlatGradient<double> gradient;
   SheetGeometry<double> geometry;
   FoldState<double> state;
@@ -101,14 +91,9 @@ PathGradients::PathGradients(const Sheet& sheet) : sheet_(sheet) {
 PathGradients::~PathGradients() = default;
 
 bool PathGradients::solve_at(double pilot_deg) {
-  Workspace& with = *workspace_;
-  sheet_.way()->find_state(sheet_.way()->x_of(pilot_deg), with.state);
-  return with.newton.correct(with.geometry, with.state).end == Newton::StopReason::converged;
-}
-
-std::optional<VectorXd> PathGradients::folds_deg(double pilot_deg) {
-  if (!solve_at(pilot_deg)) return {};
-  return workspace_->folds_deg();
+  const Sheet::Pose& pose = sheet_.at(pilot_deg);
+  workspace_->state = pose.state;
+  return pose.is_closed;
 }
 
 std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool with_folds) {
@@ -143,7 +128,7 @@ std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool w
     gradients.length_by_mm.row(d) = row.transpose();
   }
   if (!with_folds) return gradients;
-  gradients.fold_deg = with.folds_deg();
+  gradients.fold_deg = sheet_.at(pilot_deg).fold_deg;
   const double deg_per_mm = 1 / (kRadPerDeg * mechanism.panel_width_mm);
   for (Index c = 0; c < creases; ++c) {
     const auto crease = static_cast<std::size_t>(c);

@@ -54,8 +54,6 @@ class PathGradients {
   /// On the way, between flat and its end: states are corrected there. Flat, only lengths change.
   /// None where the correction fails.
   std::optional<AtAngle> at(double pilot_deg, bool with_folds = true);
-  /// The fold angles alone, there.
-  std::optional<Eigen::VectorXd> folds_deg(double pilot_deg);
   /// None also where the way ends within twice kSlopeStep_rad.
   std::optional<Slopes> slopes(double pilot_deg);
   /// Of all vertices: what is between panels changes with them.

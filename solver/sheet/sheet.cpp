@@ -222,6 +222,14 @@ const Sheet::Pose& Sheet::at(double pilot_deg) const {
   return poses_.emplace(pilot_deg, std::move(pose)).first->second;
 }
 
+std::optional<Index> Sheet::row_at(double pilot_deg) const {
+  const std::vector<Station>& stations = history().stations;
+  const auto at =
+      std::ranges::lower_bound(stations, pilot_deg - kSameAngle_deg, {}, &Station::pilot_deg);
+  if (at == stations.end() || at->pilot_deg > pilot_deg + kSameAngle_deg) return {};
+  return at - stations.begin();
+}
+
 Index Sheet::rows_up_to_d() const {
   Index rows = 0;
   for (std::size_t row = 0; row < history().stations.size(); ++row) {

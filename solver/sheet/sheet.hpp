@@ -100,6 +100,8 @@ class Sheet {
   /// would stress panels, near a limit by micrometres. The way must be there and reach the angle.
   const Pose& at(double pilot_deg) const;
 
+  /// The history's row at this pilot angle (see kSameAngle_deg); none where it has no station.
+  std::optional<Eigen::Index> row_at(double pilot_deg) const;
   /// How many rows of the history lie up to D: the flat sheet not among them.
   Eigen::Index rows_up_to_d() const;
   /// How many are shown: those, or of a sheet that deploys from nothing the ones that are folded

@@ -7,6 +7,7 @@
 #include "solver/optimise/objective.hpp"
 #include "tests/solver/few_holes.hpp"
 #include "tests/solver/optimise/optimising.hpp"
+#include "tests/solver/own_sheet.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -220,6 +221,16 @@ TEST_F(Optimising, SpringsHoldEnergyAtFlatFoldedEnds) {
     ++flat_folded;
   }
   EXPECT_GT(flat_folded, 0);
+}
+
+// An unshifted sheet deploys from no angle, so its history has no row up to D.
+TEST_F(Optimising, SpringsHoldNoEnergyWhereASheetDeploysFromNoAngle) {
+  const DrawableSheet large(6, 6);
+  const OwnSheet still(large.base, Eigen::Matrix2Xd::Zero(2, large.base.sheet.vertex_count()));
+  ASSERT_EQ(still.sheet.deploys_from_deg(), 0);
+  ReleaseOptions deploying;
+  deploying.from_deg = 0;
+  EXPECT_EQ(springs_n_mm(still.sheet, deploying), std::nullopt);
 }
 
 // On a cutter's grid every end's shifts are whole multiples of it.

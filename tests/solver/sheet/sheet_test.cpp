@@ -90,6 +90,34 @@ TEST_F(Table1Sheet, HasAPoseAtAnAngle) {
   for (const Diagonal& diagonal : found.mechanism().diagonals) {
     EXPECT_NEAR((at_mm.col(diagonal.from) - at_mm.col(diagonal.to)).norm(), length_mm(d++), 1e-8);
   }
+  EXPECT_EQ(found.row_at(36), 35);
+  EXPECT_EQ(found.row_at(36.5), std::nullopt);
+}
+
+// A fold angle is the angle between the normals of the crease's two panels; vertices are known to
+// rounding, and no crease of 36 degrees is near 0 or 180, where the angle would be less sure.
+TEST_F(Table1Sheet, FoldsByTheAnglesBetweenItsPanels) {
+  const Sheet::Pose& pose = found.at(36);
+  const auto has = [](const std::array<int, 4>& corners, int vertex) {
+    return std::ranges::find(corners, vertex) != corners.end();
+  };
+  int compared = 0;
+  for (const Crease& crease : found.mechanism().creases) {
+    std::vector<Eigen::Vector3d> normals;
+    for (const std::array<int, 4>& corners : found.panels().corners) {
+      if (!has(corners, crease.a) || !has(corners, crease.b)) continue;
+      const auto side_mm = [&](int corner) -> Eigen::Vector3d {
+        return pose.vertices_mm.col(corners[static_cast<std::size_t>(corner)]) -
+               pose.vertices_mm.col(corners[0]);
+      };
+      normals.push_back(side_mm(1).cross(side_mm(3)).normalized());
+    }
+    ASSERT_EQ(normals.size(), 2u);
+    const double angle_deg =
+        std::atan2(normals[0].cross(normals[1]).norm(), normals[0].dot(normals[1])) / kRadPerDeg;
+    EXPECT_NEAR(std::abs(pose.fold_deg(compared++)), angle_deg, 1e-9);
+  }
+  EXPECT_EQ(compared, pose.fold_deg.size());
 }
 
 TEST_F(Table1Sheet, FindsWhatIsFoundAnew) {
