@@ -191,7 +191,7 @@ Campaign read_campaign(const Json& value, const std::string& source,
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
   campaign.design = read_design(part("design"), "design", faults)
-                        .instead_of(read_springs(part("actuators"), "actuators", faults));
+                        .merged_over(read_springs(part("actuators"), "actuators", faults));
   const bool is_in_closed_form = campaign.misalignment.parallel && !closes_at_180(campaign);
   read_certify(reader,
                campaign.search.splitting ? "a splitting search"

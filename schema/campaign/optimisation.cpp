@@ -60,7 +60,7 @@ void read_limits(ObjectReader& reader, OptimiseBounds& limits) {
 template <class Number>
 void read_as_design(ObjectReader& reader, const char* key, std::string_view design_key,
                     Number& into, const char* suggestion) {
-  const auto [least, most] = design_bounds(design_key);
+  const auto [least, most] = design_limits(design_key);
   reader.number(key, into, least, most, suggestion);
 }
 

@@ -60,7 +60,7 @@ std::optional<BoundFault> add_bound(const std::string& text, OptimiseBounds& bou
   for (const Ceiling& ceiling : kCeilings) {
     if (name != ceiling.name) continue;
     if (!is_ceiling) return BoundFault{name + " is to be small", "write " + name + " <= it"};
-    const auto [least, most] = design_bounds(ceiling.design_key);
+    const auto [least, most] = design_limits(ceiling.design_key);
     if (!(bound >= least && bound <= most)) return out_of_bounds(name, least, most);
     if (bounds.*ceiling.bound) return twice();
     bounds.*ceiling.bound = bound;

@@ -90,10 +90,10 @@ std::vector<PieceRow> Catalogue::pieces(const std::string& layout) const {
   return reading(*database_, [&] { return read_pieces(*database_, layout); });
 }
 
-void Catalogue::keep_levels(const std::vector<int>& scores, std::uint32_t pilot) {
+void Catalogue::keep_levels(const std::vector<int>& scores, std::uint32_t level_finder) {
   transact([&] {
     write_levels(*database_, scores, campaign_.sample_deg);
-    drop_pieces(*database_, pilot);
+    drop_pieces(*database_, level_finder);
   });
 }
 

@@ -64,7 +64,7 @@ class Catalogue {
   std::string result_of(const PieceRow& piece) const;
   /// One transaction each: the levels, instead of what is done of finding them by this population;
   /// more pieces.
-  void keep_levels(const std::vector<int>& scores, std::uint32_t pilot);
+  void keep_levels(const std::vector<int>& scores, std::uint32_t level_finder);
   void keep_pieces(const std::vector<PieceRow>& pieces);
   /// One transaction: whole units of another catalogue of this campaign, with its runs. Before
   /// begin_run. UserError (bad_input) if the other one holds rows that no catalogue may.

@@ -12,9 +12,9 @@ namespace {
 constexpr double kMargin_mm = 5;
 constexpr double kLabel_mm = 2.88;  // 4 as a font size
 
-class Sheet {
+class PatternPen {
  public:
-  explicit Sheet(const Eigen::Matrix2Xd& vertices_mm) : vertices_mm_(vertices_mm) {}
+  explicit PatternPen(const Eigen::Matrix2Xd& vertices_mm) : vertices_mm_(vertices_mm) {}
 
   DrawnPath path(const std::vector<int>& vertices, bool closed) const {
     DrawnPath path{{}, closed};
@@ -37,27 +37,27 @@ class Sheet {
 
 LineDrawing crease_pattern_drawing(const Pattern& base, const Eigen::Matrix2Xd& vertices_mm,
                                    const solver::Mechanism& mechanism, const std::string& title) {
-  const Sheet sheet(vertices_mm);
+  const PatternPen pen(vertices_mm);
   LineLayer springs{"springs", kGreen, LayerUse::hidden, {}, {}, {}},
       labels{"labels", kGreen, LayerUse::hidden, {}, {}, {}},
       mountains{"mountain", kRed, LayerUse::cut, {}, {}, {}},
       valleys{"valley", kBlue, LayerUse::cut, {}, {}, {}},
       cuts{"cut", kBlack, LayerUse::cut, {}, {}, {}};
   for (const auto& outline : solver::outlines(base.base.sheet, base.base.holes)) {
-    cuts.paths.push_back(sheet.path(outline, true));
+    cuts.paths.push_back(pen.path(outline, true));
   }
   for (const solver::Crease& crease : mechanism.creases) {
     (mechanism.is_valley(crease) ? valleys : mountains)
-        .paths.push_back(sheet.path({crease.a, crease.b}, false));
+        .paths.push_back(pen.path({crease.a, crease.b}, false));
   }
   Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, vertices_mm.cols());
   flat_mm.topRows<2>() = vertices_mm;
   for (std::size_t d = 0; d < mechanism.diagonals.size(); ++d) {
     const solver::FoldedSpring spring(mechanism, mechanism.diagonals[d], flat_mm);
     springs.paths.push_back({{spring.from_mm.head<2>(), spring.to_mm.head<2>()}, false});
-    labels.texts.push_back(Sheet::number_of(springs.paths.back(), d));
+    labels.texts.push_back(PatternPen::number_of(springs.paths.back(), d));
   }
-  for (int v = 0; v < vertices_mm.cols(); ++v) labels.texts.push_back(sheet.label(v));
+  for (int v = 0; v < vertices_mm.cols(); ++v) labels.texts.push_back(pen.label(v));
   const Eigen::Vector2d margin_mm(kMargin_mm, kMargin_mm);
   return {title,
           vertices_mm.rowwise().minCoeff() - margin_mm,

@@ -59,9 +59,9 @@ std::string in_comment(const std::string& text) {
   return comment;
 }
 
-class Model {
+class MjcfWriter {
  public:
-  Model(const SimulatedSheet& sheet, const MjcfOptions& options)
+  MjcfWriter(const SimulatedSheet& sheet, const MjcfOptions& options)
       : sheet_(sheet),
         options_(options),
         tree_(solver::joint_tree(sheet.mechanism, sheet.panels)),
@@ -120,7 +120,7 @@ class Model {
 
 // No longer than two pi-th of the period that all panels' mass would have on all springs: the
 // loops, which close in two steps, stay faster than what springs move.
-double Model::time_step_s() const {
+double MjcfWriter::time_step_s() const {
   double mass_t = 0;
   for (const solver::PanelMass& mass : masses_) mass_t += mass.mass_t;
   const double springs_n_per_mm =
@@ -129,7 +129,7 @@ double Model::time_step_s() const {
 }
 
 // Flat coordinates, as x and y, to the folded sheet's.
-Eigen::Matrix3d Model::normal_frame(int panel) const {
+Eigen::Matrix3d MjcfWriter::normal_frame(int panel) const {
   const auto& corners = sheet_.panels.corners[panel];
   const Eigen::Vector2d flat =
       (sheet_.flat_mm.col(corners[2]) - sheet_.flat_mm.col(corners[0])).normalized();
@@ -141,7 +141,7 @@ Eigen::Matrix3d Model::normal_frame(int panel) const {
   return frame;
 }
 
-std::string Model::head() const {
+std::string MjcfWriter::head() const {
   std::string text = "  <!--\n";
   for (const std::string& line : sheet_.head()) text += "    " + in_comment(line) + "\n";
   text += std::string("    ") + units_.words + "\n";
@@ -162,7 +162,7 @@ std::string Model::head() const {
   return text;
 }
 
-std::string Model::settings() const {
+std::string MjcfWriter::settings() const {
   const double time_step = units_.finer * time_step_s();
   const std::string stiff =
       fmt::format("{:.10g} 1", 2 * time_step);  // the least that MuJoCo allows
@@ -177,7 +177,7 @@ std::string Model::settings() const {
 }
 
 // Panels as prisms to look at.
-std::string Model::assets() const {
+std::string MjcfWriter::assets() const {
   std::string text = "  <asset>\n";
   for (int panel = 0; panel < static_cast<int>(masses_.size()); ++panel) {
     const Vector3d up = normal_frame(panel).col(2) * sheet_.plates.thickness_mm / 2;
@@ -192,7 +192,7 @@ std::string Model::assets() const {
 }
 
 // About its principal axes. The third moment of a plate is the sum of the other two, no less.
-std::string Model::inertial(int panel) const {
+std::string MjcfWriter::inertial(int panel) const {
   const solver::PanelMass& mass = masses_[panel];
   const Eigen::Matrix3d frame = normal_frame(panel);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(mass.spread);
@@ -212,7 +212,7 @@ std::string Model::inertial(int panel) const {
       pose.x(), pose.y(), pose.z(), numbers({along, across, along + across}));
 }
 
-std::string Model::joint(const solver::JointTree::Branch& branch) const {
+std::string MjcfWriter::joint(const solver::JointTree::Branch& branch) const {
   if (branch.ball) {
     const int vertex = sheet_.mechanism.balls[branch.joint].vertex;
     return fmt::format("<joint name=\"{}\" type=\"ball\" pos=\"{}\"/>\n",
@@ -234,8 +234,8 @@ std::string Model::joint(const solver::JointTree::Branch& branch) const {
   return text + "/>\n";
 }
 
-std::string Model::body(int panel, const solver::JointTree::Branch* branch,
-                        const std::string& indent) const {
+std::string MjcfWriter::body(int panel, const solver::JointTree::Branch* branch,
+                             const std::string& indent) const {
   const std::string inner = indent + "  ";
   std::string text = indent + "<body name=\"" + panel_name(panel) + "\">\n";
   text += inner + (branch ? joint(*branch) : "<freejoint/>\n");
@@ -250,7 +250,7 @@ std::string Model::body(int panel, const solver::JointTree::Branch* branch,
   return text + indent + "</body>\n";
 }
 
-std::string Model::closures() const {
+std::string MjcfWriter::closures() const {
   std::string text = "  <equality>\n";
   for (const auto& point : tree_.closures) {
     text += fmt::format("    <connect body1=\"{}\" body2=\"{}\" anchor=\"{}\"/>\n",
@@ -260,7 +260,7 @@ std::string Model::closures() const {
   return text + "  </equality>\n";
 }
 
-std::string Model::springs() const {
+std::string MjcfWriter::springs() const {
   std::string text = "  <tendon>\n";
   for (const solver::Diagonal& diagonal : sheet_.mechanism.diagonals) {
     const std::string from = solver::vertex_label(diagonal.from),
@@ -273,7 +273,7 @@ std::string Model::springs() const {
   return text + "  </tendon>\n";
 }
 
-std::string Model::sensors() const {
+std::string MjcfWriter::sensors() const {
   const std::string pilot = crease_name(sheet_.mechanism.pilot);
   return "  <sensor>\n    <jointpos name=\"pilot\" joint=\"" + pilot +
          "\"/>\n    <jointvel name=\"pilot_rate\" joint=\"" + pilot + "\"/>\n  </sensor>\n";
@@ -282,7 +282,7 @@ std::string Model::sensors() const {
 }  // namespace
 
 std::string mjcf_model(const SimulatedSheet& sheet, const MjcfOptions& options) {
-  return Model(sheet, options).text();
+  return MjcfWriter(sheet, options).text();
 }
 
 }  // namespace misalign::schema

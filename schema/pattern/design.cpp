@@ -46,7 +46,7 @@ constexpr DesignNumber kNumbers[] = {
 
 }  // namespace
 
-Design Design::instead_of(Design other) const {
+Design Design::merged_over(Design other) const {
   const auto take = [&](auto member) {
     if (this->*member) other.*member = this->*member;
   };
@@ -82,7 +82,7 @@ solver::Plates Design::plates() const {
 
 std::span<const DesignNumber> design_numbers() { return kNumbers; }
 
-Bounds design_bounds(std::string_view key) {
+DesignLimits design_limits(std::string_view key) {
   const auto* const entry = std::ranges::find_if(kNumbers, [&](const DesignNumber& one) {
     const std::string name = (one.block.empty() ? "" : std::string(one.block) + ".");
     return name + std::string(one.key) == key;

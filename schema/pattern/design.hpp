@@ -29,7 +29,7 @@ inline constexpr CreaseCutName kCreaseCuts[] = {
 
 /// Outside the identity of a campaign: it says what is asked of sheets, and changes no draw and no
 /// verdict. What is absent is not said; studies then take their own defaults. Options of a command
-/// are a design too, which goes before a file's (`instead_of`). A number is a member here, a line
+/// are a design too, which goes before a file's (`merged_over`). A number is a member here, a line
 /// of the table in design.cpp, and a key in campaign.schema.json.
 struct Design {
   std::optional<double> from_deg;  ///< the sheet is used between this pilot angle and flat
@@ -53,7 +53,7 @@ struct Design {
   std::optional<double> static_margin, margin_to_deg, energy_margin, yield, landing_deg_per_s;
 
   /// What this says, and otherwise what `other` says.
-  Design instead_of(Design other) const;
+  Design merged_over(Design other) const;
 
   solver::Actuators actuators() const;
   /// As said, or that of the film.
@@ -62,11 +62,11 @@ struct Design {
 };
 
 /// The bounds of its numbers, here and on the command line.
-struct Bounds {
+struct DesignLimits {
   double least, most;
 };
 /// Of "springs.stroke_limit", say, as the table has it.
-Bounds design_bounds(std::string_view key);
+DesignLimits design_limits(std::string_view key);
 
 struct DesignNumber {
   std::string_view block, key;  ///< of "springs" "stiffness_n_per_mm"; of the block itself ""

@@ -10,7 +10,7 @@ namespace {
 
 struct Parameter {
   std::string_view study, name;
-  Bounds bounds;
+  DesignLimits bounds;
 };
 
 constexpr Parameter kParameters[] = {{"", "jobs", {1, 4096}},
@@ -26,7 +26,7 @@ constexpr Parameter kParameters[] = {{"", "jobs", {1, 4096}},
                                      {"optimise", "trials", {1, 1e6}},
                                      {"tolerance", "trials", {1, 1e8}}};
 
-void check_within(std::string_view name, const Bounds& bounds, double value) {
+void check_within(std::string_view name, const DesignLimits& bounds, double value) {
   const auto [least, most] = bounds;
   if (value >= least && value <= most) return;  // which NaN is not
   throw UserError(solver::OptionFault{
@@ -37,7 +37,7 @@ void check_within(std::string_view name, const Bounds& bounds, double value) {
 
 }  // namespace
 
-Bounds parameter_bounds(std::string_view study, std::string_view name) {
+DesignLimits parameter_limits(std::string_view study, std::string_view name) {
   const auto* const found = std::ranges::find_if(
       kParameters, [&](const Parameter& one) { return one.study == study && one.name == name; });
   assert(found != std::end(kParameters));
@@ -45,11 +45,11 @@ Bounds parameter_bounds(std::string_view study, std::string_view name) {
 }
 
 void check_parameter(std::string_view study, std::string_view name, double value) {
-  check_within(name, parameter_bounds(study, name), value);
+  check_within(name, parameter_limits(study, name), value);
 }
 
 void check_design(std::string_view name, std::string_view design_key, double value) {
-  check_within(name, design_bounds(design_key), value);
+  check_within(name, design_limits(design_key), value);
 }
 
 }  // namespace misalign::schema

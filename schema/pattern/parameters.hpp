@@ -13,7 +13,7 @@ namespace misalign::schema {
 inline constexpr std::uint64_t kMostBacklashTrials = 1000000;
 
 /// Of a study's "amplitude_mm", say, as the table has it; no study: of all.
-Bounds parameter_bounds(std::string_view study, std::string_view name);
+DesignLimits parameter_limits(std::string_view study, std::string_view name);
 
 /// UserError (bad_request) unless it lies within these.
 void check_parameter(std::string_view study, std::string_view name, double value);

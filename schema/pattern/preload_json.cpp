@@ -19,7 +19,7 @@ constexpr char kSuggestion[] = R"(write {"A9-A15": 2}: a diagonal's vertices, an
 
 std::optional<Preload::OfOne> read_one(const std::string& label, const Json& force) {
   constexpr int kAnyVertex = 1 << 24;  // which are there says the sheet
-  const auto [least, most] = design_bounds("springs.preload_n");
+  const auto [least, most] = design_limits("springs.preload_n");
   const auto dash = label.find('-');
   if (dash == std::string::npos || !force.is_number()) return {};
   const Preload::OfOne one{vertex_of_label(label.substr(0, dash), kAnyVertex),

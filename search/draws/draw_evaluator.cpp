@@ -127,11 +127,11 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
   // Draw -> displaced pattern.
   make(range);
   // Rejected for certain, or waiting for the full path.
-  const std::vector<solver::Rejection>& seen = batch_->reject(made_.shifts);
+  const std::vector<solver::Rejection>& seen = batch_->reject(drawn_.shifts);
   unit.tables_deg = batch_->tables_deg();
-  for (std::size_t k = 0; k < made_.size(); ++k) {
-    if (seen[k].fault == solver::Fault::none || sampled.holds(made_.numbers[k])) {
-      waiting_.add(made_, k);
+  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+    if (seen[k].fault == solver::Fault::none || sampled.holds(drawn_.numbers[k])) {
+      waiting_.add(drawn_, k);
     } else {
       reject(seen[k].fault, seen[k].sample, unit);
     }
@@ -146,13 +146,13 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
     const std::uint64_t draw = waiting_.numbers[k];
     if (!sampled.holds(draw)) {
-      open_.add(waiting_, k);
+      to_measure_.add(waiting_, k);
       continue;
     }
     const solver::Verdict& verdict = verdicts[next++];
     unit.fault_sample.push_back({draw, verdict});
     if (campaign_.accepts(verdict)) {
-      open_.add(waiting_, k);
+      to_measure_.add(waiting_, k);
     } else {
       turn_down(draw, verdict, unit);
     }
@@ -165,12 +165,12 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
 
 void DrawEvaluator::make(const schema::DrawRange& range) {
   const std::size_t per_sheet = 2 * model_.shifted().size();
-  made_.numbers.resize(range.size());
-  made_.shifts.sheets = static_cast<int>(range.size());
-  made_.shifts.shifts_mm.resize(per_sheet * range.size());
-  std::iota(made_.numbers.begin(), made_.numbers.end(), range.lo);
+  drawn_.numbers.resize(range.size());
+  drawn_.shifts.sheets = static_cast<int>(range.size());
+  drawn_.shifts.shifts_mm.resize(per_sheet * range.size());
+  std::iota(drawn_.numbers.begin(), drawn_.numbers.end(), range.lo);
   draw_shifts(campaign_.misalignment, campaign_.seed, range.lo, range.size(),
-              made_.shifts.shifts_mm.data());
+              drawn_.shifts.shifts_mm.data());
 }
 
 void DrawEvaluator::certify(schema::Candidate& candidate) const {
@@ -183,21 +183,21 @@ void DrawEvaluator::certify(schema::Candidate& candidate) const {
 void DrawEvaluator::record(schema::UnitRecord& unit) {
   const auto keep = [&](std::size_t k, const solver::PathRecord& record) {
     if (!campaign_.accepts(record.verdict)) {
-      turn_down(open_.numbers[k], record.verdict, unit);
+      turn_down(to_measure_.numbers[k], record.verdict, unit);
       return;
     }
-    const std::uint64_t draw = open_.numbers[k];
-    unit.candidates.push_back(candidate_of(model_, draw, open_.shifts_mm(k).data(), record));
+    const std::uint64_t draw = to_measure_.numbers[k];
+    unit.candidates.push_back(candidate_of(model_, draw, to_measure_.shifts_mm(k).data(), record));
     if (!ascend_) certify(unit.candidates.back());
     ++unit.accepted;
   };
-  for_each_record(model_, *batch_, open_.shifts, keep);
-  open_.clear();
+  for_each_record(model_, *batch_, to_measure_.shifts, keep);
+  to_measure_.clear();
 }
 
 const std::vector<solver::Verdict>& DrawEvaluator::judge(const schema::DrawRange& block) {
   make(block);
-  return batch_->judge(made_.shifts);
+  return batch_->judge(drawn_.shifts);
 }
 
 Eigen::Matrix2Xd DrawEvaluator::shifts_mm(std::uint64_t draw) const {

@@ -80,7 +80,7 @@ class DrawEvaluator {
   std::unique_ptr<solver::Batch> batch_;
   const CertifyDraw certify_;  // empty: none are certified
   const BeginAscent ascend_;   // null: draws are kept as they are
-  Draws made_, waiting_, sampled_, open_;
+  Draws drawn_, waiting_, sampled_, to_measure_;
 };
 
 /// What the results of a unit may take before it ends early: they are one message of MPI, whose

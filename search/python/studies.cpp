@@ -134,7 +134,7 @@ std::string tolerance(const PatternSource& source, const std::string& said, std:
                       std::int64_t jobs) {
   ToleranceOptions options = copies_of(trials, jobs);
   return unlocked([&] {
-    const schema::Design design = design_of(said).instead_of(source.sheet.design);
+    const schema::Design design = design_of(said).merged_over(source.sheet.design);
     if (!design.miscut_mm) {
       throw schema::UserError(
           schema::Cause::bad_request,

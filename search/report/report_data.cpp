@@ -261,7 +261,7 @@ void require_stressed_draws(const ReportCall& call, const std::vector<std::uint6
 Json report_of_catalogue(const ReportCall& call) {
   const auto database = schema::open_for_reading(call.path);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
-  campaign.design = call.design.instead_of(campaign.design);
+  campaign.design = call.design.merged_over(campaign.design);
   FoldingModel model(campaign);
   add_study_functions(*database, campaign);
   const ReportDetails details(model, call.detail);
@@ -281,7 +281,7 @@ Json report_of_catalogue(const ReportCall& call) {
 
 Json report_of_pattern(const ReportCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.path);
-  FoldingModel model(chosen.base, chosen.sampling, call.design.instead_of(chosen.design));
+  FoldingModel model(chosen.base, chosen.sampling, call.design.merged_over(chosen.design));
   const ReportDetails details(model, call.detail);
   details.check_stress(call.path, chosen.whose()["sheet"]);
   Json data = origin_json(call);

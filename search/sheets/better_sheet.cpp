@@ -103,7 +103,7 @@ std::optional<Range> range_of(const char* option, std::string_view design_key,
   };
   if (bounds.size() != 2) refuse("are not two numbers", "give the least and the most");
   if (!(least < most)) refuse("the least is not below the most", "write the smaller one first");
-  const auto [lowest, highest] = schema::design_bounds(design_key);
+  const auto [lowest, highest] = schema::design_limits(design_key);
   if (!(least >= lowest && most <= highest)) {
     refuse(fmt::format("springs may have {:g} to {:g}", lowest, highest),
            "name limits within that");

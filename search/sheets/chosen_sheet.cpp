@@ -102,8 +102,8 @@ ChosenSheet sheet_of_draw(schema::Campaign campaign, std::uint64_t draw,
 
 Subject::Subject(ChosenSheet what, const schema::Design& options)
     : chosen(std::move(what)),
-      model(chosen.base, chosen.sampling, options.instead_of(chosen.design),
-            station_of_use(options.instead_of(chosen.design), chosen.sampling)),
+      model(chosen.base, chosen.sampling, options.merged_over(chosen.design),
+            station_of_use(options.merged_over(chosen.design), chosen.sampling)),
       sheet(model.sheet(chosen.shifts_mm, schema::printable(chosen.name()))) {}
 
 Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,

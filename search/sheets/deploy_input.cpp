@@ -122,7 +122,7 @@ solver::ReleaseOptions DeployInput::of(const solver::Sheet& sheet,
   schema::Design said = design;
   if (held) said.hold = place_of(*held);
   if (gravity.size() == 3) said.gravity = {gravity[0], gravity[1], gravity[2]};
-  solver::ReleaseOptions fitted = deploy_options(said.instead_of(of_file), sheet, options);
+  solver::ReleaseOptions fitted = deploy_options(said.merged_over(of_file), sheet, options);
   if (density_g_per_cm3) fitted.sheet.plates.density_g_per_cm3 = *density_g_per_cm3;
   for (const std::string& text : other_rests) {
     fitted.sheet.springs.other_rests_deg.push_back(other_rest(sheet.mechanism(), text));

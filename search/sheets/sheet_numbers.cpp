@@ -114,7 +114,7 @@ bool needs_sundials(std::size_t number) { return kFunctions[number].needs == Nee
 
 StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
                           std::optional<double> from_deg, const WantedNumbers& wanted,
-                          bool deploys_from_36) {
+                          bool is_candidate) {
   StudyNumbers answers;
   const auto used_deg = from_deg ? from_deg : design.from_deg;
   for (const bool from_d : {false, true}) {
@@ -128,7 +128,7 @@ StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& desi
     schema::Design used = design;
     used.from_deg = used_deg;
     if (!used_deg && from_d) used.from_deg = sheet.deploys_from_deg();
-    if (!used_deg && !from_d && deploys_from_36) used.from_deg = solver::kDeployFrom_deg;
+    if (!used_deg && !from_d && is_candidate) used.from_deg = solver::kDeployFrom_deg;
     const solver::ReleaseOptions options = deploy_options(used, sheet);
     const Found found = find(sheet, design, options, used_deg, needed);
     for (std::size_t k = 0; k < kNumberCount; ++k) {

@@ -22,10 +22,10 @@ struct StudyNumbers {
 };
 
 /// Those that are wanted, of a sheet of this design that is used from `from_deg`: otherwise from
-/// the design's, or what each takes by itself. `deploys_from_36` spares finding D where it is
+/// the design's, or what each takes by itself. `is_candidate` spares finding D where it is
 /// known.
 StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
                           std::optional<double> from_deg, const WantedNumbers& wanted,
-                          bool deploys_from_36);
+                          bool is_candidate);
 
 }  // namespace misalign::search

@@ -3,7 +3,7 @@
 namespace misalign::search {
 
 PieceOrder order_of(std::uint32_t population, std::uint32_t level,
-                    const schema::DrawRange& particles, const Bounds& bounds,
+                    const schema::DrawRange& particles, const RungBounds& bounds,
                     const ScoredParticles& here) {
   PieceOrder order{population,
                    level,

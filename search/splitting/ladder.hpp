@@ -27,13 +27,13 @@ struct Ladder {
 };
 
 /// The levels that particles are confined to, and on the watch for.
-struct Bounds {
+struct RungBounds {
   int within, next;
 };
 
 /// Of a population's particles at a level, those of `here`; at its beginning none.
 PieceOrder order_of(std::uint32_t population, std::uint32_t level,
-                    const schema::DrawRange& particles, const Bounds& bounds,
+                    const schema::DrawRange& particles, const RungBounds& bounds,
                     const ScoredParticles& here);
 
 /// Who is copied where so few have survived: each of them as often as any other, and some once

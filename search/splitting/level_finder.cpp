@@ -35,7 +35,7 @@ std::optional<PieceOrder> LevelFinder::take(std::uint32_t most) {
   const auto particles = pieces_.take(most);
   if (!particles) return std::nullopt;
   // The scores of all are wanted.
-  const Bounds bounds{reached(), least_score()};
+  const RungBounds bounds{reached(), least_score()};
   PieceOrder order = order_of(kNumber, level_, *particles, bounds, here_);
   order.is_catalogued = false;
   return order;

@@ -69,7 +69,7 @@ void export_candidates(ExportCall& call) {
   add_study_functions(*database, call.files.read_from);
   const std::vector<std::uint64_t> draws = chosen_draws(*database, call.choice);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.files.read_from);
-  campaign.design = call.release.design.instead_of(campaign.design);
+  campaign.design = call.release.design.merged_over(campaign.design);
   call.take(campaign.design);
   FoldingModel model(campaign, stations_of(call.files, campaign.design, campaign.sampling()));
   const auto stem_of = [&](std::uint64_t draw) {
@@ -109,7 +109,7 @@ void export_candidates(ExportCall& call) {
 // The same of a pattern file; there is nothing to choose.
 void export_pattern(ExportCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.files.read_from);
-  const schema::Design design = call.release.design.instead_of(chosen.design);
+  const schema::Design design = call.release.design.merged_over(chosen.design);
   call.take(design);
   FoldingModel model(chosen.base, chosen.sampling, design,
                      stations_of(call.files, design, chosen.sampling));

@@ -40,7 +40,7 @@ void add_preload(CLI::App& verb, std::optional<double>& preload_n) {
 }
 
 void add_springs(CLI::App& verb, schema::Design& design) {
-  const auto [least, most] = schema::design_bounds("springs.stroke_limit");
+  const auto [least, most] = schema::design_limits("springs.stroke_limit");
   add_stiffness(verb, design.stiffness_n_per_mm);
   add_preload(verb, design.preload_n);
   add_value(verb, "--stroke-limit", design.stroke_limit,

@@ -44,12 +44,12 @@ CLI::Validator within(double least, double most) {
 }
 
 CLI::Validator within(std::string_view design_key) {
-  const auto [least, most] = schema::design_bounds(design_key);
+  const auto [least, most] = schema::design_limits(design_key);
   return within(least, most);
 }
 
 CLI::Validator within(std::string_view study, std::string_view parameter) {
-  const auto [least, most] = schema::parameter_bounds(study, parameter);
+  const auto [least, most] = schema::parameter_limits(study, parameter);
   return within(least, most);
 }
 
@@ -79,7 +79,7 @@ CLI::Validator counted(std::uint64_t least, std::uint64_t most) {
 }
 
 CLI::Validator counted(std::string_view study, std::string_view parameter) {
-  const auto [least, most] = schema::parameter_bounds(study, parameter);
+  const auto [least, most] = schema::parameter_limits(study, parameter);
   return counted(static_cast<std::uint64_t>(least), static_cast<std::uint64_t>(most));
 }
 

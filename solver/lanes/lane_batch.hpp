@@ -81,8 +81,7 @@ class LaneBatch final : public Batch {
   }
 
  private:
-  static constexpr int kFar = 0, kMiddle = 1, kNear = 4;  // of the model's tests
-
+  static constexpr int kFar = Model::kFar, kMiddle = Model::kMiddle, kNear = Model::kNear;
   static constexpr int kShiftSteps[] = {1, 8, 32};  // in which large shifts grow
   static constexpr int kMostSteps = 100;  // ahead: from the middle place it takes some ten
 

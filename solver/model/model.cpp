@@ -23,6 +23,7 @@ constexpr double kPilotsDiffer_deg = 2;
 // Where the first test at the far level lets a sheet pass, this share of it shows in which
 // direction its diagonals set out: with both, nine of ten sheets are decided.
 constexpr double kPlaces[] = {1, 0.8, 0.6, 0.4, 0.2};
+static_assert(std::size(kPlaces) == Model::kNear + 1);
 
 // Closer to flat nothing is gained.
 constexpr double kLeastFar_deg = 1;

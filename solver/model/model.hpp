@@ -69,8 +69,9 @@ class Model {
   /// Where the sections of MiscutMargin end; none without a threshold.
   const std::vector<int>& margin_samples() const { return margin_samples_; }
 
-  /// The far one, then the near one; none where the threshold is close to flat.
+  /// Places from the far one to the near one; none where the threshold is close to flat.
   const std::vector<TestPlace>& tests() const { return tests_; }
+  static constexpr int kFar = 0, kMiddle = 1, kNear = 4;  ///< indices of tests(), the last too
   /// Largest coordinate on the flat sheet from A1, panel widths.
   double extent() const { return extent_; }
   /// Bound of the change of any diagonal (panel widths) when every joint turns by 1 rad.

@@ -134,12 +134,12 @@ TEST(Design, TakesHingesOfTheFilm) {
 
 TEST(Design, OptionsGoBeforeFiles) {
   const Design file = read(full());
-  EXPECT_EQ(design_json(Design().instead_of(file)), full());
+  EXPECT_EQ(design_json(Design().merged_over(file)), full());
   Design typed;
   typed.from_deg = 90;
   typed.stroke_limit = 0.01;
   typed.hinge_kind = CreaseCut::cut;
-  const Json both = design_json(typed.instead_of(file));
+  const Json both = design_json(typed.merged_over(file));
   Json wanted = full();
   wanted["from_deg"] = 90.0;
   wanted["springs"]["stroke_limit"] = 0.01;
@@ -147,7 +147,7 @@ TEST(Design, OptionsGoBeforeFiles) {
   EXPECT_EQ(both, wanted);
   // A preload of all goes before the file's of one.
   typed.preload_n = 0;
-  EXPECT_FALSE(typed.instead_of(file).actuators().preload.is_any());
+  EXPECT_FALSE(typed.merged_over(file).actuators().preload.is_any());
 }
 
 // Older campaigns say "actuators"; of two the newer name holds.
