@@ -28,6 +28,10 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const ReleaseOptions&
     reason = "has a crease folded to 180 deg";
   }
   std::optional<OptionFault> fault;
+  if (!(options.motion.from_deg > 0)) {
+    fault = {"from_deg", shown("%g", options.motion.from_deg), "is flat, where nothing is let go",
+             "name an angle above 0"};
+  }
   const auto check = [&](const char* name, const std::string& before, double angle_deg) {
     if (fault || angle_deg < end_deg) return;
     fault = {name, before + shown("%g", angle_deg),
