@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "solver/certificate/path_tube.hpp"

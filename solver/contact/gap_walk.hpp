@@ -5,7 +5,7 @@
 // the other is so far off, and goes at a rate that is known at nodes along the way. Between two
 // nodes a rate is the straight line through both within h^2/8 of its second derivative, which its
 // second differences tell. So the gap is at least a parabola, and open up to where that has its
-// first root. The next walk begins there.
+// first root. There the gap is measured again.
 #pragma once
 
 #include <array>

@@ -87,7 +87,7 @@ void PanelMotion::place_at_stations() {
     model_.shape().move(way_.geometry(), points, station.rates.data(), twists);
     for (Index panel = 0; panel < count; ++panel) {
       const auto facet = static_cast<std::size_t>(panels_.facets[static_cast<std::size_t>(panel)]);
-      PanelMotion::MovingPose pose{pose_of(points.facets[facet], panel_width_mm()), {}, {}};
+      MovingPose pose{pose_of(points.facets[facet], panel_width_mm()), {}, {}};
       const Vector3d spin = as_vector(twists[facet].spin), drift = as_vector(twists[facet].drift);
       for (int axis = 0; axis < 3; ++axis) {
         pose.rotation_rate.col(axis) = spin.cross(pose.rotation.col(axis));
@@ -124,7 +124,7 @@ double PanelMotion::smooth_part(const Eigen::MatrixXd& poses) const {
 
 double PanelMotion::resolved_part() const {
   const auto rate = [&](int node, int panel, int corner) -> Vector3d {
-    const PanelMotion::MovingPose& pose = at_node(node, panel);
+    const MovingPose& pose = at_node(node, panel);
     return pose.rotation_rate * corners_mm(panel).col(corner) + pose.shift_rate_mm;
   };
   for (int node = 1; node + 1 < nodes(); ++node) {
@@ -168,8 +168,7 @@ double PanelMotion::crease_rad(double x, int crease) const {
   return creases_rad_(crease);
 }
 
-void PanelMotion::place(const FoldState<double>& state,
-                        std::vector<PanelMotion::Pose>& poses) const {
+void PanelMotion::place(const FoldState<double>& state, std::vector<Pose>& poses) const {
   FoldedShape::Points<double> points;
   model_.shape().place(way_.geometry(), state, points);
   poses.clear();

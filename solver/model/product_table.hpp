@@ -24,8 +24,9 @@ struct ProductTable {
   explicit ProductTable(int count) : coordinates(count) {}
 
   const int coordinates;
-  /// Four entries for each quantity of each group, of each coordinate i, of each four of the
-  /// coordinates i, i + 1, .... Beyond the last coordinate: 0.
+  /// Four entries for each quantity: group by group, in each coordinate i by coordinate, in each
+  /// four by four of the coordinates i, i + 1, ..., in each quantity by quantity of the group.
+  /// Beyond the last coordinate: 0.
   std::vector<Byte, xsimd::aligned_allocator<Byte, 64>> entries;
   /// The sum of all entries for each quantity of each group.
   std::vector<std::int32_t> totals;

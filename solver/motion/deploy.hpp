@@ -81,12 +81,12 @@ StudyResult<ReleaseOptions> validated_release(const Sheet& sheet, const ReleaseO
 /// Reasons: path_lost.
 StudyResult<StaticRelease> static_release(const Sheet& sheet, const ReleaseOptions& options = {});
 /// The energy of the springs where it would be let go, at a D of 180 degrees too, where it is
-/// folded flat and nothing moves it. None where the angle does not lie on its way.
+/// folded flat and nothing moves it. None where the angle is 0 or does not lie on its way.
 std::optional<double> springs_n_mm(const Sheet& sheet, const ReleaseOptions& options);
 
-/// Lets a sheet go. Faults: the start, or an angle at which springs or creases are relaxed, does
-/// not lie on its way. With damping the critical friction is the one in motion. Reasons:
-/// path_lost; not_in_this_build, where it is without SUNDIALS.
+/// Lets a sheet go. Faults: the start is flat; or it, or an angle at which springs or creases are
+/// relaxed, does not lie on its way. With damping the critical friction is the one in motion.
+/// Reasons: path_lost; not_in_this_build, where it is without SUNDIALS.
 StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const ReleaseOptions& options = {});
 
 }  // namespace misalign::solver

@@ -39,6 +39,7 @@ struct FrictionLimits {
   std::optional<double> stiffness_needed_n_per_mm;
 };
 
+/// The friction that a sheet overcomes which is let go at from_deg, above 0.
 FrictionLimits find_friction_limits(const EnergyModel& sheet, double from_deg);
 
 }  // namespace misalign::solver

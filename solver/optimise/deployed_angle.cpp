@@ -4,8 +4,6 @@
 #include <cassert>
 #include <optional>
 
-#include "solver/optimise/path_gradients.hpp"
-
 namespace misalign::solver {
 namespace {
 

@@ -22,7 +22,7 @@ constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24, kLast_deg = 0
 // Distances that are kept: of the fold limit beyond the angle asked for, of creases there from
 // folded flat.
 constexpr double kBeforeLimit_deg = 0.05, kBeforeFlat_deg = 1e-3;
-// Angles asked for from which on fold angles are constrained.
+// Fold angles are constrained where the angle asked for is at least this.
 constexpr double kFoldedFar_deg = 150;
 
 // Slopes below kLowSlopes times the least one are constrained themselves, to stay above it by the

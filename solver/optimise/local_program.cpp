@@ -54,7 +54,7 @@ LocalProgram local_program(const LocalModel& model, double box_mm) {
   linear.rows.bottomLeftCorner(2 * count, 2 * count).setIdentity();
   linear.bounds.tail(2 * count) << (model.rise_mm / box_mm).min(1).max(0),
       (model.fall_mm / box_mm).min(1).max(0);
-  assert(linear.bounds.minCoeff() >= 0 && "no change is feasible");
+  assert(linear.bounds.minCoeff() >= 0 && "to change nothing is feasible");
   return program;
 }
 

@@ -5,7 +5,6 @@
 
 #include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
-#include "solver/optimise/path_gradients.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -54,13 +54,14 @@ struct OptimiseOptions {
 struct Optimised {
   enum class StopReason { no_step_is_better, most_steps };
 
-  /// The limits of a better end: by how much the goal would grow with a little more room (to first
-  /// order; 0: it does not limit).
+  /// The limits that keep the end from being better: by how much the goal would grow with a little
+  /// more room (to first order; 0: it does not limit).
   struct Limits {
     double per_share_of_stroke = 0;  ///< for each 1 of the stroke limit
     double per_n_of_force = 0;       ///< for each N of the largest force
     double per_mm_of_amplitude = 0;  ///< for each mm of amplitude
-    /// The loss for each N/mm, and N, beyond the range in which it is chosen, at either end.
+    /// The gain for each N/mm, and N, by which the range in which it is chosen is wider, at either
+    /// end.
     double per_n_per_mm_of_stiffness = 0, per_n_of_preload = 0;
     std::vector<double> per_floor;  ///< for each 1 that the floor is lower
     /// Diagonals that would turn back, where: the one with the largest price first.

@@ -101,9 +101,8 @@ std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool w
   const Mechanism& mechanism = with.mechanism;
   const FoldingWay& way = *sheet_.way();
   const Index diagonals = mechanism.diagonal_count(), creases = std::ssize(mechanism.creases);
-  PathGradients::AtAngle gradients{
-      pilot_deg, way.flat_mm(), MatrixXd::Zero(diagonals, with.coordinates()),
-      VectorXd::Zero(creases), MatrixXd::Zero(creases, with.coordinates())};
+  AtAngle gradients{pilot_deg, way.flat_mm(), MatrixXd::Zero(diagonals, with.coordinates()),
+                    VectorXd::Zero(creases), MatrixXd::Zero(creases, with.coordinates())};
   if (pilot_deg == 0) {
     for (Index d = 0; d < diagonals; ++d) {
       VectorXd row = VectorXd::Zero(with.coordinates());
@@ -143,7 +142,7 @@ std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool w
 }
 
 std::optional<PathGradients::Slopes> PathGradients::slopes(double pilot_deg) {
-  PathGradients::Slopes gradients{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
+  Slopes gradients{VectorXd::Zero(sheet_.mechanism().diagonal_count()), {}};
   gradients.slope_by_mm.setZero(gradients.slope_mm_per_rad.size(), workspace_->coordinates());
   constexpr struct {
     int steps;
@@ -197,7 +196,7 @@ std::optional<PathGradients::Shape> PathGradients::vertices(double pilot_deg) {
     advance(mechanism, step.data(), state);
     return shape.vertices_mm(geometry, state);
   };
-  PathGradients::Shape folded{shape.vertices_mm(with.geometry, with.state), {}};
+  Shape folded{shape.vertices_mm(with.geometry, with.state), {}};
   folded.by_mm.resize(folded.at_mm.size(), coordinates);
   for (Index k = 0; k < coordinates; ++k) {
     const Eigen::Matrix3Xd by_mm =
@@ -221,7 +220,7 @@ std::optional<PathGradients::AtLimit> PathGradients::fold_limit() {
   with.gradient.add_closure(null.data(), row.data());
   const double by_pilot = null.dot(with.system.jacobian().col(equations));
   const double per_mm = 1 / (kRadPerDeg * with.mechanism.panel_width_mm);
-  return PathGradients::AtLimit{way.end_deg(), -per_mm / by_pilot * row.transpose()};
+  return AtLimit{way.end_deg(), -per_mm / by_pilot * row.transpose()};
 }
 
 }  // namespace misalign::solver

@@ -7,8 +7,8 @@
 namespace misalign::solver {
 namespace {
 
-// The least share of the smaller of two evaluated states' least singular values that was ever seen
-// between them, where it does not go on falling beyond them.
+// The least singular value between two evaluated states was never seen below this share of the
+// smaller of theirs, where it does not go on falling beyond them.
 constexpr double kLeastBetween = 0.5;
 
 // Errors of functions are below this by far; other branches are farther away.

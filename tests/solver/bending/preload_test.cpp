@@ -1,8 +1,6 @@
 // A force that is left in the springs at flat, against the energies of bent panels.
 #include "solver/bending/preload.hpp"
 
-#include <cmath>
-
 #include "tests/solver/bending/bent.hpp"
 
 namespace misalign::solver {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <random>
+
+#include "tests/solver/sheets.hpp"
 
 namespace misalign::solver {
 namespace {
