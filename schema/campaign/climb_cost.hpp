@@ -5,7 +5,7 @@
 
 namespace misalign::schema {
 
-/// The share of particles that a pilot wants to reach the next level from each.
+/// The share of particles that a level finder wants to reach the next level from each.
 inline constexpr double kShareOfLevel = 0.2;
 /// As many plain draws take as long as one move, whose sheet is nearly good enough, so that its
 /// path is followed further: 35 (6 x 6 at 180 degrees) to 70 (10 x 10 from 174),
@@ -20,8 +20,8 @@ struct ClimbCost {
 };
 
 /// Of a search for what this share of the draws does, above 0: half as many first draws as there
-/// are particles reach the first level, and a fifth of the particles every further one, as a pilot
-/// wants it.
+/// are particles reach the first level, and a fifth of the particles every further one, as a
+/// level finder wants it.
 ClimbCost climb_cost(const Splitting& splitting, double share);
 
 }  // namespace misalign::schema

@@ -127,11 +127,12 @@ void Catalogue::take_over_levels(SQLite::Database& other) {
   if (ours.empty()) {
     write_levels(*database_, theirs, campaign_.sample_deg);
   } else if (!theirs.empty() && theirs != ours) {
-    throw UserError(Cause::foreign,
-                    other.getFilename() +
-                        ": its levels are others than those of the catalogues before it (another "
-                        "build's pilot found them); join what one build has made, or name the "
-                        "levels in the campaign");
+    throw UserError(
+        Cause::foreign,
+        other.getFilename() +
+            ": its levels are others than those of the catalogues before it (another build's "
+            "level finder found them); join what one build has made, or name the levels in the "
+            "campaign");
   }
 }
 

@@ -52,8 +52,8 @@ function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n
 function level_words(levels_deg, known) {
   if (!Array.isArray(levels_deg))
     return known > 0
-      ? `${plural(known, "level")} that a pilot found`
-      : "levels that a pilot finds first";
+      ? `${plural(known, "level")} that a level finder found`
+      : "levels that a level finder finds first";
   const [first, last] = [levels_deg[0], levels_deg.at(-1)].map(degrees);
   if (levels_deg.length > kMostNamed)
     return `${plural(levels_deg.length, "named level")} from ${first} to ${last}`;

@@ -132,7 +132,7 @@ bool ClimbDispatcher::anything_open() const {
 }
 
 std::string ClimbDispatcher::under_way() const {
-  if (level_finder_) return fmt::format("the pilot at level {}", level_finder_->level());
+  if (level_finder_) return fmt::format("the level finder at level {}", level_finder_->level());
   if (climbing_.empty()) return "";
   const Population& lowest = climbing_.begin()->second;
   if (lowest.is_at_ends()) {

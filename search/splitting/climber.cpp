@@ -8,7 +8,7 @@
 namespace misalign::search {
 namespace {
 
-// Of a Population or a Pilot, all its levels.
+// Takes a Population or a LevelFinder through all its levels.
 template <class Climb>
 void climb_alone(Climb& climb, Climber& climber) {
   while (!climb.is_done()) {

@@ -8,8 +8,7 @@ using Eigen::VectorXd;
 
 SpringChanges::SpringChanges(SheetChanges& changes)
     : changes_(changes),
-      rigid_(*changes.sheet.way(), changes.sheet.model().shape(), changes.sheet.base(),
-             changes.options.deploying.sheet),
+      rigid_(changes.sheet, changes.options.deploying.sheet),
       side_(sides_of_diagonals(*changes.sheet.way())),
       preload_n_(
           side_.cwiseProduct(springs().preload.forces_n(changes.sheet.mechanism().diagonals))),
