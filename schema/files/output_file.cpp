@@ -279,4 +279,10 @@ void OutputFile::refuse(int error) const {
                       (existing_ == Existing::replaced ? parameter("output") : "place"));
 }
 
+void write_text_file(const std::string& path, const std::string& text) {
+  OutputFile file = OutputFile::text(path);
+  file.write(text);
+  file.publish();
+}
+
 }  // namespace misalign::schema

@@ -58,4 +58,7 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
+/// Writes a text file, whole or not at all; see OutputFile::text, also for the errors.
+void write_text_file(const std::string& path, const std::string& text);
+
 }  // namespace misalign::schema

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "schema/campaign/campaign_file.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "schema/pattern/design_json.hpp"
 #include "schema/pattern/pattern_document.hpp"
 #include "solver/play/tolerance.hpp"

@@ -1,5 +1,3 @@
-#include "search/sheets/actuators_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/pattern/preload_json.hpp"
+#include "search/sheets/study_texts.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,6 +1,6 @@
-#include "search/sheets/construct_text.hpp"
-
 #include <fmt/format.h>
+
+#include "search/sheets/study_texts.hpp"
 
 namespace misalign::search {
 

@@ -1,11 +1,10 @@
-#include "search/sheets/contact_text.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "schema/exchange/contact_json.hpp"
 #include "schema/pattern/pattern_file.hpp"
+#include "search/sheets/study_texts.hpp"
 
 namespace misalign::search {
 namespace {

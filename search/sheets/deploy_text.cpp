@@ -1,5 +1,3 @@
-#include "search/sheets/deploy_text.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/pattern/preload_json.hpp"
+#include "search/sheets/study_texts.hpp"
 
 namespace misalign::search {
 namespace {

@@ -14,7 +14,7 @@
 #include "schema/exchange/plate_stl.hpp"
 #include "schema/exchange/svg_pen.hpp"
 #include "schema/files/features.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "schema/kit/kit_drawing.hpp"
 #include "schema/kit/kit_guide.hpp"
 #include "schema/kit/test_piece.hpp"

@@ -1,10 +1,9 @@
-#include "search/sheets/optimise_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "schema/exchange/actuators_json.hpp"
+#include "search/sheets/study_texts.hpp"
 #include "solver/optimise/low_slopes.hpp"
 
 namespace misalign::search {

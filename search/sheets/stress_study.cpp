@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "schema/exchange/calculix_motion.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "search/sheets/calculix_run.hpp"
 
 namespace misalign::search {

@@ -1,8 +1,8 @@
-#include "search/sheets/stress_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "search/sheets/study_texts.hpp"
 
 namespace misalign::search {
 namespace {

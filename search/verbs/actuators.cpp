@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/study_table.hpp"
-#include "search/sheets/actuators_text.hpp"
 #include "search/sheets/study_json.hpp"
+#include "search/sheets/study_texts.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/study_table.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "schema/kit/card_page.hpp"
 #include "search/sheets/backlash.hpp"
 #include "search/sheets/card_text.hpp"

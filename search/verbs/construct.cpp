@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include "schema/exchange/construct_json.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "schema/pattern/design_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/construct_text.hpp"
 #include "search/sheets/studies.hpp"
+#include "search/sheets/study_texts.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"

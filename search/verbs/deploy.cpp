@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "schema/catalogue/study_table.hpp"
-#include "search/sheets/bent_panels_text.hpp"
-#include "search/sheets/deploy_text.hpp"
 #include "search/sheets/study_json.hpp"
+#include "search/sheets/study_texts.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/deploy_options.hpp"
 #include "search/verbs/options.hpp"

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/study_table.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "search/sheets/card.hpp"
 #include "search/sheets/card_text.hpp"
-#include "search/sheets/optimise_text.hpp"
 #include "search/sheets/study_json.hpp"
+#include "search/sheets/study_texts.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/terminal/usable_threads.hpp"
 #include "search/verbs/options.hpp"

@@ -10,7 +10,7 @@
 
 #include "schema/catalogue/study_table.hpp"
 #include "schema/files/features.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "search/report/report_data.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"

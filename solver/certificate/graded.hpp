@@ -11,15 +11,7 @@
 
 namespace misalign::solver {
 
-/// sigma = 1: common quaternions.
-struct Ungraded {
-  template <class T>
-  const T& operator()(const T& value) const {
-    return value;
-  }
-};
-
-/// sigma as a number or a function.
+/// sigma as a number or a function; common quaternions, sigma = 1, have std::identity.
 template <class T>
 struct GradedBy {
   T sigma;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace misalign::solver {
@@ -76,7 +77,7 @@ void TubeProver::with_closure(const IntervalChart& chart, const SheetGeometry<T>
     const GradedBy<T> sigma{T(chart.sigma()) + chart.half_width() * s};
     use(GradedClosure<T, GradedBy<T>>(mechanism_, geometry, chart.joints(), sigma, x));
   } else {
-    use(GradedClosure<T, Ungraded>(mechanism_, geometry, chart.joints(), Ungraded{}, x));
+    use(GradedClosure<T, std::identity>(mechanism_, geometry, chart.joints(), {}, x));
   }
 }
 

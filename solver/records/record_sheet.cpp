@@ -5,7 +5,7 @@
 
 #include "solver/judging/base_judge.hpp"
 #include "solver/model/base_path.hpp"
-#include "solver/records/function_recorder.hpp"
+#include "solver/records/recorder.hpp"
 
 namespace misalign::solver {
 
@@ -56,14 +56,6 @@ FoldingHistory record_on_base(const Model& model, const FlatVertices& vertices_m
   history.extremes->least_slope = history.between.least_slope;
   history.extremes->reverses_deg = judge.reverses_deg();
   return history;
-}
-
-PathRecord record_path(const Model& model, const FlatVertices& vertices_mm) {
-  PathFollower<double, LongSteps> long_follower(model.mechanism(), model.elimination());
-  PathFollower<double> follower(model.mechanism(), model.elimination());
-  Recorder<double> recorder(model, follower);
-  FunctionRecorder<double> functions(model, long_follower, follower, recorder);
-  return functions.record(SheetBlock(vertices_mm)).front();
 }
 
 }  // namespace misalign::solver

@@ -1,7 +1,7 @@
 // Records the path of one sheet.
 #pragma once
 
-#include "solver/records/path_record.hpp"
+#include "solver/records/history.hpp"
 
 namespace misalign::solver {
 
@@ -19,8 +19,5 @@ FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_m
 /// how far their loops are open. The verdict is a BaseJudge's.
 FoldingHistory record_on_base(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit = nullptr);
-
-/// The record of a path that metrics need, as a campaign's draws are measured.
-PathRecord record_path(const Model& model, const FlatVertices& vertices_mm);
 
 }  // namespace misalign::solver

@@ -7,10 +7,7 @@
 #include <utility>
 
 #include "solver/kinematics/diagonals.hpp"
-#include "solver/linear/newton.hpp"
-#include "solver/records/function_recorder.hpp"
-#include "solver/records/record_sheet.hpp"
-#include "solver/sheet/way_solver.hpp"
+#include "solver/sheet/path_source.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -52,34 +49,12 @@ SheetGeometry<double> placed(const Sheet& sheet) {
 
 }  // namespace
 
-struct SheetSolver::Workspace {
-  explicit Workspace(const Model& model)
-      : follower(model.mechanism(), model.elimination()),
-        close_follower(model.mechanism(), model.elimination()),
-        recorder(model, close_follower, &keep),
-        functions(model, follower, close_follower, recorder) {}
-
-  PathFollower<double, LongSteps> follower;
-  PathFollower<double> close_follower;
-  std::vector<WayStation> states;  // of the path that is recorded
-  const StationVisitor keep = [this](const Station&, const PathPoint& point) {
-    states.push_back({point.state, point.rates});
-  };
-  Recorder<double> recorder;
-  FunctionRecorder<double> functions;
-};
-
 SheetSolver::SheetSolver(const Model& model)
-    : model_(model), panels_(panels_of(model.base(), model.mechanism())) {}
+    : model_(model),
+      panels_(panels_of(model.base(), model.mechanism())),
+      paths_(path_source_of(model)) {}
 
 SheetSolver::~SheetSolver() = default;
-
-SheetSolver::Workspace& SheetSolver::workspace() {
-  if (!workspace_) workspace_ = std::make_unique<Workspace>(model_);
-  return *workspace_;
-}
-
-struct Sheet::Outline : PathOutline {};
 
 Sheet::Sheet(SheetSolver& solver, Eigen::Matrix2Xd shifts_mm, std::string name)
     : solver_(solver),
@@ -91,39 +66,17 @@ Sheet::Sheet(SheetSolver& solver, Eigen::Matrix2Xd shifts_mm, std::string name)
 }
 
 const PathRecord& Sheet::record() const {
-  if (record_) return *record_;
-  if (model().is_overconstrained()) {
-    record_ = record_of(history(), mechanism());
-    return *record_;
-  }
-  SheetSolver::Workspace& with = solver_.workspace();
-  ++solver_.followed_.as_functions;
-  record_ = with.functions.record(SheetBlock(vertices_mm_)).front();
-  with.states.clear();  // of a path that had to be followed closely: nobody asks for them
-  assert(record_->flat.size() == mechanism().diagonals.size());
+  if (!record_) record_ = solver_.paths_->record(vertices_mm_);
+  if (!record_) record_ = record_of(history(), mechanism());
   return *record_;
 }
 
 const FoldingHistory& Sheet::history() const {
   if (history_) return *history_;
-  if (model().is_overconstrained()) {
-    const StationVisitor keep = [this](const Station&, const PathPoint& point) {
-      states_.push_back({point.state, point.rates});
-    };
-    history_ = record_history(model(), vertices_mm_, &keep);
-    return *history_;
-  }
-  SheetSolver::Workspace& with = solver_.workspace();
-  ++solver_.followed_.closely;
-  with.states.clear();
-  FoldingHistory history = std::move(with.recorder.record(SheetBlock(vertices_mm_)).front());
-  assert(with.states.size() >= history.stations.size());
-  with.states.resize(history.stations.size());
-  states_ = std::exchange(with.states, {});
-  const PathExtremes extremes = extremes_of(history);
-  history.between.bump_where = extremes.bump_where;
-  history.between.bump_deg = extremes.bump_deg.value_or(0);
-  history_ = std::move(history);
+  history_ = solver_.paths_->history(vertices_mm_, states_);
+  const PathExtremes extremes = extremes_of(*history_);
+  history_->between.bump_where = extremes.bump_where;
+  history_->between.bump_deg = extremes.bump_deg.value_or(0);
   return *history_;
 }
 
@@ -179,21 +132,8 @@ const std::vector<double>& Sheet::span_slope_mm_per_deg() const {
 const FoldingWay* Sheet::way(int stations) const {
   assert(stations >= SmoothTable::kPoints);
   auto found = ways_.find(stations);
-  if (found == ways_.end() && model().is_overconstrained()) {
-    found = ways_.emplace(stations, way_on_base(model(), vertices_mm_, stations)).first;
-  }
   if (found == ways_.end()) {
-    SheetSolver::Workspace& with = solver_.workspace();
-    if (!outline_) {
-      ++solver_.followed_.as_functions;
-      outline_ = std::make_shared<Outline>(
-          Outline{outline_path(model(), vertices_mm_, with.follower, with.close_follower)});
-    }
-    if (outline_->has_near()) ++solver_.followed_.closely;
-    found = ways_
-                .emplace(stations,
-                         solve_way(model(), vertices_mm_, *outline_, stations, with.close_follower))
-                .first;
+    found = ways_.emplace(stations, solver_.paths_->way(vertices_mm_, outline_, stations)).first;
   }
   assert(!found->second || std::ssize(found->second->stations()) <= stations);
   return found->second ? &*found->second : nullptr;
@@ -204,12 +144,9 @@ const Sheet::Pose& Sheet::at(double pilot_deg) const {
   if (known != poses_.end()) return known->second;
   assert(way() != nullptr);
   const FoldingWay& path = *way();
-  Pose pose{path.stations().front().state, true, {}, {}, {}};
+  Pose pose{path.stations().front().state, false, {}, {}, {}};
   path.find_state(path.x_of(pilot_deg), pose.state);
-  if (!model().is_overconstrained()) {
-    pose.is_closed = Newton(mechanism()).correct(path.geometry(), pose.state).end ==
-                     Newton::StopReason::converged;
-  }
+  pose.is_closed = solver_.paths_->close(path.geometry(), pose.state);
   pose.vertices_mm = model().shape().vertices_mm(path.geometry(), pose.state);
   pose.fold_deg.resize(std::ssize(pose.state.creases));
   for (Index c = 0; c < pose.fold_deg.size(); ++c) {

@@ -16,6 +16,9 @@
 
 namespace misalign::solver {
 
+class PathSource;
+struct PathOutline;
+
 /// Follows the paths of a model's sheets, one after another.
 class SheetSolver {
  public:
@@ -28,21 +31,14 @@ class SheetSolver {
   const Model& model() const { return model_; }
   const Panels& panels() const { return panels_; }
 
-  /// How many paths were followed so far, in long steps and in close ones.
-  struct Followed {
-    int as_functions = 0, closely = 0;
-  };
-  const Followed& followed() const { return followed_; }
+  const PathSource& paths() const { return *paths_; }
 
  private:
   friend class Sheet;
-  struct Workspace;
-  Workspace& workspace();
 
   const Model& model_;
   const Panels panels_;
-  Followed followed_;
-  std::unique_ptr<Workspace> workspace_;  // made when a path is first followed
+  const std::unique_ptr<PathSource> paths_;
 };
 
 /// For one thread, its solver's.
@@ -112,7 +108,6 @@ class Sheet {
   std::vector<Eigen::Index> rows_to_show(double step_deg) const;
 
  private:
-  struct Outline;
   PathExtremes extremes_of(const FoldingHistory& history) const;
 
   SheetSolver& solver_;
@@ -126,7 +121,7 @@ class Sheet {
   mutable std::vector<Eigen::Matrix3Xd> shapes_mm_;
   mutable std::vector<double> span_slope_mm_per_deg_;
   mutable std::optional<std::optional<Metrics>> metrics_;
-  mutable std::shared_ptr<const Outline> outline_;
+  mutable std::shared_ptr<const PathOutline> outline_;
   mutable std::map<int, std::optional<FoldingWay>> ways_;  // by their stations
   mutable std::map<double, Pose> poses_;                   // by pilot_deg
 };

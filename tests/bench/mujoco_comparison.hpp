@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "schema/exchange/mjcf_export.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "search/sheets/folding_model.hpp"
 #include "search/sheets/release.hpp"
 #include "solver/motion/joint_tree.hpp"

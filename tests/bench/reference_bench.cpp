@@ -9,6 +9,7 @@
 #include "solver/linear/pivot_order.hpp"
 #include "solver/records/record_sheet.hpp"
 #include "solver/reference/reference.hpp"
+#include "tests/solver/record_path.hpp"
 
 namespace misalign {
 namespace {

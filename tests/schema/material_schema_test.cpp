@@ -1,5 +1,5 @@
 // material.schema.json and read_material_file accept and refuse the same files.
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "schema/pattern/material.hpp"
 #include "tests/folder.hpp"
 #include "tests/schema/schema_agreement.hpp"

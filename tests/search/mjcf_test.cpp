@@ -7,7 +7,7 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/mjcf_export.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/release.hpp"

@@ -7,7 +7,6 @@
 
 #include <csignal>
 
-#include "schema/files/text_file.hpp"
 #include "tests/schema/catalogue_fixture.hpp"
 #include "tests/schema/files/failing_calls.hpp"
 

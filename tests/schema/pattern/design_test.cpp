@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "schema/campaign/campaign_file.hpp"
-#include "schema/files/text_file.hpp"
+#include "schema/files/output_file.hpp"
 #include "schema/pattern/design_json.hpp"
 #include "solver/kinematics/mechanism.hpp"
 #include "solver/pattern/crease_pattern.hpp"

@@ -10,6 +10,7 @@
 #include "search/sheets/folding_model.hpp"
 #include "solver/records/record_sheet.hpp"
 #include "solver/reference/reference.hpp"
+#include "tests/solver/record_path.hpp"
 
 namespace misalign::search {
 namespace {

@@ -12,6 +12,7 @@
 #include "search/sheets/whole_program.hpp"
 #include "solver/certificate/certificate_check.hpp"
 #include "solver/records/record_sheet.hpp"
+#include "tests/solver/record_path.hpp"
 
 namespace misalign::search {
 namespace {

@@ -7,6 +7,7 @@
 #include "solver/lanes/lane_batch.hpp"
 #include "solver/records/record_sheet.hpp"
 #include "tests/solver/blocks.hpp"
+#include "tests/solver/record_path.hpp"
 
 namespace misalign::solver {
 namespace {

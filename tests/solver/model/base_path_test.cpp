@@ -8,6 +8,7 @@
 #include "solver/judging/base_judge.hpp"
 #include "solver/lanes/batch.hpp"
 #include "solver/records/record_sheet.hpp"
+#include "solver/sheet/path_source.hpp"
 #include "solver/sheet/sheet.hpp"
 #include "tests/solver/few_holes.hpp"
 
@@ -295,7 +296,7 @@ TEST(BasePath, IsASheetsHistoryAndWay) {
       EXPECT_NEAR(lengths_mm(d), sheet.history().length_mm(row, d), 1e-8);
     }
   }
-  EXPECT_EQ(solver.followed().closely + solver.followed().as_functions, 0);
+  EXPECT_EQ(solver.paths().followed().closely + solver.paths().followed().as_functions, 0);
 }
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;

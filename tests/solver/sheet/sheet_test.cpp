@@ -6,9 +6,11 @@
 #include <random>
 
 #include "solver/records/record_sheet.hpp"
+#include "solver/sheet/path_source.hpp"
 #include "tests/solver/blocks.hpp"
 #include "tests/solver/families.hpp"
 #include "tests/solver/own_sheet.hpp"
+#include "tests/solver/record_path.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -18,7 +20,7 @@ struct Table1Sheet : testing::Test {
   const OwnSheet own{sheet.base, sheet.shifted(golden("table1_odd.json")["displacements_mm"]) -
                                      sheet.base.sheet.vertices_mm};
   const Sheet& found = own.sheet;
-  const SheetSolver::Followed& followed = own.solver.followed();
+  const PathSource::Followed& followed = own.solver.paths().followed();
 };
 
 void expect_same(const FoldingHistory& found, const FoldingHistory& expected) {
@@ -193,7 +195,7 @@ TEST(Sheet, ThatIsLostHasNoWay) {
   }
   const OwnSheet own(sheet.base, shifts_mm);
   for (int times = 0; times < 2; ++times) EXPECT_EQ(own.sheet.way(), nullptr);
-  EXPECT_EQ(own.solver.followed().as_functions, 1);
+  EXPECT_EQ(own.solver.paths().followed().as_functions, 1);
   EXPECT_EQ(own.sheet.metrics(), nullptr);
 }
 
