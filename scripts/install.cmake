@@ -27,7 +27,7 @@ install(EXPORT misalignTargets NAMESPACE misalign:: DESTINATION ${CONFIG_DIR} CO
 install(DIRECTORY solver DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/misalign COMPONENT dev
         FILES_MATCHING PATTERN "*.hpp" PATTERN example EXCLUDE PATTERN reference EXCLUDE
         REGEX "/(arb_model|expansion_test|lane_batch|panel_check)\\.hpp$" EXCLUDE
-        REGEX "/(product_kernel|product_sums|product_table|proven_interval|shift_expansion)\.hpp$" EXCLUDE)
+        REGEX "/(product_kernel|product_sums|product_table|proven_interval|shift_expansion)\\.hpp$" EXCLUDE)
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/misalignConfigVersion.cmake
                                  COMPATIBILITY SameMajorVersion)

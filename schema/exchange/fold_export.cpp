@@ -115,8 +115,8 @@ Json folded_fold_json(const FoldingView& view, const std::vector<Index>& rows,
   const std::vector<MeshFiller> lettered =
       rows.empty() ? std::vector<MeshFiller>{} : fillers.lettered(rows.back());
   for (const Index row : rows) {
-    Json frame = frame_json(view.history.stations[row].pilot_deg);
     assert(row >= 0 && row < std::ssize(view.history.stations));
+    Json frame = frame_json(view.history.stations[row].pilot_deg);
     Json points = coordinates_json(view.sheet.shapes_mm()[static_cast<std::size_t>(row)]),
          angles = angles_json(view, creases, row);
     fillers.add_folded(row, points, angles);

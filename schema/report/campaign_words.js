@@ -48,7 +48,7 @@ function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n
   );
 }
 
-/** Named levels, or those that a pilot has found (`known`: how many) or will find. */
+/** Named levels, or those that a level finder has found (`known`: how many) or will find. */
 function level_words(levels_deg, known) {
   if (!Array.isArray(levels_deg))
     return known > 0

@@ -5,7 +5,7 @@ import { by_id, count, degrees, fixed, h, number, percent } from "./format.js";
 import { ladder_chart } from "./ladder_chart.js";
 import { add_saving_once, single } from "./save.js";
 
-const kWaits = "No level is known yet: the pilot has not come to its end.";
+const kWaits = "No level is known yet: the level finder has not finished.";
 
 const share_of = (some, all) => (all > 0 ? some / all : null);
 const interval_of = ({ rate_low, rate_high }) =>

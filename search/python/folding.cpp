@@ -1,6 +1,5 @@
 #include "search/python/folding.hpp"
 
-#include <algorithm>
 
 #include "search/draws/decision_stream.hpp"
 #include "search/python/arrays.hpp"

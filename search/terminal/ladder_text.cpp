@@ -43,7 +43,7 @@ std::string population_goal(const schema::CatalogueState& state) {
 
 std::string ladder_text(const schema::CatalogueState& state) {
   const schema::LadderState& ladder = *state.ladder;
-  if (ladder.levels.empty()) return "no level is known yet: the pilot has not come to its end\n";
+  if (ladder.levels.empty()) return "no level is known yet: the level finder has not finished\n";
   std::vector<schema::Row> rows = {{"level", "from deg", "share of draws", "95 % interval",
                                     "reach next", "moves taken", "met", "core s"}};
   for (std::size_t k = 0; k < ladder.levels.size(); ++k) {

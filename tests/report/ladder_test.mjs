@@ -57,7 +57,7 @@ async function asked_check(page, data) {
         new RegExp(` ${many.toLocaleString("en")} ${what}${many > 1 ? "s" : "\\b"}`),
       );
     if (search.levels_deg === "auto")
-      assert.match(words, /levels? that a pilot (found|finds first)/);
+      assert.match(words, /levels? that a level finder (found|finds first)/);
     else
       for (const deg of search.levels_deg.slice(0, 12)) assert.ok(words.includes(`${deg}°`), words);
   });

@@ -151,7 +151,7 @@ grep -q '</script><script>alert' odd.html && fail "a text of the catalogue becom
 
 # Splitting searches: enough populations for an interval; so few that there is none; with none that came to the last
 # level, without and with a candidate among the first draws, or to any level; one without populations, and one whose
-# pilot has not come to its end.
+# level finder has not finished.
 split() {  # NAME THRESHOLD SEARCH OPTION...
   printf '{"name": "%s", "pattern": {"family": "miura", "rows": 4, "columns": 4},
     "accept": {"deploys_from_deg": %s}, "search": {"method": "splitting", %s}}\n' "$1" "$2" "$3" > "$1.json"
