@@ -1,6 +1,5 @@
 #include "search/python/folding.hpp"
 
-
 #include "search/draws/decision_stream.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
