@@ -1,5 +1,6 @@
 #include "search/python/folding.hpp"
 
+
 #include "search/draws/decision_stream.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
