@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Format of the C++ files, that standard output has one door, that files and functions are short and no
 # include points to a later folder, that no number of scripts/house.json is worse, that what is said of the code names
-# what it has, that the manual holds together and is spelled, and that all files name one version. Instead with
+# what it has, that the manual holds together, is spelled and uses the field's words, and that all files name one version.
+# Instead with
 #   --lint [--write]: ESLint and Prettier on the page's JavaScript; --write lays it out;
 #   --tidy [PATTERN] [--for SECONDS]: clang-tidy on every room, or on those that match, such as 'solver/(pattern|linear)';
 #     the first time takes many minutes, then what has changed since it was clean.
@@ -38,6 +39,7 @@ fi
 python3 scripts/house.py --check
 python3 scripts/names.py
 python3 scripts/manual.py
+python3 scripts/words.py --check
 git ls-files -z '*.md' 'search/python/*.py' | xargs -0 codespell --ignore-words-list debians,followings
 # mpirun's own options are known to who starts it.
 if git grep -nE '\bkExit[A-Z]|search/verbs/border|^[^/]*"--[a-z]' -- 'solver/*.[ch]pp' 'schema/*.[ch]pp' 'search/*.[ch]pp' \

@@ -1,5 +1,4 @@
-// A campaign: which sheets are drawn, how their paths are followed, which draws are accepted, and
-// when to stop.
+// Defines a campaign: the draws, their folding paths, the accepted draws, and when to stop.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +16,16 @@
 
 namespace misalign::schema {
 
-/// A stop on the way: springs that are relaxed at this pilot angle hold the sheet there.
+/// A stop of the folding: springs that are relaxed at this pilot angle hold the sheet there.
 struct RequiredStop {
   double at_deg;
-  double least_mm2_per_rad2;  ///< of solver::stop_stiffness; times a spring's k: N mm/rad
+  double least_mm2_per_rad2;  ///< least solver::stop_stiffness; times a spring's k: N mm/rad
 
   bool operator==(const RequiredStop&) const = default;
 };
 
-/// The member initializers are the released defaults: they never change (identity leaves them out).
+/// A campaign. The member initializers are released defaults and never change (identity leaves them
+/// out).
 struct Campaign {
   std::string name = "miura-6x6";
   Pattern pattern;
@@ -38,15 +38,15 @@ struct Campaign {
   SearchMethod search;
   std::uint64_t seed = 1;
   StopRule stop;
-  Design design;  ///< outside the identity: what is asked of candidates
-  /// Whether the search makes each candidate's certificate as it goes; outside the identity.
+  Design design;  ///< requirements of candidates; outside the identity
+  /// true if the search makes each candidate's certificate, too; outside the identity.
   bool certify = false;
 
-  /// The least D that is accepted.
+  /// Returns the least accepted D.
   int threshold_sample() const;
-  /// Whether a draw with this verdict is kept.
+  /// Returns whether a draw with this verdict is accepted.
   bool accepts(const solver::Verdict& verdict) const;
-  /// What is asked besides.
+  /// Returns the further requirements of an accepted draw.
   solver::Criterion criterion() const;
   Sampling sampling() const { return {sample_deg, end_deg, between_samples}; }
   solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }

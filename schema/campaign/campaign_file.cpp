@@ -14,7 +14,7 @@
 namespace misalign::schema {
 namespace {
 
-// Angles that are meant to be whole multiples of sample_deg are, to this part of one.
+// Relative tolerance of whole multiples of sample_deg.
 constexpr double kMultipleTolerance = 1e-9;
 
 bool whole_multiple(double value, double step) {
@@ -22,7 +22,7 @@ bool whole_multiple(double value, double step) {
   return std::abs(ratio - std::round(ratio)) <= kMultipleTolerance * std::max(1.0, ratio);
 }
 
-// Null, both of them, for no stop.
+// Reads a stop; both keys are null without one.
 void read_required_stop(ObjectReader& accept, std::optional<RequiredStop>& stop) {
   const bool angle = accept.said("stops_at_deg"),
              stiffness = accept.said("stop_stiffness_mm2_per_rad2");
@@ -30,7 +30,7 @@ void read_required_stop(ObjectReader& accept, std::optional<RequiredStop>& stop)
     accept.faults().add(accept.name(angle ? "stops_at_deg" : "stop_stiffness_mm2_per_rad2"),
                         std::string("needs ") +
                             (angle ? "stop_stiffness_mm2_per_rad2" : "stops_at_deg") + " beside it",
-                        "write both, or neither: where the sheet stops, and how stiffly at least");
+                        "write both, or neither: the angle of the stop, and its least stiffness");
   }
   if (!angle || !stiffness) return;
   stop = RequiredStop{0, 0};
@@ -39,7 +39,7 @@ void read_required_stop(ObjectReader& accept, std::optional<RequiredStop>& stop)
                 "try 5, or null for no stop");
 }
 
-// Whether all creases of its sheets come to 180 degrees at once on paths that are followed, where
+// Returns whether all creases of the sheets reach 180 degrees at once on followed paths, where
 // rounding would decide; with fewer holes paths are known in closed form.
 bool closes_at_180(const Campaign& campaign) {
   return campaign.misalignment.parallel && !is_overconstrained(campaign.pattern.base);
@@ -88,17 +88,17 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   }
 }
 
-// `afterwards`: what certificates are for later of; null: nothing.
+// `afterwards`: the kind of search that makes certificates only later; null: none.
 void read_certify(ObjectReader& reader, const char* afterwards, bool& certify) {
-  reader.boolean("certify", certify, "write true for certificates as the search goes");
+  reader.boolean("certify", certify, "write true for certificates during the search");
   if (certify && afterwards) {
     reader.faults().add(reader.shown("certify"),
-                        std::string(afterwards) + " makes no certificates as it goes",
+                        std::string(afterwards) + " makes no certificates itself",
                         "write false, and run `misalign certify` on its catalogue afterwards");
   }
 }
 
-// What drawing members of the parallel family leaves no room for.
+// Checks what draws of the parallel family exclude.
 void check_parallel(const Campaign& campaign, InputFaults& faults) {
   if (!campaign.misalignment.parallel) return;
   if (campaign.search.splitting) {
@@ -115,7 +115,7 @@ void check_parallel(const Campaign& campaign, InputFaults& faults) {
   }
 }
 
-// How draws, and what an optimisation makes of them, lie on levels or a grid.
+// Checks that draws and optima keep to levels and grid.
 void check_ends(const Campaign& campaign, InputFaults& faults) {
   if (!campaign.search.optimisation) return;
   const Optimisation& ends = *campaign.search.optimisation;
@@ -126,21 +126,19 @@ void check_ends(const Campaign& campaign, InputFaults& faults) {
                "write \"plain\", or use `misalign construct`");
   }
   if (draws.parallel && draws.parallel->grid_mm > 0) {
-    faults.add("misalignment.grid_mm", "is left by what an optimisation makes of members",
-               "take it out");
+    faults.add("misalignment.grid_mm", "is not kept by an optimisation of members", "take it out");
   }
   const char* const key = ends.ternary ? "search.shifts = \"ternary\"" : "search.grid_mm";
   if (!ends.ternary && !ends.grid_mm) return;
   if (draws.parallel) {
     faults.add(key, "would leave the parallel family", "take it out");
   } else if (draws.distribution == ShiftDistribution::uniform) {
-    faults.add(key, "is where draws do not lie that are uniform",
+    faults.add(key, "needs ternary draws, and these are uniform",
                "write misalignment.levels = \"ternary\", or take it out");
   } else if (ends.grid_mm && !whole_multiple(draws.amplitude_mm, *ends.grid_mm)) {
-    faults.add(
-        std::string(key) + " = " + shown_number(*ends.grid_mm),
-        "is no whole part of misalignment.amplitude_mm = " + shown_number(draws.amplitude_mm),
-        "try a tenth of that");
+    faults.add(std::string(key) + " = " + shown_number(*ends.grid_mm),
+               "does not divide misalignment.amplitude_mm = " + shown_number(draws.amplitude_mm),
+               "try a tenth of that");
   }
 }
 
@@ -168,7 +166,7 @@ Campaign read_campaign(const Json& value, const std::string& source,
     faults.add(reader.shown("name"), "the catalogue's file is named after it",
                "use letters, digits, '-', '_' and '.', 1 to 100 of them");
   }
-  reader.require("pattern", "write what is folded; `misalign config --default` shows one");
+  reader.require("pattern", "write the base pattern; `misalign config --default` shows one");
   const Json* pattern = reader.find("pattern");
   if (pattern) {
     const Json& misalignment = part("misalignment");
@@ -181,7 +179,7 @@ Campaign read_campaign(const Json& value, const std::string& source,
   campaign.misalignment = read_misalignment(
       ObjectReader(part("misalignment"), "misalignment", faults), campaign.pattern.base);
   ObjectReader path(part("path"), "path", faults), accept(part("accept"), "accept", faults);
-  // A sheet that is refused for other reasons is not held against its path.
+  // A sheet that is refused for other reasons is not blamed for its path.
   const double base_end_deg = campaign.pattern.base.folding.end_deg();
   read_path_and_threshold(path, accept, base_end_deg > 0 ? base_end_deg : 180, campaign);
   campaign.search = read_search(ObjectReader(part("search"), "search", faults),
@@ -195,11 +193,11 @@ Campaign read_campaign(const Json& value, const std::string& source,
   const bool is_in_closed_form = campaign.misalignment.parallel && !closes_at_180(campaign);
   read_certify(reader,
                campaign.search.splitting ? "a splitting search"
-               : is_in_closed_form       ? "a search among sheets with so few holes"
+               : is_in_closed_form       ? "a search among overconstrained sheets"
                                          : nullptr,
                campaign.certify);
   if (campaign.certify && !campaign.pattern.base.springs.in_mid_plane()) {
-    faults.add(reader.shown("certify"), "proofs are of springs in the panels' mid-plane",
+    faults.add(reader.shown("certify"), "certificates need springs in the panels' mid-plane",
                "write false, or take \"springs\" out of the pattern");
   }
   reader.refuse_unknown_keys();
@@ -283,8 +281,8 @@ std::string identity(const Campaign& campaign) {
   return hex(hash_of(identity_json(campaign).dump()));
 }
 
-std::string differences(const Campaign& there, const Campaign& here) {
-  const Json theirs = identity_json(there), ours = identity_json(here);
+std::string differences(const Campaign& held, const Campaign& wanted) {
+  const Json theirs = identity_json(held), ours = identity_json(wanted);
   const auto shown = [](const Json& configuration, const Json::json_pointer& at) {
     if (!configuration.contains(at)) return std::string("the default");
     const std::string text = configuration.at(at).dump();

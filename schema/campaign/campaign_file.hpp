@@ -1,4 +1,4 @@
-// A campaign as people write it and catalogues keep it, and its identity.
+// Reads and writes campaigns, as files and in catalogues, and computes their identity.
 #pragma once
 
 #include <optional>
@@ -9,30 +9,30 @@
 
 namespace misalign::schema {
 
-/// Reads and checks a campaign; UserError (bad_input) naming `source` with every fault. A FOLD file
-/// that its pattern names is looked for in `directory`; without one none may be named.
+/// Reads and checks a campaign; UserError (bad_input) naming `source` lists every fault. A FOLD
+/// file of its pattern is relative to `directory`; without one no file may be named.
 Campaign read_campaign(const Json& value, const std::string& source,
                        const std::optional<std::filesystem::path>& directory = {});
 Campaign read_campaign_file(const std::string& path);
 
-/// The default campaign: the paper's.
+/// Returns the default campaign, the paper's.
 Campaign default_campaign();
 
-/// The resolved configuration, every key. Reading it again gives the same campaign.
+/// Returns the resolved configuration with every key. Reading it again gives the same campaign.
 Json campaign_json(const Campaign& campaign);
 
-/// The same without what older programs do not know, where that is the default:
-/// what a catalogue keeps, so that they can still read it.
+/// Returns the configuration for a catalogue: keys that older programs do not know are left out at
+/// their defaults, so that these can still read it.
 Json stored_configuration(const Campaign& campaign);
 
-/// What the identity is made of: pattern, misalignment, path, accept and seed, keys at their
-/// defaults left out.
+/// Returns the keys of the identity: pattern, misalignment, path, accept and seed, without keys at
+/// their defaults.
 Json identity_json(const Campaign& campaign);
 
-/// XXH3-128 of identity_json, sorted keys, no spaces: 32 hex digits.
+/// Returns the identity: XXH3-128 of identity_json, sorted keys, no spaces; 32 hex digits.
 std::string identity(const Campaign& campaign);
 
-/// "/seed (1 there, 2 here)", for every key of the identity in which two campaigns differ.
-std::string differences(const Campaign& there, const Campaign& here);
+/// Returns "/seed (1 there, 2 here)" for every key of the identity in which two campaigns differ.
+std::string differences(const Campaign& held, const Campaign& wanted);
 
 }  // namespace misalign::schema

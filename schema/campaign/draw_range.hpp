@@ -4,8 +4,7 @@
 
 namespace misalign::schema {
 
-/// Seeds go from 0 to this, 2^63 - 1; so do draws, of which a half-open range holds all but the
-/// last.
+/// Largest seed, 2^63 - 1, and end of the draws: a half-open range holds all but the last.
 inline constexpr std::uint64_t kEndOfDraws = (1ULL << 63) - 1;
 
 /// Half-open range of draw numbers.

@@ -1,4 +1,5 @@
-// Sets of draws as lists of ranges: disjoint, ascending, each from `lo` to before `hi`.
+// Computes with sets of draws as lists of ranges: disjoint, ascending, each from `lo` to before
+// `hi`.
 #pragma once
 
 #include <vector>
@@ -7,12 +8,13 @@
 
 namespace misalign::schema {
 
-/// What is in any of the ranges, and below `end`; ranges that touch are joined. `ascending` by
-/// their beginnings; they may overlap.
+/// Returns the union of the ranges below `end`; ranges that touch are joined. `ascending` by their
+/// beginnings; they may overlap.
 std::vector<DrawRange> united(const std::vector<DrawRange>& ascending,
                               std::uint64_t end = kEndOfDraws);
 
-/// What is in `wanted` but in none of `others`, which are ascending and do not overlap.
+/// Returns the draws of `wanted` that are in none of `others`, which are ascending and do not
+/// overlap.
 std::vector<DrawRange> without(const std::vector<DrawRange>& wanted,
                                const std::vector<DrawRange>& others);
 

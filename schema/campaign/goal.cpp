@@ -16,7 +16,7 @@ std::uint64_t Goal::planned_end() const {
 
 GoalEnd::GoalEnd(const Goal& goal)
     : goal_(goal), end_(goal.planned_end()), reached_(goal.range.lo) {
-  if (goal.accepted == 0 && !goal.of_populations) {  // met before anything is done
+  if (goal.accepted == 0 && !goal.of_populations) {  // reached before the first draw
     met_ = true;
     end_ = goal.range.lo;
   }
@@ -50,7 +50,7 @@ void GoalEnd::follow_population(const Part& part) {
   if (met_) end_ = std::min(end_, part.hi);
 }
 
-// Counts the accepted draws of the next part of the prefix, and closes granules on the way.
+// Counts the accepted draws of the next part of the prefix, and closes granules.
 void GoalEnd::follow(const Part& part) {
   const auto granule_of = [&](std::uint64_t draw) {
     return (draw - goal_.range.lo) / kGoalGranule;
@@ -78,8 +78,8 @@ void GoalEnd::follow(const Part& part) {
   undecided_ += static_cast<std::uint64_t>(part.undecided.end() - next_undecided);
 }
 
-// Granules without an accepted draw need no look: the count stays, and with it the interval of the
-// rate, relative to the rate, only widens (what the draws added say is that they are no hits).
+// Granules without an accepted draw are skipped: the count stays, and the interval of the rate,
+// relative to the rate, only widens.
 void GoalEnd::close_granule() {
   if (!accepted_more_) return;
   accepted_more_ = false;

@@ -1,5 +1,5 @@
-// A campaign's goal (how many draws, how many accepted, how precise a rate), and the draw at which
-// it ends.
+// Defines a campaign's goal (numbers of draws and candidates, precision of the rate) and the draw
+// at which it ends.
 #pragma once
 
 #include <cstdint>
@@ -11,41 +11,41 @@
 
 namespace misalign::schema {
 
-/// A goal that depends on what the draws give ends at a multiple of this many draws.
+/// A goal that depends on results of draws ends at a multiple of this number of draws.
 inline constexpr std::uint64_t kGoalGranule = 4096;
-/// And one that depends on what populations give at a multiple of this many of them, as many as an
-/// interval needs. What stopping there does to rate and interval: results/splitting/stopping.md.
+/// A goal that depends on results of populations ends at a multiple of this number of them, as an
+/// interval needs that many. results/splitting/stopping.md has the effect on rate and interval.
 inline constexpr std::size_t kGoalPopulations = 20;
 
-/// What a run wants; draws count from the range's start.
+/// Goal of a run; draws count from the range's start.
 struct Goal {
   DrawRange range{0, kEndOfDraws};
   std::optional<std::uint64_t> draws, accepted;
   /// Half the width of the acceptance rate's 95 % interval, over the rate.
   std::optional<double> relative_error{};
-  /// Of a splitting search: the range is one of populations' numbers, and no accepted draws are
-  /// counted.
+  /// true in a splitting search: the range is one of populations' numbers, and accepted draws are
+  /// not counted.
   bool of_populations = false;
 
-  /// Where the goal ends if the results do not end it before.
+  /// Returns the goal's end unless results end it before.
   std::uint64_t planned_end() const;
-  /// Whether the results can end it.
+  /// Returns whether results can end the goal.
   bool looks_at_results() const { return relative_error || (accepted && !of_populations); }
   friend bool operator==(const Goal&, const Goal&) = default;
 };
 
-/// Where a goal ends, as far as the draws done say: at the first multiple of kGoalGranule draws
-/// from the range's start below which no draw is missing, as many are accepted as were wanted, or
-/// the acceptance rate is known as well as was wanted. A function of the results alone: the order
-/// in which they come does not matter.
+/// Finds the goal's end from the finished draws: the first multiple of kGoalGranule draws from the
+/// range's start at which no earlier draw is missing and the goal is reached. It is a function of
+/// the results alone, in any order.
 class GoalEnd {
  public:
   explicit GoalEnd(const Goal& goal);
 
-  /// A range of draws that is done, none of it done before; accepted and undecided draws ascending.
+  /// Adds a range of finished draws that was not added before; accepted and undecided draws
+  /// ascending.
   void add(const DrawRange& done, const std::vector<std::uint64_t>& accepted,
            const std::vector<std::uint64_t>& undecided);
-  /// The same of one population, whose estimate of the acceptance rate this is.
+  /// Adds a finished population with its estimate of the acceptance rate.
   void add_population(const DrawRange& numbers, double share);
   std::uint64_t value() const { return end_; }
 
@@ -65,11 +65,11 @@ class GoalEnd {
   std::uint64_t end_;
   bool met_ = false;
   std::uint64_t reached_;                // below this no draw is missing
-  std::map<std::uint64_t, Part> ahead_;  // lo -> what lies behind a gap
-  std::uint64_t granule_ = 0;            // the one that is being counted
+  std::map<std::uint64_t, Part> ahead_;  // lo -> part behind a gap
+  std::uint64_t granule_ = 0;            // the granule being counted
   std::uint64_t accepted_ = 0, undecided_ = 0;
-  std::vector<double> shares_;  // of populations
-  bool accepted_more_ = false;  // since a granule was last closed
+  std::vector<double> shares_;  // estimates of the populations
+  bool accepted_more_ = false;  // since the last closed granule
 };
 
 }  // namespace misalign::schema

@@ -10,9 +10,9 @@
 namespace misalign::schema {
 namespace {
 
-using KeyJson = nlohmann::ordered_json;  // in the order of the schema
+using KeyJson = nlohmann::ordered_json;  // keeps the order of the schema
 
-// A cell of a Markdown table.
+// Returns the text as a cell of a Markdown table.
 std::string cell(std::string text) {
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
     text.insert(at, "\\");
@@ -28,7 +28,7 @@ std::string type_of(const KeyJson& key) {
   }
   if (key.contains("anyOf")) {
     std::vector<std::string> types;
-    for (const KeyJson& one : key["anyOf"]) types.push_back(type_of(one));
+    for (const KeyJson& type : key["anyOf"]) types.push_back(type_of(type));
     return fmt::to_string(fmt::join(types, ", or "));
   }
   if (key["type"].is_array()) {

@@ -5,7 +5,7 @@
 
 namespace misalign::schema {
 
-/// Markdown: a row for each key, with its type, default, bounds and meaning.
+/// Returns a Markdown table: a row for each key, with its type, default, bounds and meaning.
 std::string campaign_keys_markdown();
 
 }  // namespace misalign::schema

@@ -39,7 +39,7 @@ std::vector<int> read_vertices(ObjectReader& reader, const solver::CreasePattern
   return vertices;
 }
 
-// One of two words; the first if the key is left out.
+// Reads one of two words; the first if the key is left out.
 bool is_second(ObjectReader& reader, const char* key, const char* first, const char* second,
                const char* what) {
   std::string word = first;
@@ -49,7 +49,7 @@ bool is_second(ObjectReader& reader, const char* key, const char* first, const c
   return word == second;
 }
 
-// Of a base whose path is known.
+// Finds the parallel family of a base whose path is known.
 std::optional<ParallelDraws> family_of(ObjectReader& reader, const solver::PerforatedSheet& base,
                                        const std::vector<int>& vertices) {
   auto found = solver::ParallelFamily::of(base, vertices);
@@ -65,24 +65,24 @@ std::optional<ParallelDraws> family_of(ObjectReader& reader, const solver::Perfo
   };
   if (!std::ranges::any_of(family.coordinates(), is_of_hole)) {
     reader.faults().add(reader.name("vertices"),
-                        "leave no hole of the parallel family any way to change",
+                        "leave every hole of the parallel family unchanged",
                         "write \"all\", which shifts the rim too");
     return std::nullopt;
   }
   return ParallelDraws{std::make_shared<const solver::ParallelFamily>(std::move(family))};
 }
 
-// Null for none.
+// Reads the grid; null for none.
 void read_grid(ObjectReader& reader, double amplitude_mm, bool is_parallel, double& grid_mm) {
   const Json* value = reader.said("grid_mm");
   if (!value) return;
   reader.number("grid_mm", grid_mm, 1e-6, amplitude_mm, "try 0.01, or null for no grid");
   if (is_parallel) return;
-  reader.faults().add(reader.shown("grid_mm"), "is of members of the parallel family",
+  reader.faults().add(reader.shown("grid_mm"), "applies only to the parallel family",
                       "write \"kind\": \"parallel\" beside it, or take it out");
 }
 
-// Of shifts on that grid.
+// Puts the family's steps on that grid.
 void put_on_grid(ObjectReader& reader, double grid_mm, double amplitude_mm,
                  ParallelDraws& parallel) {
   const auto steps_mm = parallel.family->whole_steps_mm();
@@ -110,7 +110,7 @@ Misalignment read_misalignment(ObjectReader reader, const solver::PerforatedShee
   InputFaults& faults = reader.faults();
   const std::size_t before = faults.count();
   const solver::CreasePattern& sheet = base.sheet;
-  const bool has_sheet = sheet.facet_count() > 0;  // though it may have other faults
+  const bool has_sheet = sheet.facet_count() > 0;  // even with other faults
   Misalignment misalignment;
   if (has_sheet) {
     misalignment.vertices = read_vertices(reader, sheet);
@@ -131,7 +131,7 @@ Misalignment read_misalignment(ObjectReader reader, const solver::PerforatedShee
   const bool is_parallel = is_second(reader, "kind", "free", "parallel", "is no kind of shifts");
   const bool may_differ = is_second(reader, "signs", "alike", "free", "is no rule for signs");
   if (!is_parallel && may_differ) {
-    faults.add(reader.shown("signs"), "is of members of the parallel family",
+    faults.add(reader.shown("signs"), "applies only to the parallel family",
                "write \"kind\": \"parallel\" beside it, or take it out");
   }
   const bool says_levels = reader.find("levels") != nullptr;

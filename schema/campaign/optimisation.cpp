@@ -13,7 +13,7 @@ namespace misalign::schema {
 namespace {
 
 constexpr const char* kOfOneSheet =
-    "comes from libraries whose last digits differ between machines, so that ends would";
+    "comes from libraries whose last digits differ between machines, and so would optima";
 
 void read_goal(ObjectReader& reader, const solver::Goal*& goal) {
   std::string name(goal->name);
@@ -38,7 +38,7 @@ void read_limits(ObjectReader& reader, OptimiseBounds& limits) {
   const std::size_t before = faults.count();
   constexpr std::size_t kMost = 16;
   if (!list->is_array() || list->size() > kMost) {
-    faults.add(reader.shown("subject_to"), "is no list of up to 16 limits",
+    faults.add(reader.shown("subject_to"), "is no list of up to 16 constraints",
                "write [\"stroke_max <= 0.06\"], or [] for none");
     return;
   }
@@ -56,7 +56,7 @@ void read_limits(ObjectReader& reader, OptimiseBounds& limits) {
   }
 }
 
-// Of a key that the design block has, too: within its bounds.
+// Reads a key that the design block has, too, within the same bounds.
 template <class Number>
 void read_as_design(ObjectReader& reader, const char* key, std::string_view design_key,
                     Number& into, const char* suggestion) {
@@ -75,7 +75,7 @@ Optimisation read_optimisation(ObjectReader& reader, double threshold_deg) {
   read_as_design(reader, "stiffness_n_per_mm", "springs.stiffness_n_per_mm",
                  optimisation.stiffness_n_per_mm, "try 50, the paper's springs");
   read_as_design(reader, "preload_n", "springs.preload_n", optimisation.preload_n,
-                 "try 3: what each pulls or pushes with at flat");
+                 "try 3: the force of each spring at flat");
   std::string shifts = "free";
   reader.text("shifts", shifts, "write \"free\" or \"ternary\"");
   if (shifts != "free" && shifts != "ternary") {
@@ -87,7 +87,7 @@ Optimisation read_optimisation(ObjectReader& reader, double threshold_deg) {
   reader.number("least_slope_mm_per_deg", optimisation.least_slope_mm_per_deg, 0, 1e6, "try 0.001");
   reader.count("most_steps", optimisation.most_steps, 1, 100000, "leaves every draw as it is");
   reader.count("starts_of_population", optimisation.starts_of_population, 1, 1000000,
-               "leaves nothing to begin with");
+               "leaves no start");
   if (optimisation.from_deg && *optimisation.from_deg > threshold_deg) {
     reader.faults().add(reader.shown("from_deg"),
                         "lies above accept.deploys_from_deg = " + shown_number(threshold_deg),
@@ -102,16 +102,16 @@ void check_optimisation(ObjectReader& reader, const Optimisation& optimisation) 
       optimisation.goal->is_of_use || limits.largest_force_n ||
       std::ranges::any_of(limits.floors, &solver::Goal::is_of_use, &solver::OptimiseFloor::goal);
   if (lets_go && !optimisation.from_deg) {
-    reader.faults().add(reader.name("from_deg"), "is not said, from where sheets are let go",
+    reader.faults().add(reader.name("from_deg"), "is missing, the release angle of the sheets",
                         "write a pilot angle, such as 36");
   }
   if (optimisation.ternary && optimisation.grid_mm) {
-    reader.faults().add(reader.shown("grid_mm"), "is of free shifts", "take it out");
+    reader.faults().add(reader.shown("grid_mm"), "applies only to free shifts", "take it out");
   }
   for (const auto& [goal, least] : limits.floors) {
     if (goal != optimisation.goal) continue;
-    reader.faults().add(reader.name("subject_to"), std::string(goal->name) + " is the goal already",
-                        "take it out");
+    reader.faults().add(reader.name("subject_to"),
+                        std::string(goal->name) + " is the objective already", "take it out");
   }
 }
 

@@ -19,7 +19,7 @@ constexpr const char* kForce = "largest_force_n";
 struct Ceiling {
   const char* name;
   std::optional<double> OptimiseBounds::*bound;
-  std::string_view design_key;  // which has the same bounds
+  std::string_view design_key;  // key of the design with the same bounds
 };
 constexpr Ceiling kCeilings[] = {
     {kStroke, &OptimiseBounds::stroke_max, "springs.stroke_limit"},
@@ -49,17 +49,17 @@ std::optional<BoundFault> add_bound(const std::string& text, OptimiseBounds& bou
     const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), bound);
     return error == std::errc{} && stop == number.data() + number.size();
   };
-  // Longer ones are no limit, and would take the matcher's stack.
+  // Longer texts are no constraint, and would exhaust the matcher's stack.
   constexpr std::size_t kLongest = 200;
   if (text.size() > kLongest || !std::regex_match(text, part, form) || !is_number(part[3])) {
-    return BoundFault{"is no limit", kForms};
+    return BoundFault{"is no constraint", kForms};
   }
   const std::string name = part[1];
   const bool is_ceiling = part[2] == "<=";
   const auto twice = [&] { return BoundFault{"limits " + name + " twice", "write one of them"}; };
   for (const Ceiling& ceiling : kCeilings) {
     if (name != ceiling.name) continue;
-    if (!is_ceiling) return BoundFault{name + " is to be small", "write " + name + " <= it"};
+    if (!is_ceiling) return BoundFault{name + " needs an upper bound", "write " + name + " <= it"};
     const auto [least, most] = design_limits(ceiling.design_key);
     if (!(bound >= least && bound <= most)) return out_of_bounds(name, least, most);
     if (bounds.*ceiling.bound) return twice();
@@ -71,7 +71,7 @@ std::optional<BoundFault> add_bound(const std::string& text, OptimiseBounds& bou
     return BoundFault{unknown_word(name, "number that can be limited", limited_names()),
                       fmt::format("name one of {}", fmt::join(limited_names(), ", "))};
   }
-  if (is_ceiling) return BoundFault{name + " is to be large", "write " + name + " >= it"};
+  if (is_ceiling) return BoundFault{name + " needs a lower bound", "write " + name + " >= it"};
   if (!(bound >= 0 && bound <= kMostFloor)) return out_of_bounds(name, 0, kMostFloor);
   if (std::ranges::count(bounds.floors, goal, &solver::OptimiseFloor::goal)) return twice();
   bounds.floors.push_back({goal, bound});

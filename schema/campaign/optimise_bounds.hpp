@@ -1,5 +1,5 @@
-// The limits that an optimisation keeps, as people write them: "stroke_max <= 0.06",
-// "miscut_margin_mm >= 0.1".
+// Reads and writes the constraints of an optimisation: "stroke_max <= 0.06", "miscut_margin_mm >=
+// 0.1".
 #pragma once
 
 #include <optional>
@@ -12,22 +12,22 @@
 namespace misalign::schema {
 
 struct OptimiseBounds {
-  std::optional<double> stroke_max, largest_force_n;  ///< at most
-  std::vector<solver::OptimiseFloor> floors;  ///< at least; of each goal one, as in their table
+  std::optional<double> stroke_max, largest_force_n;  ///< upper bounds
+  std::vector<solver::OptimiseFloor> floors;  ///< lower bounds, in the order of the goals' table
 
   bool operator==(const OptimiseBounds&) const = default;
 };
 
-/// Adds one; otherwise why not, and what to do.
+/// Adds a constraint, or returns its fault and a suggestion.
 struct BoundFault {
   std::string why, suggestion;
 };
 std::optional<BoundFault> add_bound(const std::string& text, OptimiseBounds& bounds);
 
-/// All of them; UserError where one cannot be.
+/// Reads all constraints; UserError if one is impossible.
 OptimiseBounds bounds_of(const std::vector<std::string>& subject_to);
 
-/// As they are read, the upper ones first.
+/// Returns the constraints as they are read, the upper ones first.
 Json bounds_json(const OptimiseBounds& bounds);
 
 }  // namespace misalign::schema

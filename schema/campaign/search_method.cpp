@@ -14,7 +14,7 @@ SearchMethod read_search(ObjectReader reader, double threshold_deg, double sampl
   std::string method = "plain";
   reader.text("method", method, kMethods);
   if (method != "plain" && method != "splitting" && method != "optimise") {
-    faults.add(reader.shown("method"), "is no way to search", kMethods);
+    faults.add(reader.shown("method"), "is no search method", kMethods);
   }
   std::string starts = "draws";
   reader.text("starts", starts, kStarts);
@@ -34,7 +34,7 @@ SearchMethod read_search(ObjectReader reader, double threshold_deg, double sampl
                "write \"splitting\", or take those out");
   }
   if (!optimises && (optimisation != Optimisation{} || starts != "draws")) {
-    faults.add(shown, "has no goal, limits, springs, starts or shifts of ends",
+    faults.add(shown, "has no objective, constraints, springs, starts or shifts",
                "write \"optimise\", or take those out");
   }
   if (optimises && !splits &&

@@ -1,5 +1,5 @@
-// The part "search" of a campaign: plain draws, populations that climb (splitting), or draws, or
-// sheets of populations, that are made better (optimise).
+// Defines the part "search" of a campaign: plain draws, populations (splitting), or ascents from
+// draws or sheets of populations (optimise).
 #pragma once
 
 #include "schema/campaign/optimisation.hpp"
@@ -7,22 +7,23 @@
 
 namespace misalign::schema {
 
-/// None: plain draws. Both: the sheets that populations find are made better.
+/// Neither: plain draws. Both: ascents from sheets of populations.
 struct SearchMethod {
   std::optional<Splitting> splitting;
   std::optional<Optimisation> optimisation;
 
-  /// Whether a candidate's sheet is another than its number's draw, so that it is known by its
-  /// stored displacements alone, and its hash is part of the digest.
+  /// Returns whether a candidate's sheet differs from its number's draw, so that only its stored
+  /// displacements determine it, and its hash is part of the digest.
   bool stores_sheets() const { return splitting || optimisation; }
-  /// Whether a sheet that is met again is no other candidate; of ascents every start has its end.
+  /// Returns whether a sheet is only one candidate however often it is found; optima are kept for
+  /// every start.
   bool has_each_once() const { return splitting && !optimisation; }
 };
 
-/// Reads it where threshold and samples are known.
+/// Reads the search method; threshold and samples must be known.
 SearchMethod read_search(ObjectReader reader, double threshold_deg, double sample_deg);
 
-/// Every key of that part.
+/// Returns every key of that part.
 Json search_json(const SearchMethod& method);
 
 }  // namespace misalign::schema

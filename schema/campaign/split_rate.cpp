@@ -9,7 +9,7 @@
 namespace misalign::schema {
 namespace {
 
-// By Newton's method from above, where it falls until it has converged.
+// Computes a cube root by Newton's method from above, until it no longer falls.
 double cube_root(double value) {
   if (value < 0) return -cube_root(-value);
   if (value == 0) return 0;
@@ -21,8 +21,8 @@ double cube_root(double value) {
   }
 }
 
-// The 97.5 % quantile of Student's law: its expansion about the normal law's z (Fisher and Cornish,
-// Technometrics 2, 1960), here to 2e-5 from 19 degrees of freedom on.
+// Returns the 97.5 % quantile of Student's t distribution, expanded about the normal z (Fisher and
+// Cornish, Technometrics 2, 1960); accurate to 2e-5 from 19 degrees of freedom on.
 double student_quantile(double freedom) {
   constexpr double z = 1.959963984540054, z2 = z * z;
   constexpr double first = z * (z2 + 1) / 4, second = z * ((5 * z2 + 16) * z2 + 3) / 96,
@@ -30,15 +30,15 @@ double student_quantile(double freedom) {
   return z + (first + (second + third / freedom) / freedom) / freedom;
 }
 
-// T at which its transform is `quantile`, by k = g / (3 sqrt(n)): the transform less k / 2 is
-// ((1 + k T)^3 - 1) / (3 k). Written so that nothing cancels where k is small.
+// Returns the T whose transform is `quantile`, with k = g / (3 sqrt(n)): the transform less k / 2
+// is ((1 + k T)^3 - 1) / (3 k). Written without cancellation for small k.
 double untransformed(double quantile, double k) {
   const double w = quantile - k / 2;
   const double root = cube_root(1 + 3 * k * w);
   return 3 * w / ((root + 1) * root + 1);
 }
 
-// Of shares over their mean.
+// Returns the interval of shares over their mean.
 ShareInterval hall_interval(const std::vector<double>& relative) {
   assert(relative.size() > 1);
   const auto n = static_cast<double>(relative.size());
@@ -95,12 +95,12 @@ std::string why_not_converged(const SplitRate& rate) {
   if (has_converged(rate)) return "";
   if (rate.reached < kLeastReached) {
     return fmt::format(
-        "the rate is not to be believed yet: {} of {} populations came to the last level, where {} "
-        "at least should; more populations help, or more particles and sweeps",
+        "the rate is not reliable yet: {} of {} populations reached the last level, and at least "
+        "{} must; more populations help, or more particles and sweeps",
         rate.reached, rate.populations, kLeastReached);
   }
   return fmt::format(
-      "the rate is not to be believed yet: one population makes up {:.0f} % of it; more "
+      "the rate is not reliable yet: one population makes up {:.0f} % of it; more "
       "populations help, or more particles and sweeps",
       100 * rate.largest_part);
 }

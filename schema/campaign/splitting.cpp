@@ -13,14 +13,14 @@ namespace {
 constexpr const char* kFormsOfLevels =
     "write \"auto\", or angles in ascending order like [150, 165, 175]";
 
-// Empty of an angle that can be a level behind the last one.
+// Returns why an angle cannot be a level after the last one; empty if it can.
 std::string why_no_level(double level_deg, double last_deg, double threshold_deg,
                          double sample_deg) {
   if (level_deg > threshold_deg) {
     return "lies above accept.deploys_from_deg = " + shown_number(threshold_deg);
   }
   if (!(level_deg > last_deg)) return "does not lie above " + shown_number(last_deg);
-  // Whole scores, of which there are many in a sample.
+  // Levels are whole scores, of which a sample has many.
   const double step_deg = sample_deg / solver::kScoresPerSample;
   if (level_deg >= last_deg + step_deg) return "";
   return fmt::format(

@@ -5,7 +5,7 @@
 
 namespace misalign::schema {
 
-// A key that may be null for "no limit".
+// Reads a key that may be null for "no limit".
 void read_stop(ObjectReader reader, StopRule& stop) {
   const auto whole = [&](const char* key, std::optional<std::uint64_t>& into, std::uint64_t most) {
     const Json* value = reader.find(key);

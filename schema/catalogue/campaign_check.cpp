@@ -10,7 +10,7 @@
 namespace misalign::schema {
 namespace {
 
-// A length of paper from two coordinates: rounding of a square root.
+// Relative rounding of a flat length that comes from two coordinates.
 constexpr double kRounding = 1e-14;
 
 bool same_diagonals(const Json& stored, const Json& recomputed) {
@@ -32,13 +32,13 @@ void check_diagonals(SQLite::Database& database, const Campaign& campaign,
   const solver::Mechanism mechanism = solver::build_mechanism(base);
   const Json recomputed = diagonals_json(campaign, mechanism);
   SQLite::Statement row(database, "SELECT diagonals FROM campaign");
-  if (!row.executeStep()) return;  // which was found before
+  if (!row.executeStep()) return;  // reported before
   const std::string text = text_of(row.getColumn(0));
   if (same_diagonals(json_of(text), recomputed)) return;
   findings.push_back(differs("campaign", "diagonals", text, recomputed.dump()));
 }
 
-// The schema version from which on runs have screened every rejected draw once.
+// Since this schema version runs count every rejected draw once as screened.
 constexpr int kScreenedOnceSince = 3;
 
 bool is_sample(double deg, const Campaign& campaign) {
@@ -47,7 +47,7 @@ bool is_sample(double deg, const Campaign& campaign) {
          std::abs(sample - std::round(sample)) <= 1e-9 * sample;
 }
 
-// The run's configuration is one of this campaign.
+// Adds a finding unless the run's configuration belongs to this campaign.
 void check_configuration(const std::string& where, const std::string& text,
                          const Campaign& campaign, std::vector<Finding>& findings) {
   std::string found;
@@ -92,8 +92,7 @@ void check_screened(SQLite::Database& database, const Campaign& campaign,
     SQLite::Statement units(database, "SELECT rejected FROM unit");
     while (units.executeStep()) rejected += draw_of(units.getColumn(0));
   }
-  // Of catalogues that were joined all that was screened is here, and of their units perhaps a
-  // part.
+  // A joined catalogue has all screened counts, but perhaps only a part of the units.
   SQLite::Statement more(
       database, "SELECT EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged' OR schema_version < " +
                     std::to_string(kScreenedOnceSince) + ")");
@@ -113,7 +112,7 @@ void check_ascents(SQLite::Database& database, const Campaign& campaign,
     return;
   }
   const Optimisation& asked = *campaign.search.optimisation;
-  // Each column beside what it can be: kept as it is drawn, or gone on from there.
+  // Pairs each column with its condition: the draw is kept as drawn, or an ascent starts from it.
   struct Rule {
     const char* column;
     const char* can_be;
@@ -121,19 +120,19 @@ void check_ascents(SQLite::Database& database, const Campaign& campaign,
   };
   const std::string kept = "ended IN ('breaks_a_limit', 'has_no_value')";
   const Rule rules[] = {
-      {"start_value", "a value, or none where it is kept as it is",
+      {"start_value", "a value, or none if the draw is kept unchanged",
        "iif(" + kept + ", start_value IS NULL, start_value > 0)"},
       {"end_value", "more than at the start after a step, and the same without one",
        "iif(" + kept +
            ", end_value IS NULL, iif(steps = 0, end_value = start_value, "
            "end_value > start_value AND end_value < 9e999))"},
-      {"steps", "as many as its end says",
+      {"steps", "the number that its end implies",
        fmt::format("iif({0}, steps = 0, steps >= 0 AND iif(ended = 'most_steps', steps = {1}, "
                    "steps < {1}))",
                    kept, asked.most_steps)},
-      {"sheets_folded", "one a step at least",
+      {"sheets_folded", "at least one for each step",
        "iif(" + kept + ", sheets_folded = 0, sheets_folded >= steps)"},
-      {"ended", "one of the table's", "ended IN ('no_step_is_better', 'most_steps') OR " + kept},
+      {"ended", "a known reason", "ended IN ('no_step_is_better', 'most_steps') OR " + kept},
       {"limited_by", "none",
        fmt::format("limited_by IS NULL OR NOT ({} OR {:d})", kept, asked.ternary)}};
   std::string columns;
@@ -217,7 +216,7 @@ void check_runs(SQLite::Database& database, const Campaign& campaign,
       add("ended_at", "none, or no time", "a time beside its end");
     }
   }
-  // Most runs of a campaign have the same one.
+  // Groups runs by configuration: most runs of a campaign share it.
   SQLite::Statement configuration(
       database, "SELECT min(id), configuration FROM run GROUP BY configuration ORDER BY 1");
   while (configuration.executeStep()) {

@@ -1,4 +1,4 @@
-// Checks what a catalogue says of its campaign and its runs against the rest of its rows.
+// Checks a catalogue's campaign and runs against its other rows.
 #pragma once
 
 #include <optional>
@@ -9,35 +9,34 @@
 
 namespace misalign::schema {
 
-/// The diagonals of the base pattern, and where the goal ends by the results: that needs the
-/// catalogue's `state`, none where it cannot be read.
+/// Checks the diagonals of the base pattern, and the goal's end, which needs the catalogue's
+/// `state`; none where the state cannot be read.
 void check_campaign_row(SQLite::Database& database, const Campaign& campaign,
                         const std::optional<CatalogueState>& state, std::vector<Finding>& findings);
 
-/// Where the goal ends by the results, if the catalogue says otherwise: what is complete by that is
-/// not. `state` and rows must be of one moment.
+/// Returns a finding if the stored goal's end differs from that of the results: nothing before it
+/// is complete then. `state` and rows must be of one transaction.
 std::optional<Finding> goal_fault(SQLite::Database& database, const CatalogueState& state);
 
-/// What was screened: at samples of the path, as many draws as were rejected, or more where
-/// catalogues were joined.
+/// Checks the screened counts: their angles are samples of the path, and they add up to the
+/// rejected draws, or to more in a joined catalogue.
 void check_screened(SQLite::Database& database, const Campaign& campaign,
                     std::vector<Finding>& findings);
 
-/// Of an optimising search: each candidate has its ascent, and a value that is no less than its
-/// start's.
+/// Checks the ascents of an optimising search: each candidate has one, and no value is less than
+/// that of its start.
 void check_ascents(SQLite::Database& database, const Campaign& campaign,
                    std::vector<Finding>& findings);
 
-/// Of a population at a level, what the campaign knows: how many particles there are, and that each
-/// tries so many moves; of its first draws it takes those that survive.
+/// Checks a population's level against the campaign: number of particles, moves per particle, and
+/// at level 0 survivors among the first draws.
 void check_level(const std::string& where, const LevelCount& level, const Splitting& splitting,
                  std::vector<Finding>& findings);
 
-/// For every run: its units are of its ranks, and it committed at least one unit each time (but for
-/// those of catalogues that were joined, of which only a part may be here); its longest commit is
-/// none longer than all; its times and its units' are times, its schema is none newer than the
-/// file's, and its configuration is one of the campaign. What else it says of itself nobody can
-/// check.
+/// Checks every run: its units belong to its ranks, and every commit has at least one unit (of a
+/// joined catalogue perhaps only a part); no commit took longer than all; times are times, its
+/// schema is not newer than the file's, and its configuration belongs to the campaign. Its other
+/// columns cannot be checked.
 void check_runs(SQLite::Database& database, const Campaign& campaign,
                 std::vector<Finding>& findings);
 

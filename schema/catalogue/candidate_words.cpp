@@ -25,7 +25,7 @@ std::vector<std::string> words_of_candidates(const std::vector<std::string>& col
   return words;
 }
 
-// D is the manual's word.
+// D is the manual's symbol for deploys_from_deg.
 std::string column_meant(const std::string& typed, const std::vector<std::string>& columns) {
   const bool is_d = typed == "D" || typed == "d";
   const std::string meant =
@@ -34,11 +34,11 @@ std::string column_meant(const std::string& typed, const std::vector<std::string
 }
 
 UnknownWord unknown_word_of(const std::string& refused) {
-  for (const auto& [kind, said] :
+  for (const auto& [kind, message] :
        {std::pair{"column", "no such column: "}, {"function", "no such function: "}}) {
-    const std::size_t before = refused.find(said);
+    const std::size_t before = refused.find(message);
     if (before == std::string::npos) continue;
-    const std::size_t begin = before + std::string_view(said).size(),
+    const std::size_t begin = before + std::string_view(message).size(),
                       end = refused.find(')', begin);
     return {kind, refused.substr(begin, end - begin)};
   }

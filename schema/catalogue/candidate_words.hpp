@@ -8,17 +8,17 @@
 
 namespace misalign::schema {
 
-/// Of the view `candidates`.
+/// Returns the columns of the view `candidates`.
 std::vector<std::string> columns_of_candidates(SQLite::Database& database);
-/// These, and functions of a sheet.
+/// Returns these columns and the functions of a sheet.
 std::vector<std::string> words_of_candidates(const std::vector<std::string>& columns);
 
-/// "; did you mean stroke_max?", or nothing.
+/// Returns "; did you mean stroke_max?", or an empty text.
 std::string column_meant(const std::string& typed, const std::vector<std::string>& columns);
 
-/// A word that SQLite refuses, in its words.
+/// The unknown name in an error of SQLite.
 struct UnknownWord {
-  const char* kind;  ///< "column" or "function"; null: it refuses something else
+  const char* kind;  ///< "column" or "function"; null for any other error
   std::string typed;
 };
 UnknownWord unknown_word_of(const std::string& refused);

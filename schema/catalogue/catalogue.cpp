@@ -57,7 +57,7 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
   guarded(path_, [&] {
     GoalEnd end = *goal_end_;
     transact([&] {
-      end = *goal_end_;  // it may be the second time
+      end = *goal_end_;  // this may be the second attempt
       writer_->write(units, run_);
       keep_tables(units);
       for (const UnitRecord& unit : units) add_to_goal(unit, end);
@@ -72,7 +72,7 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
   cost_.longest_s = std::max(cost_.longest_s, seconds);
 }
 
-// The draws' first question is known once it was asked.
+// Stores the largest tables_deg of the units in their run.
 void Catalogue::keep_tables(const std::vector<UnitRecord>& units) {
   double deg = 0;
   for (const UnitRecord& unit : units) deg = std::max(deg, unit.tables_deg);
@@ -121,7 +121,7 @@ void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>&
   });
 }
 
-// They are a function of the campaign: where they differ, one of two builds is broken.
+// Levels are a function of the campaign: if they differ, one of two builds is broken.
 void Catalogue::take_over_levels(SQLite::Database& other) {
   const std::vector<int> ours = levels(), theirs = read_levels(other);
   if (ours.empty()) {
@@ -167,8 +167,8 @@ void Catalogue::settle(const UnitRecord& decided) {
   });
 }
 
-// One transaction on the file that still lies where it was opened. On a disk that is full the log
-// is folded into the file, which gives room to a log that begins anew; then it is tried once more.
+// Runs one transaction on the file, which must still be in its place. If the disk is full, the log
+// is folded into the file to free its space, and the transaction is tried once more.
 template <class Work>
 void Catalogue::transact(const Work& work) {
   lock_.check_file_is_there();

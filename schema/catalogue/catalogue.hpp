@@ -20,7 +20,7 @@ namespace misalign::schema {
 
 struct RunInfo {
   std::string host, version, commit, compiler, flags;
-  std::string golden_verdicts;  ///< of every rank; several, with spaces between, if they differ
+  std::string golden_verdicts;  ///< verdicts of every rank; different ones are separated by spaces
   int ranks;
 };
 
@@ -29,7 +29,7 @@ enum class Builds {
   mixed
 };
 
-/// What committing has cost this run.
+/// Cost of this run's commits.
 struct CommitCost {
   std::uint64_t commits = 0;
   double seconds = 0, longest_s = 0;
@@ -37,61 +37,62 @@ struct CommitCost {
 
 class Catalogue {
  public:
-  /// Opens, or creates if that is wanted. An older schema is brought up to date, after a copy of
-  /// the file. `storage` overrides what the file system says. If creating fails, nothing is left
-  /// behind. UserError: see WriterLock, open_for_writing and storage_failure; foreign if another
-  /// campaign is in it; bad_input if it is empty and should be there.
+  /// Opens a catalogue, or creates it if `missing` allows. An older schema is migrated after the
+  /// file is copied. `storage` overrides what the file system reports. If creation fails, no file
+  /// is left. UserError: see WriterLock, open_for_writing and storage_failure; foreign if it
+  /// belongs to another campaign; bad_input if it is empty but must exist.
   Catalogue(const std::string& path, const Campaign& campaign, const solver::Mechanism& mechanism,
             std::optional<Storage> storage = {}, Missing missing = Missing::created);
   ~Catalogue();
   Catalogue(const Catalogue&) = delete;
   Catalogue& operator=(const Catalogue&) = delete;
 
-  /// Ranges of draws that are done, ascending.
+  /// Returns the ranges of finished draws, ascending.
   std::vector<DrawRange> done() const;
   Standing standing() const;
-  /// Draws that no run could decide, ascending.
+  /// Returns the undecided draws, ascending.
   std::vector<std::uint64_t> undecided() const;
-  /// UserError: foreign if a build with other golden verdicts worked on this catalogue.
+  /// Begins a run. UserError: foreign if a build with other golden verdicts worked on this
+  /// catalogue.
   void begin_run(const RunInfo& run, const Goal& goal, Builds builds = Builds::same);
-  /// One transaction: the units, their candidates and what else belongs to them, and the goal's
-  /// end. UserError: failure if the file was removed meanwhile; see storage_failure.
+  /// Commits units with their rows, and the goal's end, in one transaction. UserError: failure if
+  /// the file was removed meanwhile; see storage_failure.
   void commit(const std::vector<UnitRecord>& units);
-  /// Of a splitting search: the scores of its levels, none where they are not known yet; what is
-  /// done of populations under way, of a layout, without the results; and the result of one.
+  /// Returns of a splitting search: scores of its levels, empty before they are known; pieces of
+  /// unfinished populations with a layout, without results; and the result of one piece.
   std::vector<int> levels() const { return read_levels(*database_); }
   std::vector<PieceRow> pieces(const std::string& layout) const;
   std::string result_of(const PieceRow& piece) const;
-  /// One transaction each: the levels, instead of what is done of finding them by this population;
-  /// more pieces.
+  /// Store, in one transaction each, the levels in place of this level finder's pieces, and further
+  /// pieces.
   void keep_levels(const std::vector<int>& scores, std::uint32_t level_finder);
   void keep_pieces(const std::vector<PieceRow>& pieces);
-  /// One transaction: whole units of another catalogue of this campaign, with its runs. Before
-  /// begin_run. UserError (bad_input) if the other one holds rows that no catalogue may.
+  /// Copies whole units of another catalogue of this campaign, with its runs, in one transaction
+  /// before begin_run. UserError (bad_input) if the other one holds rows that no catalogue may.
   void take_over(SQLite::Database& other, const std::vector<DrawRange>& units);
-  /// One transaction: a draw that was undecided, judged again; see UnitWriter.
+  /// Stores the new verdict of an undecided draw in one transaction; see UnitWriter.
   void settle(const UnitRecord& decided);
-  /// One transaction: what was found of miscut copies. The draws that are no candidates here, of
-  /// which nothing is kept: see write_yields.
+  /// Stores yields of miscut copies in one transaction. Returns the draws that are no candidates,
+  /// whose yields are not stored; see write_yields.
   std::vector<std::uint64_t> keep(const std::vector<Yield>& yields,
                                   const std::string& commit_of_build);
-  /// One transaction: certificates, each in the place of the one that was there. The draws that
-  /// are no candidates here, of which nothing is kept.
+  /// Stores certificates in one transaction, replacing earlier ones. Returns the draws that are no
+  /// candidates, whose certificates are not stored.
   std::vector<std::uint64_t> keep(const std::vector<CertificateRecord>& certificates);
-  /// The same of another catalogue, for candidates that both hold.
+  /// Copies yields of another catalogue, for candidates that both hold.
   void take_over_yields(SQLite::Database& other);
-  /// The same of certificates, see copy_certificates: how many were not taken because they are not
-  /// as they were made.
+  /// Copies certificates likewise, see copy_certificates; returns how many were refused because
+  /// they are not as they were made.
   std::uint64_t take_over_certificates(SQLite::Database& other);
-  /// `end` says why, see catalogue.sql. Closes the file: nothing else may follow.
+  /// Ends the run for the reason `end`, see catalogue.sql, and closes the file.
   void end_run(const std::string& end);
-  /// Leaves one plain file: nothing else may follow.
+  /// Closes the catalogue as one plain file, without journals.
   void close();
-  /// Copies what is in the log into the file, as far as readers let it: who copies the file alone
-  /// has that much. Waits for nobody.
+  /// Copies the log into the file as far as readers allow, so that a copy of the file alone has
+  /// that much. Does not wait.
   void fold_in();
 
-  /// Where the goal ends as far as is known, see GoalEnd.
+  /// Returns the goal's end as far as it is known, see GoalEnd.
   std::uint64_t goal_end() const { return goal_end_->value(); }
   const CommitCost& cost() const { return cost_; }
   const std::string& path() const { return path_; }
@@ -125,8 +126,8 @@ class Catalogue {
   CommitCost cost_;
 };
 
-/// Whether the catalogue there holds all that a run of this campaign to this goal would write, so
-/// that there is nothing to write. Only reads; false where it cannot, too.
+/// Returns whether the catalogue holds everything that a run of this campaign to this goal would
+/// write. Only reads; false if it cannot be read.
 bool holds_all(const std::string& path, const Campaign& campaign, const Goal& goal);
 
 }  // namespace misalign::schema

@@ -19,7 +19,7 @@ namespace {
 
 // A row of sqlite_schema.
 struct Made {
-  std::string table;  // that it belongs to
+  std::string table;  // its table
   SqlTokens sql;      // none for an index that a key makes
 };
 bool same(const Made& a, const Made& b) {
@@ -29,7 +29,7 @@ bool same(const Made& a, const Made& b) {
 using TypeAndName = std::pair<std::string, std::string>;
 struct Layout {
   std::map<TypeAndName, Made> made;
-  std::set<TypeAndName> twice;  // SQLite lets rows without a definition stand as often as one likes
+  std::set<TypeAndName> twice;  // SQLite allows duplicate rows without a definition
 };
 
 Layout layout_of(SQLite::Database& database) {
@@ -43,10 +43,10 @@ Layout layout_of(SQLite::Database& database) {
   return layout;
 }
 
-// A catalogue of any version is laid out as one made in version 7 and brought up to it. One that
-// was made in version 1, and brought up by release 1.0.0, has a default in a column that was added
-// to its runs, and nothing else is another. (Where a migration cannot make what catalogue.sql
-// makes, that is to be kept in versions/ and named here.) Comments do not count.
+// Origin of a catalogue. Its layout is that of a catalogue made in version 7 and migrated, whatever
+// its version. The only exception was made in version 1 and migrated by release 1.0.0: a column
+// that was added to its runs has a default. (If a migration cannot make what catalogue.sql makes,
+// that must be kept in versions/ and named here.) Comments do not count.
 enum class MadeIn { version_7, version_1 };
 
 std::string first_layout(MadeIn made_in) {
@@ -57,7 +57,7 @@ std::string first_layout(MadeIn made_in) {
   return sql.insert(sql.find(column) + column.size(), " DEFAULT 1");
 }
 
-// The layout of a catalogue that was made in that version, computed once.
+// Returns the layout of a catalogue of that origin and version, computed once.
 const Layout& layout_of(MadeIn made_in, int version) {
   static std::map<std::pair<MadeIn, int>, Layout> layouts;
   static std::mutex mutex;
@@ -71,8 +71,8 @@ const Layout& layout_of(MadeIn made_in, int version) {
   return layouts[{made_in, version}] = layout_of(*database);
 }
 
-// What ANALYZE makes; what it says of the rows may change which way a statement goes, and no
-// answer.
+// Returns whether a table comes from ANALYZE. Its rows may change the plan of a statement, but no
+// result.
 bool is_statistics(const std::string& name, const Made& made) {
   static const std::map<std::string, std::vector<std::string>> kTables = {
       {"sqlite_stat1", sql_tokens("CREATE TABLE sqlite_stat1(tbl,idx,stat)").tokens},
@@ -82,7 +82,7 @@ bool is_statistics(const std::string& name, const Made& made) {
   return at != kTables.end() && at->second == made.sql.tokens && !made.sql.is_open;
 }
 
-// What stands between the commas of a table's outer brackets: its columns and conditions.
+// Returns the definitions between the commas of a table's outer brackets: columns and conditions.
 std::vector<std::string> definitions_of(const std::vector<std::string>& tokens) {
   std::vector<std::string> definitions;
   int depth = 0;
@@ -100,13 +100,13 @@ std::vector<std::string> definitions_of(const std::vector<std::string>& tokens) 
 
 std::string shown_name(const std::string& name) { return printable(utf8(shortened(name, 40))); }
 
-// In which columns a table is another one.
+// Adds the columns in which two tables differ.
 void add_columns(const std::string& table, const Made& found, const Made& wanted,
                  std::vector<std::string>& differences) {
-  // By its first word, which is a column's name.
+  // Maps a definition by its first word, the column's name.
   const auto named = [](const std::vector<std::string>& definitions) {
     std::map<std::string, std::set<std::string>> all;
-    for (const std::string& one : definitions) all[one.substr(0, one.find(' '))].insert(one);
+    for (const std::string& text : definitions) all[text.substr(0, text.find(' '))].insert(text);
     return all;
   };
   const auto theirs = named(definitions_of(found.sql.tokens));
@@ -133,7 +133,7 @@ void add_columns(const std::string& table, const Made& found, const Made& wanted
 std::vector<std::string> differences_of(const Layout& found, const Layout& wanted) {
   std::vector<std::string> differences;
   for (const auto& [type, name] : found.twice) {
-    differences.push_back(shown_name(type) + " " + shown_name(name) + " is there twice");
+    differences.push_back(shown_name(type) + " " + shown_name(name) + " occurs twice");
   }
   for (const auto& [key, made] : found.made) {
     const auto& [type, name] = key;

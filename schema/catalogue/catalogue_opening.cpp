@@ -1,5 +1,4 @@
-// Opening and closing a catalogue: a new one is laid out, one of an older schema is brought up to
-// date.
+// Opens and closes a catalogue: lays out a new one, migrates one of an older schema.
 #include <filesystem>
 
 #include "schema/campaign/campaign_file.hpp"
@@ -51,7 +50,7 @@ void Catalogue::open(Missing missing) {
     log_->fold_in();
     migrate();
   } else {
-    create();  // before there is a log: the file alone names its campaign
+    create();  // before the log exists: the file alone names its campaign
   }
   database_->exec(storage_ == Storage::network ? "PRAGMA journal_mode = TRUNCATE"
                                                : "PRAGMA journal_mode = WAL");
@@ -87,7 +86,7 @@ void Catalogue::check_same_builds(const RunInfo& run) const {
                       " if you know that the difference does no harm");
 }
 
-// The file as it was is kept beside it; then all steps to the present schema, or none.
+// Copies the file, then applies all migrations to the present schema, or none.
 void Catalogue::migrate() {
   const int version = version_of(*database_);
   if (version == kSchemaVersion) return;
@@ -117,8 +116,8 @@ void Catalogue::create() {
 }
 
 void Catalogue::close() {
-  // A finished catalogue is one plain file, readable in a directory that nobody may write to. A
-  // reader that is looking just now prevents that, which does no harm.
+  // A finished catalogue is one plain file, readable even in a read-only directory. A reader that
+  // is active now prevents that, which does no harm.
   writer_.reset();
   log_.reset();
   database_->setBusyTimeout(0);
@@ -129,7 +128,7 @@ void Catalogue::close() {
 bool holds_all(const std::string& path, const Campaign& campaign, const Goal& goal) {
   std::error_code ignored;
   for (const std::string& suffix : journal_suffixes()) {
-    if (std::filesystem::exists(path + suffix, ignored)) return false;  // somebody is not done
+    if (std::filesystem::exists(path + suffix, ignored)) return false;  // in use
   }
   try {
     const auto database = open_for_reading(path);
@@ -137,13 +136,13 @@ bool holds_all(const std::string& path, const Campaign& campaign, const Goal& go
       if (version_of(*database) != kSchemaVersion) return false;
       Json held = stored_configuration(read_campaign_of(*database, path)),
            wanted = stored_configuration(campaign);
-      for (Json* one : {&held, &wanted}) one->erase("stop");  // the goal is compared below
+      for (Json* json : {&held, &wanted}) json->erase("stop");  // the goal is compared below
       if (held != wanted) return false;
       const CatalogueState state = read_state(*database);
       return state.identity == identity(campaign) && state.goal == goal && state.gaps.empty() &&
              !goal_fault(*database, state);
     });
-  } catch (const UserError&) {  // opening it to write says what is wrong
+  } catch (const UserError&) {  // opening it for writing reports the fault
     return false;
   }
 }

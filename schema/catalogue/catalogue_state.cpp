@@ -20,8 +20,8 @@ struct UnitRow {
   double seconds;
 };
 
-// Calls `see` with the ledger's units in turn. SQLite looks at a table's checks only when it
-// writes: UserError (bad_input) at the first unit that breaks them.
+// Calls `see` for each unit of the ledger, ascending. UserError (bad_input) at the first unit that
+// breaks the table's checks, which SQLite evaluates only when it writes.
 template <class See>
 void each_unit(SQLite::Database& database, const See& see) {
   SQLite::Statement units(
@@ -53,19 +53,19 @@ void each_unit(SQLite::Database& database, const See& see) {
   }
 }
 
-// Of the last run that committed something.
+// Rates of the last run that committed a unit.
 struct LastRun {
   std::int64_t run = 0;
   std::uint64_t draws = 0;
   double seconds = 0;
 
-  void add(std::int64_t of, const DrawRange& range, double took_s) {
-    if (of < run) return;
-    if (of > run) *this = {of, 0, 0};
+  void add(std::int64_t unit_run, const DrawRange& range, double took_s) {
+    if (unit_run < run) return;
+    if (unit_run > run) *this = {unit_run, 0, 0};
     draws += range.size();
     seconds += took_s;
   }
-  // All of its ranks together.
+  // Returns the draws per second of all its ranks together.
   double draws_per_s(SQLite::Database& database) const {
     SQLite::Statement ranks = bound(database, "SELECT ranks FROM run WHERE id = ?", run);
     if (!ranks.executeStep() || seconds == 0) return 0;
@@ -73,13 +73,13 @@ struct LastRun {
   }
 };
 
-// The totals below the goal's end, by the units' own sums and in one pass, for there may be
-// millions: only the rows of the unit in which the end lies are looked at.
+// Adds the totals below the goal's end from the units' sums, in one pass over possibly millions of
+// units. Only the unit across the goal's end is counted by its rows.
 void add_units(SQLite::Database& database, CatalogueState& state) {
   std::vector<DrawRange> ranges;
   CandidateSum sum;
   LastRun last_run;
-  DrawRange cut{state.goal_end, state.goal_end};  // the part that counts of the unit that straddles
+  DrawRange cut{state.goal_end, state.goal_end};  // the part below the end of the unit across it
   each_unit(database, [&](const UnitRow& unit) {
     ranges.push_back(unit.range);
     state.draws_in_ledger += unit.range.size();
@@ -115,7 +115,7 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
   state.digest = catalogue_digest(state.identity, merged, state.accepted, state.undecided, sum);
 }
 
-// What the table's checks promise, too.
+// Repeats the table's checks.
 bool is_goal(const Goal& goal, std::uint64_t goal_end) {
   const DrawRange& range = goal.range;
   const auto is_whole = [](std::uint64_t number) {
@@ -130,7 +130,7 @@ bool is_goal(const Goal& goal, std::uint64_t goal_end) {
 }
 
 CatalogueState state_of(SQLite::Database& database) {
-  std::optional<SQLite::Transaction> snapshot;  // one moment for all that follows
+  std::optional<SQLite::Transaction> snapshot;  // for consistent reads below
   if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
   CatalogueState state{};
   SQLite::Statement campaign(
@@ -166,8 +166,8 @@ CatalogueState state_of(SQLite::Database& database) {
   if (state.goal.of_populations) state.ladder = read_ladder(database, state.goal_end);
   if (method == "optimise") state.ends = read_ends(database, state.goal_end);
 
-  // Those of no candidate, by what makes one: to look for each of them would take ten times as
-  // long.
+  // Faults of samples that are no candidates, selected by the criterion: a join with candidates
+  // would take ten times as long.
   SQLite::Statement faults(
       database,
       "SELECT first_fault, count(*), stands_for FROM fault_sample WHERE first_fault = 'undecided' "
@@ -238,7 +238,7 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
 GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
   return reading(database, [&] {
     GoalEnd end(goal);
-    if (goal.of_populations) {  // whoever goes on with them relies on all
+    if (goal.of_populations) {  // continuing them relies on all
       const auto top = static_cast<std::uint32_t>(read_levels(database).size());
       each_population(database, [&](const DrawRange& unit, const std::vector<LevelCount>& levels) {
         end.add_population(unit, share_reaching(top, levels));
@@ -253,7 +253,7 @@ GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
       std::sort(draws.begin(), draws.end());
       return draws;
     };
-    // By the index, a hundredth of the table's size.
+    // The index has a hundredth of the table's size.
     const auto accepted =
         draws_of("SELECT draw FROM candidate INDEXED BY candidate_by_deploys_from");
     const auto undecided = draws_of("SELECT draw FROM undecided");

@@ -1,4 +1,4 @@
-// Reads a catalogue: its campaign, goal and totals, the units that are done, draws.
+// Reads a catalogue's campaign, goal, totals, finished units, and draws.
 #pragma once
 
 #include <map>
@@ -14,49 +14,51 @@
 
 namespace misalign::schema {
 
-/// Totals of what lies below the goal's end.
+/// Totals of the draws below the goal's end.
 struct CatalogueState {
   std::string identity, name;
   std::uint64_t seed;
   Goal goal;
   std::uint64_t goal_end;
-  double threshold_deg;                                ///< that accepted draws deploy from
-  std::optional<double> stops_at_deg;                  ///< where they are to stop on the way
-  std::uint64_t draws, accepted, rejected, undecided;  ///< below the goal's end
+  double threshold_deg;                                ///< of accepted draws
+  std::optional<double> stops_at_deg;                  ///< of the stop, if the campaign has one
+  std::uint64_t draws, accepted, rejected, undecided;  ///< counts below the goal's end
   std::uint64_t draws_in_ledger;
   std::vector<DrawRange> gaps;
   std::string digest;
   std::map<std::string, WeightedCount>
       faults;                         ///< first faults of the rejected draws in the sample
-  std::optional<LadderState> ladder;  ///< of a splitting search
-  std::optional<EndsState> ends;      ///< of an optimising search
-  double draws_per_s;  ///< of the last run that committed something, all ranks together
+  std::optional<LadderState> ladder;  ///< only of a splitting search
+  std::optional<EndsState> ends;      ///< only of an optimising search
+  double draws_per_s;                 ///< of all ranks of the last run that committed a unit
 
-  /// All first faults of the sample.
+  /// Returns the sum over all first faults of the sample.
   WeightedCount sampled() const;
-  /// Draws in the gaps, and populations.
+  /// Returns the number of draws in the gaps, or of populations.
   std::uint64_t missing() const;
   std::uint64_t missing_populations() const;
 };
 
-/// UserError (bad_input) if the ledger contradicts itself, here and below.
+/// Reads the state of a catalogue. UserError (bad_input) if the ledger contradicts itself; likewise
+/// below.
 CatalogueState read_state(SQLite::Database& database);
 
-/// The campaign that a catalogue belongs to.
+/// Reads the campaign of a catalogue.
 Campaign read_campaign_of(SQLite::Database& database, const std::string& path);
 
-/// The ledger's units, ascending.
+/// Returns the ledger's units, ascending.
 std::vector<DrawRange> units_done(SQLite::Database& database);
 
-/// The draws of a range that are in a table, ascending: candidate, undecided, fault_sample.
+/// Returns the draws of a range that are in a table (candidate, undecided or fault_sample),
+/// ascending.
 std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& table,
                                     const DrawRange& range);
 
-/// Where a goal ends by what the rows say, see GoalEnd. UserError (bad_input) if populations
-/// contradict themselves.
+/// Returns the goal's end by the catalogue's rows, see GoalEnd. UserError (bad_input) if
+/// populations contradict themselves.
 GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal);
 
-/// Accepted draws below the goal's end that deploy from `sample` or more.
+/// Returns the number of accepted draws below the goal's end with `sample` or more as D.
 std::uint64_t count_deploying_from(SQLite::Database& database, int sample);
 
 }  // namespace misalign::schema

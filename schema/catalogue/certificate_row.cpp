@@ -17,7 +17,7 @@ namespace {
 
 using solver::CertificateEnd;
 
-// Of draws that are no candidates nothing is kept.
+// Ignores draws that are no candidates.
 constexpr const char* kInsertCertificate =
     "INSERT INTO certificate (draw, certified_deg, asked_deg, ended, place, contact, intervals, "
     "seconds, hash, proof) SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10 "
@@ -58,7 +58,7 @@ std::string panels_place(const Pattern& base, const solver::Mechanism& mechanism
   return place_of(pairs[number].a) + " and " + place_of(pairs[number].b);
 }
 
-// Empty where the sheet has no such place.
+// Returns the place's label, empty if the sheet has no such place.
 std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
                      const solver::Certificate& certificate) {
   if (certificate.where < 0) return "";
@@ -87,7 +87,7 @@ bool needs_place(CertificateEnd end) {
          end == CertificateEnd::sign_changed || end == CertificateEnd::contact;
 }
 
-// The columns that a proof decides; without hash, seconds and the proof itself.
+// Returns the columns that follow from a proof, without hash, seconds and the proof itself.
 CertificateRecord claims_of(const Pattern& base, const solver::Mechanism& mechanism,
                             std::uint64_t draw, const solver::Certificate& certificate) {
   CertificateRecord row;
@@ -101,7 +101,7 @@ CertificateRecord claims_of(const Pattern& base, const solver::Mechanism& mechan
   return row;
 }
 
-// Whether a row of kSelect holds what a certificate's can, column by column.
+// Returns whether every column of a row of kSelect has a possible value.
 bool is_certificate(SQLite::Statement& row) {
   constexpr int kTypes[] = {SQLITE_FLOAT,   SQLITE_FLOAT, SQLITE_TEXT, SQLITE_TEXT, SQLITE_INTEGER,
                             SQLITE_INTEGER, SQLITE_FLOAT, SQLITE_TEXT, SQLITE_BLOB};
@@ -153,13 +153,13 @@ std::optional<std::string> certificate_fault(const Pattern& base,
     return "its hash is not that of the sheet, its columns and its proof";
   }
   const auto certificate = solver::decode(mechanism, row.proof);
-  if (!certificate) return "its proof is none of such a sheet";
+  if (!certificate) return "its proof cannot belong to such a sheet";
   if (certificate->certified_deg() > certificate->asked_deg) {
-    return "its proof goes beyond the angle that was asked for";
+    return "its proof goes beyond the requested angle";
   }
   const CertificateRecord claims = claims_of(base, mechanism, row.draw, *certificate);
   const auto contradicted = [](const std::string& column) {
-    return "its proof says otherwise than its column " + column;
+    return "its proof contradicts its column " + column;
   };
   if (row.certified_deg != claims.certified_deg) return contradicted("certified_deg");
   if (row.asked_deg != claims.asked_deg) return contradicted("asked_deg");

@@ -10,7 +10,7 @@
 namespace misalign::schema {
 namespace {
 
-// Of a candidate as it is stored; none where there is no such candidate, or no such sheet.
+// Returns a candidate's stored shifts; none without such a candidate or sheet.
 std::optional<Eigen::Matrix2Xd> stored_shifts(SQLite::Database& database, const Campaign& campaign,
                                               std::uint64_t draw) {
   return reading(database, [&]() -> std::optional<Eigen::Matrix2Xd> {
@@ -32,8 +32,8 @@ bool goes_farther(const CertificateRecord& row, const CertificateRecord& other) 
   return std::pair(row.contact, row.certified_deg) > std::pair(other.contact, other.certified_deg);
 }
 
-// For the candidate of that number, the same sheet, if there is one that has no better certificate.
-// False if it has a fault.
+// Stores a certificate for that candidate of the same sheet, unless it has a better one. Returns
+// false if the certificate has a fault.
 bool take_over(CertificateRecord row, SQLite::Database& into, const Campaign& campaign,
                const solver::Mechanism& mechanism, std::uint64_t draw) {
   const auto shifts_mm = stored_shifts(into, campaign, draw);
@@ -62,7 +62,7 @@ CheckedCertificates check_certificates(SQLite::Database& database, const Campaig
     const auto shifts_mm = stored_shifts(database, campaign, row.draw);
     const std::optional<std::string> fault =
         shifts_mm ? certificate_fault(campaign.pattern, mechanism, *shifts_mm, row)
-                  : "it is of no sheet that is a candidate";
+                  : "its sheet is no candidate";
     if (!fault) return;
     const std::string where = "draw " + std::to_string(row.draw);
     checked.findings.push_back(

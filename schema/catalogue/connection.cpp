@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kBusyTimeout_ms = 10000;
 
-// Of SQLite 3.40 and later, what queries, views and people need: numbers in, numbers out. Missing
-// on purpose: load_extension, fts3_tokenizer, those of full-text and R-tree indexes, sqlite_log.
+// Functions of SQLite 3.40 and later for queries and views: numbers in, numbers out. Deliberately
+// missing: load_extension, fts3_tokenizer, those of full-text and R-tree indexes, sqlite_log.
 const std::set<std::string_view>& known_functions() {
   static const std::set<std::string_view> names = {
       // core
@@ -46,11 +46,11 @@ const std::set<std::string_view>& known_functions() {
   return names;
 }
 
-// That only look, whatever their argument is.
+// Pragmas that only read, with any argument.
 constexpr std::array<std::string_view, 10> kLookingPragmas = {
     "table_info",  "table_xinfo",      "table_list",        "index_list",      "index_info",
     "index_xinfo", "foreign_key_list", "foreign_key_check", "integrity_check", "quick_check"};
-// That only look when they have no argument.
+// Pragmas that only read when they have no argument.
 constexpr std::array<std::string_view, 5> kAskedPragmas = {
     "user_version", "application_id", "page_count", "page_size", "freelist_count"};
 
@@ -63,7 +63,7 @@ bool may_call(const char* function) {
   return function && (known_functions().contains(function) || study_column(function));
 }
 
-// Virtual tables that SQLite has without being asked for them, such as dbstat and fts3tokenize.
+// Built-in virtual tables of SQLite, such as dbstat and fts3tokenize.
 const std::set<std::string, std::less<>>& modules() {
   static const auto names = [] {
     std::set<std::string, std::less<>> found;
@@ -75,9 +75,9 @@ const std::set<std::string, std::less<>>& modules() {
   return names;
 }
 
-// Tables made of a JSON text or of what a pragma tells, and all names that are neither SQLite's own
-// nor a module's: those of the file, whose layout was compared before, and what a query itself
-// names (WITH).
+// Returns whether a table may be read. Tables of a JSON text or of a pragma may, and so may all
+// names that are neither SQLite's nor a module's: tables of the file, whose layout was compared
+// before, and names of a query (WITH).
 bool may_read(const char* table) {
   std::string name = table ? table : "";
   for (char& letter : name) {
@@ -94,7 +94,7 @@ bool may_read(const char* table) {
          (!name.starts_with("sqlite_") && !modules().contains(name));
 }
 
-// Reading is allowed, and nothing that could touch another file.
+// Allows reading, and nothing that could touch another file.
 int authorize_reading(void*, int action, const char* first, const char* second, const char*,
                       const char*) {
   switch (action) {
@@ -117,7 +117,7 @@ int authorize_reading(void*, int action, const char* first, const char* second, 
   }
 }
 
-// Our own statements, and what triggers and checks of a file make of them.
+// Allows the program's own statements, and those of triggers and checks.
 int authorize_writing(void*, int action, const char*, const char* second, const char*,
                       const char*) {
   switch (action) {
@@ -132,7 +132,7 @@ int authorize_writing(void*, int action, const char*, const char* second, const 
 }
 
 struct Limit {
-  int of, most;
+  int id, most;
 };
 
 // The largest text of a catalogue is its configuration: with a mesh of 10,000 panels it has 2 MB.
@@ -162,8 +162,8 @@ void make_safe(SQLite::Database& database, Access access) {
   } else {
     set(SQLITE_DBCONFIG_ENABLE_TRIGGER, 0);
   }
-  for (const Limit& limit : kLimits) sqlite3_limit(handle, limit.of, limit.most);
-  // One for VACUUM INTO.
+  for (const Limit& limit : kLimits) sqlite3_limit(handle, limit.id, limit.most);
+  // VACUUM INTO attaches one database.
   sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, access == Access::read ? 0 : 1);
   database.exec("PRAGMA cell_size_check = ON");  // damaged pages are noticed when they are read
   database.exec("PRAGMA mmap_size = 0");         // a file that shrinks would be a bus error

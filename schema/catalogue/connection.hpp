@@ -1,4 +1,4 @@
-// Connections to SQLite that are safe for a file of any origin.
+// Opens connections to SQLite that are safe for a file of any origin.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -10,30 +10,29 @@
 namespace misalign::schema {
 
 enum class Access {
-  read,  ///< statements of anybody's; nothing can be written, no other file touched
-  write  ///< our own statements; creates the file if there is none
+  read,  ///< statements of any origin; nothing is written, no other file touched
+  write  ///< the program's own statements; creates the file if there is none
 };
 
-/// The name under which SQLite opens a file and nothing but that file: Debian's takes "file:a?mode=
-/// memory" for a URI, and ":memory:" is no file anywhere.
+/// Returns a name under which SQLite opens this file and no other: Debian's takes "file:a?mode=
+/// memory" for a URI, and ":memory:" is never a file.
 std::string plain_file_name(const std::string& path);
 
-/// The only way to open a database here. Extensions and fts3_tokenizer are off, functions are those
-/// of a list, no virtual table can be made, sizes have limits; and a reader's schema may call
-/// nothing that SQLite does not know to be harmless, until trust_schema. Looks at the file's
-/// journals, and not yet at the file. Throws SQLite::Exception, and a UserError as from
-/// check_journals.
+/// Opens a database; all code must use this. Extensions and fts3_tokenizer are off, functions are
+/// those of a list, virtual tables cannot be made, sizes have limits. A reader's schema may call
+/// only functions that SQLite knows to be harmless, until trust_schema. Checks the file's journals,
+/// but not the file. Throws SQLite::Exception, and a UserError as from check_journals.
 std::unique_ptr<SQLite::Database> connect(const std::string& path, Access access);
 
-/// An empty database in memory, for tables and views of our own.
+/// Opens an empty database in memory, for temporary tables and views.
 std::unique_ptr<SQLite::Database> connect_to_memory();
 
-/// Lifts the reader's ban for our own statements, such as temporary views, while `work` runs; it is
-/// there again afterwards, also where that throws.
+/// Lifts the reader's restrictions for the program's own statements, such as temporary views, while
+/// `work` runs, also if it throws.
 void as_our_own(SQLite::Database& reader, const std::function<void()>& work);
 
-/// Lets views and checks call JSON functions, which SQLite 3.40 takes for harmful
-/// there: once the schema is known to be ours.
+/// Allows JSON functions in views and checks, which SQLite 3.40 takes for harmful, once the schema
+/// is known to be the program's.
 void trust_schema(SQLite::Database& database);
 
 }  // namespace misalign::schema

@@ -21,13 +21,13 @@ SqlTokens lower_tokens(const std::string& sql) {
 
 bool is_costly(const std::string& token) { return study_column(token); }
 
-// 0 of what is no function of a sheet; the dearer the larger.
+// Returns the cost of a function of a sheet, larger for costlier ones; 0 for other tokens.
 int cost_of(const std::string& token) {
   const StudyColumn* const column = study_column(token);
   return column ? 1 + static_cast<int>(column->cost) : 0;
 }
 
-// Where a condition begins, and what may follow it.
+// Tell whether a token begins or ends a condition.
 bool begins_condition(const std::string& token) { return token == "where" || token == "on"; }
 bool ends_condition(const std::string& token) {
   static const std::set<std::string_view> kWords = {"select", "from",   "join",     "group",
@@ -71,7 +71,7 @@ struct Term {
   int cost = 0;
 };
 
-// What AND joins, outside of all brackets; the whole where OR joins something there.
+// Returns the terms that AND joins outside of all brackets; the whole condition if OR joins any.
 std::vector<Term> terms_of(const std::string& condition) {
   const SqlTokens text = lower_tokens(condition);
   std::vector<Term> terms;

@@ -5,21 +5,21 @@
 
 namespace misalign::schema {
 
-/// The same query, each call of a study's function (study_table.hpp) in a WHERE or ON a scalar
-/// subquery: SQLite computes terms that have one last, whatever the order in which AND joins them.
+/// Returns the query with each call of a study's function (study_table.hpp) in a WHERE or ON as a
+/// scalar subquery. SQLite evaluates such terms last, in any order of the terms that AND joins.
 std::string costly_in_subqueries(const std::string& query);
 
-/// Whether it calls a function of the table of studies.
+/// Returns whether the SQL calls a function of the table of studies.
 bool calls_costly(const std::string& sql);
-/// Whether a LIMIT may end it early.
+/// Returns whether a LIMIT may end the query early.
 bool has_limit(const std::string& sql);
 
-/// Words of people as SQL: D is deploys_from_deg, and a function's name alone is that of the draw,
-/// "thickness_mm" thickness_mm(draw). Not behind a dot, or AS.
+/// Expands short names to SQL: D is deploys_from_deg, and a function's name alone is that of the
+/// draw, "thickness_mm" thickness_mm(draw). Not after a dot, or AS.
 std::string in_full(const std::string& sql);
 
-/// The same condition, likewise, and its terms with a costly function behind all others, which may
-/// be subqueries themselves.
+/// Returns the condition expanded likewise, with its costly terms behind all others; these may be
+/// subqueries.
 std::string costly_last(const std::string& condition);
 
 }  // namespace misalign::schema

@@ -14,8 +14,9 @@
 namespace misalign::schema {
 namespace {
 
-// The writer's: pages that stay in memory, and are copied from the log to the file after many
-// commits instead of after each, make a candidate of a large catalogue several times cheaper.
+// Pages of the writer's log before a checkpoint. Pages that stay in memory, and are copied to the
+// file after many commits instead of each, make a candidate of a large catalogue several times
+// cheaper.
 constexpr int kCheckpoint_pages = 8000;
 
 UserError not_a_catalogue(const std::string& path) {
@@ -39,8 +40,8 @@ UserError without_log(const std::string& path) {
                        path);
 }
 
-// Throws unless this is a catalogue that this program can read, laid out as one, which then may be
-// trusted; false if it is an empty database.
+// Throws unless this is a catalogue that this program can read, laid out as one; then it is
+// trusted. Returns false for an empty database.
 bool check_kind(SQLite::Database& database, const std::string& path) {
   try {
     const int id = database.execAndGet("PRAGMA application_id").getInt();
@@ -81,7 +82,7 @@ UserError damaged(const SQLite::Database& database, const std::string& why) {
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
   constexpr const char* kSuggestion = "name a catalogue that `misalign search` wrote";
   check_is_file(path, kSuggestion);
-  std::error_code ignored;  // what may not be looked at is not there
+  std::error_code ignored;  // a file that may not be read counts as missing
   if (!std::filesystem::is_regular_file(path, ignored)) {
     throw UserError(Cause::bad_input, path + ": there is no such file; check the path");
   }
@@ -104,7 +105,7 @@ std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Stor
                                                    int cache_kb) {
   return guarded(path, [&] {
     auto database = connect(path, Access::write);
-    // Before the first look at the file: a log that was left behind needs no shared memory then.
+    // This precedes the first access to the file: a leftover log then needs no shared memory.
     if (storage == Storage::network) database->exec("PRAGMA locking_mode = EXCLUSIVE");
     check_kind(*database, path);
     database->exec("PRAGMA synchronous = FULL");

@@ -1,4 +1,4 @@
-// Opens SQLite files, with a sentence for whatever goes wrong. Opening to read never writes.
+// Opens SQLite files, with a clear error for each failure. Opening for reading never writes.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -14,49 +14,49 @@ namespace misalign::schema {
 
 inline constexpr int kApplicationId = 0x4D53414C;
 inline constexpr int kSchemaVersion = 10;
-inline constexpr int kOldestSchemaVersion = 7;  ///< that is read: release 1.0.0 wrote it
+inline constexpr int kOldestSchemaVersion = 7;  ///< oldest that is read; release 1.0.0 wrote it
 
-/// Draws and counts as SQLite keeps them: below 2^63, so that the sign is never used.
+/// Returns a draw or count as SQLite stores it: below 2^63, so that the sign is unused.
 inline std::int64_t stored(std::uint64_t draw) { return static_cast<std::int64_t>(draw); }
 inline std::uint64_t draw_of(const SQLite::Column& column) {
   return static_cast<std::uint64_t>(column.getInt64());
 }
 
-/// A text as it is stored, made UTF-8.
+/// Returns a stored text, made valid UTF-8.
 inline std::string text_of(const SQLite::Column& column) { return utf8(column.getString()); }
 
-/// The schema that a catalogue was written with, or brought up to.
+/// Returns the schema version of a catalogue.
 int version_of(SQLite::Database& database);
 
-/// A damaged file, or one that another program changed: a bad input.
+/// Returns the error of a file that is damaged or that another program changed: a bad input.
 UserError damaged(const SQLite::Database& database, const std::string& why);
 
-/// Calls `work`, which reads; what SQLite throws becomes a UserError about the database's file.
+/// Calls `work`, which reads; exceptions of SQLite become errors about the database's file.
 template <class Work>
 auto reading(const SQLite::Database& database, const Work& work) {
   return guarded(database.getFilename(), work);
 }
 
-/// A catalogue opened for reading: it cannot write or touch other files, see connect().
-/// UserError: bad_input no such file, no catalogue, or not laid out as one (check_layout); foreign
-/// a schema that is newer, or older than that of release 1.0.0; see storage_failure.
+/// Opens a catalogue for reading: it cannot write or touch other files, see connect(). UserError:
+/// bad_input without such a file, if it is no catalogue, or is not laid out as one (check_layout);
+/// foreign if its schema is newer, or older than that of release 1.0.0; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 
-/// Of pages that stay in memory. Indexes of candidates are touched everywhere at once; pieces of
-/// populations only pass through, beside particles that need the memory.
+/// Page caches. Indexes of candidates are accessed everywhere at once; pieces of populations are
+/// accessed once, and particles need the memory.
 inline constexpr int kCache_kb = 64 << 10, kSplittingCache_kb = 8 << 10;
 
-/// The one writer's connection: synchronous FULL, foreign keys, on network storage alone with the
-/// file until it is closed. Changes nothing in the file yet. Creates the file if there is none.
-/// UserError: bad_input no catalogue, or not laid out as one; foreign a newer or a too old schema;
-/// see storage_failure.
+/// Opens the only writer's connection: synchronous FULL, foreign keys, exclusive on network storage
+/// until it is closed. Changes nothing in the file yet; creates it if there is none. UserError:
+/// bad_input if it is no catalogue, or not laid out as one; foreign if its schema is newer or too
+/// old; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage,
                                                    int cache_kb = kCache_kb);
 
-/// A statement that reads; UserError as from reading().
+/// Prepares a statement that reads; UserError as from reading().
 SQLite::Statement prepared(SQLite::Database& from, const std::string& sql);
 
-/// Bytes that are no text.
+/// Bytes, as opposed to text.
 struct Blob {
   template <class Bytes>
   explicit Blob(const Bytes& bytes) : data(bytes.data()), size(bytes.size()) {}
@@ -64,8 +64,8 @@ struct Blob {
   std::size_t size;
 };
 
-/// Binds a number, a text, a draw as it is stored, null for what is not there, or whatever a column
-/// of another statement holds.
+/// Binds a number, a text, a draw as it is stored, null for no value, or the value of another
+/// statement's column.
 template <class Value>
 void bind_value(SQLite::Statement& statement, int index, const Value& value) {
   statement.bind(index, value);
@@ -82,7 +82,7 @@ void bind_value(SQLite::Statement& statement, int index, const std::optional<Val
   value ? bind_value(statement, index, *value) : statement.bind(index);
 }
 
-/// Makes it ready for its rows with these values of its parameters, in turn.
+/// Resets a statement and binds these values to its parameters, in turn.
 template <class... Values>
 void bind_all(SQLite::Statement& statement, const Values&... values) {
   statement.tryReset();
@@ -90,7 +90,7 @@ void bind_all(SQLite::Statement& statement, const Values&... values) {
   (bind_value(statement, ++index, values), ...);
 }
 
-/// Runs a statement that gives no rows with these values; how many rows it has changed.
+/// Runs a statement without result rows with these values; returns the number of changed rows.
 template <class... Values>
 int execute(SQLite::Statement& statement, const Values&... values) {
   bind_all(statement, values...);
@@ -99,7 +99,7 @@ int execute(SQLite::Statement& statement, const Values&... values) {
   return changed;
 }
 
-/// A statement with these values.
+/// Prepares a statement and binds these values.
 template <class... Values>
 SQLite::Statement bound(SQLite::Database& database, const std::string& sql,
                         const Values&... values) {
@@ -108,7 +108,7 @@ SQLite::Statement bound(SQLite::Database& database, const std::string& sql,
   return statement;
 }
 
-/// Runs `insert` for every row of `select`, once `bind_row` has bound it. UserError (bad_input)
+/// Runs `insert` for every row of `select`, after `bind_row` has bound it. UserError (bad_input)
 /// about `from` if it cannot be read, or holds rows that checks and keys of the target forbid.
 void copy_rows(SQLite::Database& from, SQLite::Statement& select, SQLite::Statement& insert,
                const std::function<void()>& bind_row);

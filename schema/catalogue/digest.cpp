@@ -21,10 +21,10 @@ void CandidateSum::add(std::uint64_t draw, int deploys_from_sample, const std::s
 
 void CandidateSum::add_text(const std::string& text) {
   const XXH128_hash_t hash = hash_of(text);
-  CandidateSum one;
-  one.low_ = hash.low64;
-  one.high_ = hash.high64;
-  add(one);
+  CandidateSum term;
+  term.low_ = hash.low64;
+  term.high_ = hash.high64;
+  add(term);
 }
 
 void CandidateSum::add(const CandidateSum& other) {

@@ -1,4 +1,4 @@
-// Where the draws of an optimising search ended, all together and each by itself.
+// Reads the optima of an optimising search, all together and each alone.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -11,18 +11,19 @@
 
 namespace misalign::schema {
 
-/// Of draws below the goal's end: values as the campaign's goal, none where no draw has one.
+/// Totals of the draws below the goal's end; values of the campaign's objective, none if no draw
+/// has one.
 struct EndsState {
   std::string goal;
-  std::uint64_t sheets, kept_as_drawn;  ///< different ones; that broke a limit, or had no value
+  std::uint64_t sheets, kept_as_drawn;  ///< different sheets; starts without an ascent
   std::optional<double> best, median;
 };
 
-/// Within its caller's moment.
+/// Reads the totals, within the caller's transaction.
 EndsState read_ends(SQLite::Database& database, std::uint64_t goal_end);
 
-/// A candidate's row of `ascent`, every column under its name; null if there is none. In a
-/// catalogue that has them.
+/// Returns a candidate's row of `ascent` by the names of its columns; null without a row. The
+/// catalogue must have that table.
 Json read_ascent(SQLite::Database& database, std::uint64_t draw);
 
 }  // namespace misalign::schema

@@ -11,7 +11,7 @@
 namespace misalign::schema {
 namespace {
 
-// The conditions of a table's CHECKs, each within its brackets.
+// Returns the conditions of a table's CHECKs, each within its brackets.
 std::vector<std::string> conditions_of(const std::string& table_sql) {
   const SqlTokens sql = sql_tokens(table_sql);
   std::vector<std::string> conditions;
@@ -28,7 +28,7 @@ std::vector<std::string> conditions_of(const std::string& table_sql) {
   return conditions;
 }
 
-// SQLite leaves CHECKs out of a file that is only read, and its integrity_check passes over them.
+// Checks the CHECKs, which SQLite skips when it reads a file, and which its integrity_check skips.
 void check_constraints(SQLite::Database& database, std::vector<Finding>& findings) {
   SQLite::Statement table(database,
                           "SELECT name, sql FROM main.sqlite_schema WHERE type = 'table'");
@@ -36,7 +36,7 @@ void check_constraints(SQLite::Database& database, std::vector<Finding>& finding
     const std::string name = text_of(table.getColumn(0));
     const auto conditions = conditions_of(text_of(table.getColumn(1)));
     if (conditions.empty() || name == "piece" || name.find('"') != std::string::npos) continue;
-    std::string broken;  // a condition that is null holds
+    std::string broken;  // a null condition holds
     for (const std::string& condition : conditions) {
       broken += (broken.empty() ? "" : ", ") + ("total(NOT " + condition + ")");
     }
@@ -50,7 +50,7 @@ void check_constraints(SQLite::Database& database, std::vector<Finding>& finding
   }
 }
 
-// integrity_check lists pages that the disk did not give among those that are damaged, with
+// Throws if the disk failed: integrity_check lists unreadable pages among the damaged ones, with
 // SQLite's code.
 void throw_if_unread(const SQLite::Database& database, const std::string& answer) {
   static const std::string kCode = "error code=";

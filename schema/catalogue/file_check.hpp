@@ -9,9 +9,9 @@
 
 namespace misalign::schema {
 
-/// A finding for each CHECK that rows break, but of `piece`, whose rows that are no use are only
-/// made again; and what SQLite finds. SQLite::Exception: unreadable rows. UserError (failure) if
-/// the disk does not give them.
+/// Returns a finding for each CHECK that rows break, and SQLite's own findings. Rows of `piece` are
+/// left out: unusable ones are only computed again. SQLite::Exception: unreadable rows. UserError
+/// (failure) if the disk fails.
 std::vector<Finding> check_file(SQLite::Database& database);
 
 }  // namespace misalign::schema

@@ -1,4 +1,4 @@
-// The findings of a check of a catalogue.
+// Findings of a check of a catalogue.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace misalign::schema {
 
-/// Something that is not as it should be.
+/// A deviation from what must hold.
 struct Finding {
   std::string sentence;
-  Json details;  ///< its parts: "where", "column", "stored", "recomputed"
+  Json details;  ///< {"where", "column", "stored", "recomputed"}
 };
 
-/// `where` is like "draw 17".
+/// Returns the finding of a value that differs; `where` is like "draw 17".
 Finding differs(const std::string& where, const std::string& column, const Json& stored,
                 const Json& recomputed);
 

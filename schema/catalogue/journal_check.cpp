@@ -10,8 +10,8 @@
 namespace misalign::schema {
 namespace {
 
-// SQLite's pager.c, readSuperJournal: the name, its length and its checksum of 4 bytes each, and
-// these 8.
+// End of a journal with a super-journal, by SQLite's pager.c, readSuperJournal: the name, its
+// length and checksum of 4 bytes each, and these 8 bytes.
 constexpr std::string_view kMagic = "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7";
 constexpr std::size_t kLeast_bytes = 16;
 
@@ -21,7 +21,7 @@ void check_journals(const std::string& database_path) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path database = fs::canonical(database_path, error);
-  if (error) return;  // there is none, and opening it says so
+  if (error) return;  // a missing journal is reported by opening the file
   for (const std::string& suffix : journal_suffixes()) {
     const std::string path = database.string() + suffix;
     const fs::file_type type = fs::symlink_status(path, error).type();

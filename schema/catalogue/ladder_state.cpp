@@ -8,7 +8,7 @@
 namespace misalign::schema {
 namespace {
 
-// The levels with their angles, nothing counted yet.
+// Returns the levels with their angles, without counts.
 LadderState empty_ladder(SQLite::Database& database) {
   LadderState ladder;
   if (read_levels(database).empty()) return ladder;

@@ -44,7 +44,7 @@ class LedgerCheck {
   }
 
  private:
-  // As the row says, and as the rows that belong to it say.
+  // A count of a unit's row, and the count of the rows that belong to it.
   struct Part {
     std::uint64_t stored, counted = 0;
   };
@@ -71,7 +71,7 @@ class LedgerCheck {
     try {
       state_ = read_state(database_);
     } catch (const UserError& error) {
-      if (error.cause() != Cause::bad_input) throw;  // the disk's fault, not the file's
+      if (error.cause() != Cause::bad_input) throw;  // a fault of the disk, not of the file
       why_no_state_ = error.what();
     }
   }
@@ -114,10 +114,10 @@ class LedgerCheck {
   }
   static std::string name(std::uint64_t unit) { return "unit " + std::to_string(unit); }
 
-  // The unit that a row names, if it is there and holds the row's draw.
+  // Returns the unit that a row names, if it exists and holds the row's draw.
   Unit* unit_of(const std::string& table, std::uint64_t draw, std::uint64_t unit) {
     const auto at = units_.find(unit);
-    if (at == units_.end()) return nullptr;  // foreign_key_check has said so
+    if (at == units_.end()) return nullptr;  // foreign_key_check reports it
     const DrawRange& range = at->second.range;
     if (draw >= range.lo && draw < range.hi) return &at->second;
     const std::string draws =
@@ -155,7 +155,7 @@ class LedgerCheck {
     return row + ", hash, displacements_mm FROM candidate LEFT JOIN sheet USING (draw)";
   }
 
-  // The hash by which a sheet is known again, by its displacements.
+  // Returns the hash that identifies a sheet by its displacements.
   std::string checked_sheet(std::uint64_t draw, SQLite::Statement& row) {
     const std::string hash = sheet_hash(text_of(row.getColumn(4)));
     if (row.getColumn(3).getString() != hash) {
@@ -164,7 +164,7 @@ class LedgerCheck {
     return hash;
   }
 
-  // What became of each population.
+  // Adds the counts of each population's levels.
   void sum_levels() {
     if (!campaign_.search.splitting) return;
     const Splitting& splitting = *campaign_.search.splitting;
@@ -182,7 +182,7 @@ class LedgerCheck {
     }
   }
 
-  // Each sheet has one number.
+  // Checks that each sheet has only one number.
   void check_sheets_once() {
     if (!campaign_.search.has_each_once()) return;
     SQLite::Statement row(
@@ -200,7 +200,8 @@ class LedgerCheck {
     }
   }
 
-  // No row is there twice: with as many as the rule has draws, each of them has one.
+  // Counts the rows of the fault sample. None is there twice, so that equal numbers mean a row for
+  // each draw of the rule.
   void count_fault_sample() {
     SQLite::Statement row(database_, "SELECT draw, unit, stands_for FROM fault_sample");
     while (row.executeStep()) {
@@ -233,7 +234,7 @@ class LedgerCheck {
   }
 
   void check_fault_sample() {
-    if (campaign_.search.optimisation) return;  // the sample is of the draw
+    if (campaign_.search.optimisation) return;  // the sample holds the draws, not the optima
     SQLite::Statement row(database_,
                           "SELECT draw, fault_sample.deploys_from_sample, "
                           "candidate.deploys_from_sample FROM fault_sample JOIN candidate USING "
@@ -245,8 +246,8 @@ class LedgerCheck {
     }
   }
 
-  // What was sampled is accepted where it is a candidate, and nowhere else; and it is undecided
-  // where it is no other row's.
+  // Checks that a sampled draw is accepted exactly if it is a candidate, and undecided only if no
+  // other row has it.
   void check_sampled_verdicts() {
     const std::string accepted = "first_fault != 'undecided' AND deploys_from_sample >= " +
                                  std::to_string(campaign_.threshold_sample());
@@ -266,7 +267,7 @@ class LedgerCheck {
     compare("undecided", "(first_fault = 'undecided')", "undecided");
   }
 
-  // No draw is both accepted and undecided.
+  // Checks that no draw is both accepted and undecided.
   void check_verdicts() {
     SQLite::Statement row(database_, "SELECT draw FROM undecided JOIN candidate USING (draw)");
     while (row.executeStep()) {
@@ -290,7 +291,7 @@ class LedgerCheck {
   const Campaign& campaign_;
   std::optional<CatalogueState> state_;
   std::string why_no_state_;
-  std::map<std::uint64_t, Unit> units_;  // by lo
+  std::map<std::uint64_t, Unit> units_;  // by their lower ends
   struct {
     std::uint64_t accepted = 0;
     CandidateSum sum;

@@ -14,13 +14,13 @@ struct Unit {
   std::size_t ledger;
 };
 
-// Of units in the order of their ends, whether each is among the disjoint ones that together have
-// the most draws.
+// Returns for each unit, in the order of their ends, whether it belongs to the disjoint units that
+// together have the most draws.
 std::vector<bool> most_draws(const std::vector<Unit>& units) {
   const std::size_t count = units.size();
   assert(std::ranges::is_sorted(units, {}, [](const Unit& unit) { return unit.range.hi; }));
-  // most[k]: draws of the best choice among the first k; before[k]: how many end where unit k
-  // begins or earlier.
+  // most[k]: draws of the best choice among the first k units; before[k]: number of units that end
+  // where unit k begins or earlier.
   std::vector<std::uint64_t> most = {0};
   std::vector<std::size_t> before;
   for (std::size_t k = 0; k < count; ++k) {

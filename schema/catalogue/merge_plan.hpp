@@ -1,4 +1,4 @@
-// Chooses the units of several ledgers that make up one ledger: pure arithmetic of ranges.
+// Chooses units of several ledgers for one ledger, by arithmetic on ranges.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 namespace misalign::schema {
 
 struct MergePlan {
-  /// Of each ledger: units taken as they are, no two overlapping in all of them together; and those
-  /// that overlap them, to be compared.
+  /// Units of each ledger: those copied, which do not overlap in all ledgers together, and those
+  /// that overlap them, which are compared.
   std::vector<std::vector<DrawRange>> kept, compared;
-  /// What is in some unit but in none that is kept: draws to make again.
+  /// Draws of units that were not kept: to be computed again.
   std::vector<DrawRange> recomputed;
 };
 
-/// Keeps those units that leave the fewest draws to make again (weighted interval scheduling). Each
-/// ledger's units are disjoint and ascending; equal ones are taken from the first ledger.
+/// Keeps the units that leave the fewest draws to compute again (weighted interval scheduling).
+/// Each ledger's units are disjoint and ascending; of equal ones that of the first ledger is kept.
 MergePlan plan_merge(const std::vector<std::vector<DrawRange>>& ledgers);
 
 }  // namespace misalign::schema

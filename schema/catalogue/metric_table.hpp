@@ -1,5 +1,5 @@
-// One table of the metrics: what each is called, what it means, and how it is stored, compared and
-// shown. Whatever knows metrics by name reads it; to add one, see the head of metric_table.cpp.
+// Tables the metrics: names, meanings, and how each is stored, compared and shown. All code that
+// knows metrics by name reads it; metric_table.cpp says how to add one.
 #pragma once
 
 #include <limits>
@@ -11,11 +11,10 @@
 
 namespace misalign::schema {
 
-/// By how much a value may differ from machine to machine, or from solver to solver: absolute +
-/// relative * |value|. The origin of each stands beside it in the table.
+/// Largest difference of a value between machines or solvers: absolute + relative * |value|. Its
+/// origin is noted in the table.
 struct Allowance {
-  /// What `absolute` is multiplied by: nothing, the panel width in mm, or that over the degrees
-  /// from sample to sample.
+  /// Factor of `absolute`: 1, the panel width in mm, or that width per degree between samples.
   enum class Of { one, width_mm, width_mm_per_sample };
   double absolute = 0, relative = 0;
   Of of = Of::one;
@@ -23,38 +22,37 @@ struct Allowance {
   bool allows(double a, double b, double width_mm, double sample_deg) const;
 };
 
-/// What values there may be.
+/// Possible values.
 struct ValueRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  bool above_least = false;  ///< the least value itself is none
+  bool above_least = false;  ///< the least value is excluded
 };
 
 struct MetricAge {
-  int first = 1;    ///< the metrics version (kMetricsVersion) that it came with
-  int present = 1;  ///< the one since which it means what it does
+  int first = 1;    ///< metrics version (kMetricsVersion) that introduced it
+  int present = 1;  ///< metrics version of its present definition
 };
 
 struct MetricEntry {
   using Member = std::variant<int solver::Metrics::*, double solver::Metrics::*,
                               std::optional<double> solver::Metrics::*>;
 
-  const char* name;  ///< of the column and of the JSON key
+  const char* name;  ///< name of the column and of the JSON key
   Member member;
   const char* unit;     ///< "share" of a flat length: 0.02 is 2 %; "count"; "" for pure numbers
   const char* meaning;  ///< sentences for people
   ValueRange range = {};
-  Allowance allowance = {};  ///< of numbers that are not whole
+  Allowance allowance = {};  ///< of real numbers
   MetricAge age = {};
-  int schema_since = 1;         ///< the schema version since which there is its column
-  const char* label = nullptr;  ///< heads a column of the report; without one it is not shown there
-  /// With how many digits, a way that schema/report/metrics.js knows; counts and shares have
-  /// theirs.
+  int schema_since = 1;         ///< schema version that introduced its column
+  const char* label = nullptr;  ///< heading in the report; null: not shown
+  /// Number format, a name in schema/report/metrics.js; counts and shares have their own.
   const char* written = "digits_3";
   bool less_is_better = false;
-  bool none_is_best = false;      ///< no value is better than any
-  bool negative_is_bad = false;   ///< and is shown so
-  bool needs_a_campaign = false;  ///< it looks up to the threshold of one
+  bool none_is_best = false;      ///< a missing value is best
+  bool negative_is_bad = false;   ///< negative values are marked
+  bool needs_a_campaign = false;  ///< it depends on a campaign's threshold
 
   bool is_whole() const { return std::holds_alternative<int solver::Metrics::*>(member); }
   bool may_be_none() const {
@@ -62,13 +60,13 @@ struct MetricEntry {
   }
 };
 
-/// Every metric once, in the order in which people read them.
+/// Returns every metric once, in the order of display.
 std::span<const MetricEntry> metric_table();
 
-/// The entry of a column; nothing if it holds no metric.
+/// Returns the entry of a column; null if it holds no metric.
 const MetricEntry* find_metric(std::string_view column);
 
-/// By the name of a column; of the first version where it holds no metric.
+/// Returns the age of a column's metric; version 1 if it holds no metric.
 MetricAge metric_age(std::string_view column);
 
 /// Calls `see(entry, value)` for every metric of `metrics`, which may be const.

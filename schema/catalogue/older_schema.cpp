@@ -9,7 +9,7 @@
 namespace misalign::schema {
 namespace {
 
-// "CREATE VIEW name AS ...;" as catalogue.sql says it, for one connection.
+// Returns "CREATE TEMP VIEW name AS ...;" as in catalogue.sql.
 std::string temporary_view(const std::string& name) {
   const std::string sql = carried_text("schema/catalogue.sql");
   const std::string head = "CREATE VIEW " + name + " AS";

@@ -1,14 +1,14 @@
-// Catalogues of older schemas, read as they are.
+// Reads catalogues of older schemas unchanged.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
 namespace misalign::schema {
 
-/// Lays today's views, and tables as today's, over those of a catalogue of this older version, for
-/// this connection alone: `candidates` with null in columns that came later, `yield` from the
-/// campaign's threshold, `ascent` without rows. Nothing is written; main.NAME is what the file
-/// holds. Before the connection is forbidden to make views. Throws SQLite::Exception.
+/// Defines the present views and tables over those of an older catalogue, for this connection
+/// alone: `candidates` with null in later columns, `yield` from the campaign's threshold, `ascent`
+/// without rows. Writes nothing; main.NAME remains the file's table. Must precede the ban on making
+/// views. Throws SQLite::Exception.
 void show_as_of_today(SQLite::Database& database, int version);
 
 }  // namespace misalign::schema

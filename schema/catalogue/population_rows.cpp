@@ -11,7 +11,7 @@
 namespace misalign::schema {
 namespace {
 
-// A level's angle is stored rounded.
+// Levels' angles are stored rounded.
 constexpr double kAngleRounding = 1e-12;
 
 double angle_of(double score, double sample_deg) {
@@ -26,14 +26,14 @@ std::string hash_bytes_of(const std::string& text) {
   return {reinterpret_cast<const char*>(bytes.digest), kHash_bytes};
 }
 
-// XXH3-128 of all that a row holds, which its result ends with.
+// Returns XXH3-128 of a whole row, which is appended to its result.
 std::string piece_hash(const PieceRow& piece) {
   return hash_bytes_of(fmt::format("{} {} {} {} {}\n{}", piece.population, piece.level, piece.lo,
                                    piece.hi, piece.layout, piece.result));
 }
 
-// Whether a row of a population can follow those before it: the table's checks, at which SQLite
-// looks only when it writes, and what a population's way is. Columns as in read_population.
+// Returns whether a row of a population can follow those before it: the table's checks, which
+// SQLite evaluates only when it writes, and the order of its levels. Columns as in read_population.
 bool adds_up(SQLite::Statement& row, const std::vector<LevelCount>& before) {
   const auto number = [&](int column) { return row.getColumn(column).getInt64(); };
   const std::int64_t particles = number(1), survivors = number(2), ancestors = number(3);

@@ -20,10 +20,10 @@ bool is_one_word(const std::string& text) {
 }
 
 UserError no_such_query(const std::string& name) {
-  // It went by the least slope, and foretold less than it said.
+  // The former query `robust` ranked by the least slope, a poor predictor.
   const bool is_former = name == "robust";
   const std::string meant = is_former ? "tolerant" : nearest_word(name, named_queries());
-  return UserError(Cause::bad_request, "the query was refused (" + name + " is the name of none" +
+  return UserError(Cause::bad_request, "the query was refused (" + name + " names no query" +
                                            (meant.empty() ? "" : "; did you mean " + meant + "?") +
                                            "); it must be one SELECT, or one of the names " +
                                            named_query_list());
@@ -37,7 +37,7 @@ std::string sql_of_name(SQLite::Database& database, const std::string& name) {
   return named_query(name);
 }
 
-// Then words that are no columns may be those of people: D, thickness_mm.
+// Unknown columns may be short names: D, thickness_mm.
 bool has_unknown_column(SQLite::Database& database, const std::string& sql) {
   try {
     const SQLite::Statement statement(database, sql);

@@ -10,14 +10,14 @@ namespace misalign::schema {
 
 struct QueryText {
   std::string sql;
-  std::string name;  ///< of the query that it is; empty for SQL of somebody's own
+  std::string name;  ///< name of the query; empty for other SQL
 };
 
-/// Of a splitting search the acceptance is that of each level, with its interval. UserError (bad
-/// request) for a word that names no query.
+/// Resolves a query's name, or SQL. The query acceptance of a splitting search lists each level
+/// with its interval. UserError (bad request) for a word that names no query.
 QueryText query_text(SQLite::Database& database, const std::string& name_or_sql);
 
-/// True where a named query's LIMIT left rows out behind the `rows` that it gave.
+/// Returns whether a named query's LIMIT left rows out after the `rows` that it gave.
 bool leaves_rows_out(SQLite::Database& database, const std::string& named, std::uint64_t rows);
 
 }  // namespace misalign::schema

@@ -15,7 +15,8 @@ void recover(const std::string& path) {
   const WriterLock lock(file, Missing::refused);
   guarded(file, [&] {
     const Storage storage = file_system_of(file).storage;
-    const auto database = open_for_writing(file, storage);  // its first look at the file does it
+    const auto database =
+        open_for_writing(file, storage);  // its first access to the file recovers it
     database->tryExec("PRAGMA journal_mode = DELETE");
   });
 }

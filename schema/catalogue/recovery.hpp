@@ -1,17 +1,16 @@
-// What a program that was killed, or a copy that was made of one file of two, has left of a
-// catalogue.
+// Recovers a catalogue that a killed program left, or a copy of one file of two.
 #pragma once
 
 #include <string>
 
 namespace misalign::schema {
 
-/// Leaves one plain file: what a killed program has left half done is rolled back, and what is in
-/// its log folded in. UserError as from Catalogue's constructor, whatever campaign it holds.
+/// Leaves one plain file: rolls unfinished transactions back and folds the log in. UserError as
+/// from Catalogue's constructor, for any campaign.
 void recover(const std::string& path);
 
-/// The same where a journal to roll back lies beside the file, which a reader may not do: before a
-/// verb reads what it will write. Waits while another process writes there.
+/// Recovers the file if a journal beside it must be rolled back, which a reader may not do: before
+/// a verb reads what it will write. Waits while another process writes there.
 void recover_before_writing(const std::string& path);
 
 }  // namespace misalign::schema

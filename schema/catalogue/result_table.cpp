@@ -24,7 +24,7 @@ UserError bad_sql(const std::string& what) {
                                            named_query_list());
 }
 
-// What a word that SQLite does not know may stand for.
+// Returns a suggestion for a name that SQLite does not know.
 std::string meant_by(SQLite::Database& database, const std::string& refused) {
   const UnknownWord word = unknown_word_of(refused);
   return word.kind ? column_meant(word.typed, columns_of_candidates(database)) : "";
@@ -38,7 +38,7 @@ Json cell_json(const SQLite::Column& cell) {
   return cell.getString();
 }
 
-// The row that a statement stands at, every column under its name.
+// Returns the present row of a statement by the names of its columns.
 Json row_json(SQLite::Statement& row) {
   Json json = Json::object();
   for (int k = 0; k < row.getColumnCount(); ++k) {
@@ -49,7 +49,7 @@ Json row_json(SQLite::Statement& row) {
   return json;
 }
 
-// For people: six digits; JSON and CSV have all.
+// Returns a cell's text for people, with six digits; JSON and CSV have all.
 std::string cell_text(const SQLite::Column& cell) {
   if (cell.isNull()) return "";
   if (cell.isFloat()) return fmt::format("{:.6g}", cell.getDouble());
@@ -57,7 +57,7 @@ std::string cell_text(const SQLite::Column& cell) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-// Columns of one name are one key in JSON: the later ones get numbers, "draw_2".
+// Makes names distinct, as JSON needs: later equal ones get numbers, "draw_2".
 Row distinct(const Row& names) {
   Row keys;
   for (const std::string& name : names) {
@@ -119,7 +119,7 @@ class TableWriter {
 
  private:
   int columns() const { return statement_.getColumnCount(); }
-  // Whether there is another row, and somebody who reads it.
+  // Steps to the next row; false at the end, or if the sink wants no more.
   bool next() {
     if (!wanted_ || !statement_.executeStep()) return false;
     ++rows_;
@@ -164,9 +164,8 @@ class TableWriter {
     return printable_row(std::move(row));
   }
 
-  // The first rows are kept until the columns' widths are known from them; others come as they are
-  // made. A second of the processor's own: what a table looks like is no matter of who else is
-  // busy.
+  // Keeps the first rows until they give the columns' widths; writes the others at once. Time is
+  // processor time: a table must not depend on other processes.
   void write_aligned() {
     constexpr std::size_t kKept = 1000, kKept_bytes = 4 << 20;
     constexpr std::clock_t kKeptFor = CLOCKS_PER_SEC;
@@ -201,12 +200,12 @@ class TableWriter {
   bool wanted_ = true;
 };
 
-// What `work` makes of the one statement, which reads, in a snapshot.
+// Runs `work` on a single reading statement within a snapshot.
 template <class Work>
 auto ask(SQLite::Database& database, const std::string& sql, const Work& work) {
   try {
     check_single(database, sql);
-    std::optional<SQLite::Transaction> snapshot;  // or the caller's
+    std::optional<SQLite::Transaction> snapshot;  // otherwise the caller's
     if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);
     SQLite::Statement statement(database, sql);
     return work(statement);
@@ -219,7 +218,7 @@ auto ask(SQLite::Database& database, const std::string& sql, const Work& work) {
       case SQLITE_NOMEM:
       case SQLITE_NOTADB:
         throw storage_failure(database.getFilename(), error);
-      case SQLITE_ABORT:  // by a function that this build has not, and says so
+      case SQLITE_ABORT:  // a function that is missing in this build, with its own message
         throw UserError(Cause::failure, error.what());
       default:
         throw bad_sql(error.what() + meant_by(database, error.what()));

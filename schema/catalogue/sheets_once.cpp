@@ -10,7 +10,7 @@
 namespace misalign::schema {
 namespace {
 
-// Takes the rows of candidates away that `statement` selects, with their yields and certificates.
+// Deletes the candidates that `statement` selects, with their yields and certificates.
 void drop(SQLite::Database& database, SQLite::Statement statement) {
   struct Row {
     std::int64_t draw, unit;
@@ -32,12 +32,12 @@ void drop(SQLite::Database& database, SQLite::Statement statement) {
   SQLite::Statement candidate(database, "DELETE FROM candidate WHERE draw = ?");
   for (const Row& row : rows) {
     bind_all(part, row.unit);
-    if (!part.executeStep() || part.getColumn(0).getBytes() != 16) continue;  // a damaged file
+    if (!part.executeStep() || part.getColumn(0).getBytes() != 16) continue;  // damaged file
     CandidateSum sum =
         CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getColumn(0).getBlob()));
-    CandidateSum one;
-    one.add(static_cast<std::uint64_t>(row.draw), row.sample, row.sheet);
-    sum.subtract(one);
+    CandidateSum term;
+    term.add(static_cast<std::uint64_t>(row.draw), row.sample, row.sheet);
+    sum.subtract(term);
     execute(update, Blob(sum.bytes()), row.unit);
     for (SQLite::Statement* remove : {&yields, &sheet, &candidate}) execute(*remove, row.draw);
   }

@@ -6,7 +6,7 @@
 namespace misalign::schema {
 namespace {
 
-// As SQLite's tokenizer has them.
+// Blanks of SQLite's tokenizer.
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\f' || c == '\r'; }
 bool is_of_word(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -25,12 +25,12 @@ class Tokenizer {
       } else if (!skip_comment()) {
         const std::size_t from = at_;
         pass_token();
-        found_.tokens.push_back(sql_.substr(from, at_ - from));
-        found_.begins.push_back(from);
+        tokens_.tokens.push_back(sql_.substr(from, at_ - from));
+        tokens_.begins.push_back(from);
       }
     }
-    if (sql_.find('\0') != std::string::npos) found_.is_open = true;
-    return std::move(found_);
+    if (sql_.find('\0') != std::string::npos) tokens_.is_open = true;
+    return std::move(tokens_);
   }
 
  private:
@@ -39,11 +39,11 @@ class Tokenizer {
   bool skip_comment() {
     if (starts("--")) {
       at_ = std::min(sql_.find('\n', at_), sql_.size());
-      found_.is_open = at_ == sql_.size();
+      tokens_.is_open = at_ == sql_.size();
     } else if (starts("/*")) {
       const std::size_t end = sql_.find("*/", at_ + 2);
-      found_.is_open = end == std::string::npos;
-      at_ = found_.is_open ? sql_.size() : end + 2;
+      tokens_.is_open = end == std::string::npos;
+      at_ = tokens_.is_open ? sql_.size() : end + 2;
     } else {
       return false;
     }
@@ -53,14 +53,14 @@ class Tokenizer {
   void pass_token() {
     const char first = sql_[at_];
     if ((first == 'x' || first == 'X') && at_ + 1 < sql_.size() && sql_[at_ + 1] == '\'') {
-      ++at_;  // bytes: x'00'
+      ++at_;  // a blob, x'00'
       return pass_quoted('\'');
     }
     if (first == '\'' || first == '"' || first == '`') return pass_quoted(first);
     if (first == '[') {
       const std::size_t end = sql_.find(']', at_);
-      found_.is_open = end == std::string::npos;
-      at_ = found_.is_open ? sql_.size() : end + 1;
+      tokens_.is_open = end == std::string::npos;
+      at_ = tokens_.is_open ? sql_.size() : end + 1;
       return;
     }
     if (is_of_word(first)) {
@@ -76,7 +76,7 @@ class Tokenizer {
     ++at_;
   }
 
-  // A quotation mark within is written twice.
+  // A quotation mark inside is doubled.
   void pass_quoted(char mark) {
     for (++at_; at_ < sql_.size(); ++at_) {
       if (sql_[at_] != mark) continue;
@@ -86,12 +86,12 @@ class Tokenizer {
       }
       ++at_;
     }
-    found_.is_open = true;
+    tokens_.is_open = true;
   }
 
   const std::string& sql_;
   std::size_t at_ = 0;
-  SqlTokens found_;
+  SqlTokens tokens_;
 };
 
 }  // namespace
@@ -99,7 +99,7 @@ class Tokenizer {
 SqlTokens sql_tokens(const std::string& sql) { return Tokenizer(sql).all(); }
 
 std::string reason_not_to_enclose(const std::string& sql) {
-  const SqlTokens text = sql_tokens(sql + "\n");  // which ends a comment of one line
+  const SqlTokens text = sql_tokens(sql + "\n");  // ends a comment of one line
   if (text.is_open) return "it does not close a string, a name or a comment";
   if (text.tokens.empty()) return "it is empty";
   int open = 0;
@@ -107,9 +107,9 @@ std::string reason_not_to_enclose(const std::string& sql) {
     if (token == "(") ++open;
     if (token == ")" && --open < 0) return "it closes a bracket that it does not open";
     if (token == ";") return "a semicolon ends it";
-    // Their names may hold brackets and quotation marks.
+    // Names of parameters may hold brackets and quotation marks.
     if (std::string_view("?$@#:").find(token[0]) != std::string_view::npos) {
-      return "it has a parameter, and nobody to say what that is";
+      return "it has a parameter without a value";
     }
   }
   return open > 0 ? "it does not close a bracket" : "";

@@ -1,4 +1,4 @@
-// The counts and the best draw of a campaign so far, for the progress of a search.
+// Counts a campaign's draws so far and finds its best one, for the progress of a search.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@ struct Standing {
     std::uint64_t draw;
   };
   std::uint64_t draws = 0, accepted = 0;  ///< in the whole ledger
-  std::optional<Best> best{};             ///< the first of those that deploy from the deepest fold
+  std::optional<Best> best{};             ///< first draw with the largest D
 
   void add(const UnitRecord& unit);
 };
 
-/// Of a catalogue. UserError (bad_input) if it is damaged.
+/// Reads the standing of a catalogue. UserError (bad_input) if it is damaged.
 Standing read_standing(SQLite::Database& database);
 
 }  // namespace misalign::schema

@@ -1,6 +1,6 @@
-// A new study X needs four files, solver/ROOM/X, schema/exchange/X_json, search/sheets/X_text and
-// search/verbs/X, and its line here. Help, the options of `report`, the page's columns and what SQL
-// may call follow from the table.
+// Lists the studies. A new study X needs four files, solver/ROOM/X, schema/exchange/X_json,
+// search/sheets/X_text and search/verbs/X, and its line here. Help, the options of `report`, the
+// page's columns and the functions of SQL follow from the table.
 #include "schema/catalogue/study_table.hpp"
 
 #include <algorithm>
@@ -11,58 +11,64 @@ namespace {
 
 constexpr StudyColumn kOfDeployment[] = {
     {"deploy_time_s", "deploy time", "s",
-     "When it is flat, let go at rest as the design says: from_deg (otherwise 20 % folded, 36°, or "
-     "D where that is less), its springs, hinges and panels (otherwise 1 mm of 2.7 g/cm³, without "
-     "friction).",
+     "Time from release at rest until the sheet is first flat. The design gives release angle, "
+     "springs, hinges and panels; by default 36° (or D if less), no friction, and panels of 1 mm "
+     "and 2.7 g/cm³.",
      Cost::motion, true, true},
     {"critical_friction_n_mm_per_mm", "critical friction", "N mm/mm",
-     "The most friction of the creases, per mm, with which it then still gets to flat.", Cost::path,
-     false, true},
+     "Largest friction of the creases with which the released sheet still reaches flat.",
+     Cost::path, false, true},
     {"stall_deg", "stall", "deg",
-     "Where the design’s friction would stop it, if it then moved slowly; 0 where it gets to flat.",
+     "Pilot angle at which the design’s friction would stop a quasi-static motion; 0 if it reaches "
+     "flat.",
      Cost::path, true},
     {"landing_rate_deg_per_s", "landing rate", "deg/s",
-     "How fast the pilot then turns when it is first flat.", Cost::motion, true},
+     "Rate of the pilot angle when the released sheet is first flat.", Cost::motion, true},
     {"bent_energy_n_mm", "energy, bent", "N mm",
-     "Of springs and panels there, if panels bend: of the design’s material (otherwise aluminium).",
+     "Strain energy of springs and bending panels at the release angle; panels of the design’s "
+     "material (aluminium by default).",
      Cost::motion},
     {"bent_critical_friction_n_mm_per_mm", "critical friction, bent", "N mm/mm",
-     "The most friction of the creases with which it gets to flat, let go slowly, if panels bend.",
+     "Largest friction of the creases with which a sheet with bending panels still reaches flat, "
+     "by its strain energy.",
      Cost::motion},
     {"static_friction_n_mm_per_mm", "static friction, bent", "N mm/mm",
-     "The most friction with which it moves on at every angle, if panels bend: from the start down "
-     "to the design’s margin_to_deg (otherwise 1°).",
+     "Largest friction that a sheet with bending panels overcomes from rest at every angle, from "
+     "release down to the design’s margin_to_deg (1° by default).",
      Cost::motion},
     {"static_margin", "static margin", "",
-     "That over the design’s friction, less 1, the least of all angles; none without friction.",
+     "Static friction over the design’s friction, less 1, at the worst angle; none without "
+     "friction.",
      Cost::motion}};
 constexpr StudyColumn kOfContact[] = {
     {"first_contact_deg", "first contact", "deg",
-     "The pilot angle at which panels without thickness first meet; none where they do not.",
+     "Pilot angle at which panels without thickness first meet; none if they never do.",
      Cost::contact},
     {"thickness_mm", "thickness", "mm",
-     "How thick plates may be to fold from flat to the design’s from_deg (otherwise D), hinged at "
-     "the mid-plane, tapered, and with the usual trim; 0 where panels meet on the way.",
+     "Largest thickness of plates that fold from flat to the design’s from_deg (D by default), "
+     "tapered to hinges at their mid-planes and trimmed as usual; 0 if panels meet before.",
      Cost::contact}};
 constexpr StudyColumn kOfActuators[] = {
     {"energy_n_mm", "energy", "N mm",
-     "Stored by the design’s springs on all diagonals at its from_deg (otherwise D).", Cost::path}};
+     "Strain energy of the design’s springs on all diagonals at its from_deg (D by default).",
+     Cost::path}};
 
 constexpr StudyEntry kStudies[] = {
-    {"deploy", "lets one sheet go: its motion, friction, equilibria",
-     "in the table also when candidates that are let go are flat, and what friction they overcome "
-     "(some milliseconds each)",
+    {"deploy", "deployment of one sheet: its motion, friction and equilibria",
+     "also deployment time and critical friction of the table's candidates (some milliseconds "
+     "each)",
      kOfDeployment},
-    {"contact", "where the panels of one sheet meet, and how thick they may be",
-     "also where panels first meet, of each sheet that can be looked at closely (about a tenth of "
-     "a second each)",
+    {"contact", "contact of one sheet's panels, and their largest thickness",
+     "also first contact of panels of each sheet shown in detail (about a tenth of a second each)",
      kOfContact},
-    {"actuators", "springs on the diagonals of one sheet", nullptr, kOfActuators},
-    {"stress", "elastic panels, let go: do they deploy, and what do they suffer (CalculiX)"},
-    {"tolerance", "how many miscut copies of a sheet still deploy, or how loose its joints may be"},
-    {"optimise", "a better sheet near one: by what friction it overcomes, or another goal"},
-    {"card", "what a design asks of one sheet, and what was found, on one page"},
-    {"certify", "prove that a sheet folds in one way, and its diagonals go one way, up to D"}};
+    {"actuators", "springs on the diagonals of one sheet: energy, moments, forces", nullptr,
+     kOfActuators},
+    {"stress", "deployment and stresses of one sheet with elastic panels (CalculiX)"},
+    {"tolerance", "yield of a sheet's miscut copies, or the play that its joints bear"},
+    {"optimise",
+     "a better sheet near a given one: maximises critical friction or another objective"},
+    {"card", "a design's requirements of one sheet and their results, on one page"},
+    {"certify", "proof that a sheet folds in one way and its diagonals are monotone, up to D"}};
 
 }  // namespace
 

@@ -1,6 +1,5 @@
-// One table of the studies: what each says, whether the report's page may carry it, and its columns
-// among the candidates. Whatever lists studies reads it; to add one, see the head of
-// study_table.cpp.
+// Tables the studies: help texts, options of the report, and columns of the candidates. All code
+// that lists studies reads it; study_table.cpp says how to add one.
 #pragma once
 
 #include <span>
@@ -10,43 +9,43 @@
 
 namespace misalign::schema {
 
-/// What a number costs of one sheet: conditions ask for the dearer ones later.
+/// Cost of a number per sheet; conditions evaluate costly ones last.
 enum class Cost {
-  path,    ///< its path is followed: some ms
-  motion,  ///< it is let go, too
-  contact  ///< panels are walked along the path: about a tenth of a second
+  path,    ///< follows the path: some ms
+  motion,  ///< computes the deployment, too
+  contact  ///< walks the panels along the path: about a tenth of a second
 };
 
-/// A number of a study that ranks sheets: the function of SQL NAME(draw) or NAME(draw, from_deg)
-/// that finds it when it is asked for (search/sheets/study_functions.cpp says how), in conditions
-/// also NAME alone; and a column of the report's candidates.
+/// A number of a study that ranks sheets: SQL's function NAME(draw) or NAME(draw, from_deg), which
+/// computes it on request (search/sheets/study_functions.cpp), in conditions also NAME alone; and a
+/// column of the report's candidates.
 struct StudyColumn {
   std::string_view name;
-  const char* label;  ///< heads the column
+  const char* label;  ///< heading of the column
   const char* unit;
   const char* meaning;  ///< sentences for people
   Cost cost;
   bool less_is_better = false;
-  bool in_report = false;  ///< whether `report --STUDY` adds it; --column adds any
+  bool in_report = false;  ///< true if `report --STUDY` adds it; --column adds any
 };
 
 struct StudyEntry {
-  std::string_view name;    ///< of its verb
-  const char* about;        ///< what it says, in the one line of --help
-  const char* in_report{};  ///< help of `report --NAME`; null: there is no such option
+  std::string_view name;    ///< name of its verb
+  const char* about;        ///< one line of --help
+  const char* in_report{};  ///< help of `report --NAME`; null without such an option
   std::span<const StudyColumn> columns{};
 
-  /// Whether that option adds some of them.
+  /// Returns whether that option adds columns.
   bool has_columns_in_report() const;
 };
 
-/// In the order of the report's options.
+/// Returns all studies, in the order of the report's options.
 std::span<const StudyEntry> study_table();
-/// One of them.
+/// Returns the study of this name, which must exist.
 const StudyEntry& study_named(std::string_view name);
-/// The column of whichever study has it; null: none has.
+/// Returns the column of this name; null if no study has it.
 const StudyColumn* study_column(std::string_view name);
-/// All names, in the table's order.
+/// Returns all names of columns, in the table's order.
 std::vector<std::string> study_functions();
 
 }  // namespace misalign::schema

@@ -9,9 +9,9 @@
 namespace misalign::schema {
 namespace {
 
-// What makes a tail: so many draws at most, at least, and of all no more than this share.
+// A tail has kLeastRows to kMostRows rows, and at most kMostShare of all.
 constexpr double kMostRows = 20, kLeastRows = 8, kMostShare = 0.25;
-constexpr double kFewestRows = 2;  // from which a share of draws is said to be seen
+constexpr double kFewestRows = 2;  // least effective number of rows of a share
 constexpr double kNormal95 = 1.96;
 
 double rad(double deg) { return deg * std::numbers::pi / 180; }
@@ -44,8 +44,8 @@ double Survival::ln_t(double deg) const {
   return std::log(std::tan(rad(most_deg) / 2));
 }
 
-// Draws that deploy from a sample go wrong somewhere between it and the next: in the middle. The
-// deepest samples are taken whole until there are rows enough.
+// Fits the tail. A draw's fault is taken to lie midway between its last sample and the next. The
+// deepest samples are taken whole until there are enough rows.
 std::optional<Survival::Tail> Survival::tail() const {
   const double most = std::min(kMostRows, kMostShare * all_.effective());
   if (most < kLeastRows) return std::nullopt;

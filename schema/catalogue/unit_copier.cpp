@@ -9,7 +9,7 @@
 namespace misalign::schema {
 namespace {
 
-// Of the file itself: a reader has views of today's over an older one.
+// Reads the columns of the file's own table: over an older one a reader has present-day views.
 std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
   return reading(database, [&] {
     std::vector<std::string> names;
@@ -27,7 +27,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-// Copies rows of one table: all columns of the target, those named `shifted` with new run numbers.
+// Copies rows of a table: all columns of the target, with run numbers in those named `shifted`
+// renumbered.
 class UnitCopier::Table {
  public:
   Table(SQLite::Database& from, SQLite::Database& into, const std::string& name,
@@ -56,7 +57,7 @@ class UnitCopier::Table {
   std::string select_of(SQLite::Database& from, const std::string& name) const {
     const std::vector<std::string> theirs = columns_of(from, name);
     std::vector<std::string> expressions;
-    for (const std::string& column : columns_) {  // null in what an older schema does not have
+    for (const std::string& column : columns_) {  // null if an older schema lacks it
       const bool is_there = std::find(theirs.begin(), theirs.end(), column) != theirs.end();
       expressions.push_back(is_there ? "\"" + column + "\"" : "NULL");
     }

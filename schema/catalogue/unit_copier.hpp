@@ -12,20 +12,20 @@
 
 namespace misalign::schema {
 
-/// Works within a transaction that its caller begins and commits on `into`. `from` may have an
-/// older schema: what it does not have stays null. Throws SQLite::Exception about `into`; UserError
-/// (3) if `from` is damaged.
+/// Works within a transaction on `into` of its caller. `from` may have an older schema, whose
+/// missing columns stay null. Throws SQLite::Exception about `into`; UserError (3) if `from` is
+/// damaged.
 class UnitCopier {
  public:
-  /// Of a campaign that searches by `method`.
+  /// Prepares the copying for a campaign with this search method.
   UnitCopier(SQLite::Database& from, SQLite::Database& into, const SearchMethod& method);
   ~UnitCopier();
   UnitCopier(const UnitCopier&) = delete;
   UnitCopier& operator=(const UnitCopier&) = delete;
 
-  /// All runs, under new numbers, and the advisory counts of what was screened.
+  /// Copies all runs, under new numbers, and the advisory screened counts.
   void copy_runs();
-  /// One unit of `from`, whole, with all that belongs to it. After copy_runs.
+  /// Copies one unit of `from` with all its rows. After copy_runs.
   void copy(const DrawRange& unit);
 
  private:
@@ -36,7 +36,7 @@ class UnitCopier {
   SQLite::Database& into_;
   const std::uint64_t run_shift_;
   std::unique_ptr<Table> unit_, candidate_, undecided_, fault_sample_;
-  std::unique_ptr<Table> population_, sheet_, ascent_;  // none where the method has none
+  std::unique_ptr<Table> population_, sheet_, ascent_;  // null where the method has none
 };
 
 }  // namespace misalign::schema

@@ -16,12 +16,12 @@
 namespace misalign::schema {
 namespace {
 
-// Nine decimals: 1e-9 of a length of 100 mm is below what any maker can cut.
+// Rounds to nine decimals: 1e-9 of a length of 100 mm is below any manufacturing accuracy.
 Json elongations_json(const std::vector<double>& elongation) {
   return json_list(elongation, [](double e) { return std::round(e * 1e9) / 1e9; });
 }
 
-// Its values in the order in which write_candidate binds them.
+// Returns the INSERT of a candidate, with values in the order of write_candidate.
 std::string insert_of_candidates() {
   std::string columns = "draw, unit, displacements_mm, elongation", values = "?,?,?,?";
   for (const MetricEntry& metric : metric_table()) {
@@ -55,7 +55,7 @@ UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
               "INSERT INTO ascent (draw, start_value, end_value, steps, sheets_folded, ended, "
               "limited_by) VALUES (?,?,?,?,?,?,?)") {}
 
-// What was screened is summed up first: a unit alone touches some two hundred rows of it.
+// Screened counts are summed up first: a single unit changes some two hundred of their rows.
 void UnitWriter::write(const std::vector<UnitRecord>& units, std::int64_t run) {
   Screened screened;
   for (const UnitRecord& unit : units) {

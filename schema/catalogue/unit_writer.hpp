@@ -1,4 +1,4 @@
-// Writes a unit: its row in the ledger, its candidates, fault samples and undecided draws.
+// Writes units: rows of the ledger, candidates, fault samples and undecided draws.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -12,23 +12,23 @@
 
 namespace misalign::schema {
 
-/// Adds draws to the count of what the tests saw: cause, tested_deg, draws.
+/// Adds draws to the screened counts: cause, tested_deg, draws.
 inline constexpr const char* kAddScreened =
     "INSERT INTO screened (cause, tested_deg, draws) VALUES (?,?,?) ON CONFLICT DO UPDATE SET "
     "draws "
     "= draws + excluded.draws";
 
-/// Writes within transactions that its caller begins and commits. Throws SQLite::Exception.
+/// Writes within its caller's transactions. Throws SQLite::Exception.
 class UnitWriter {
  public:
   UnitWriter(SQLite::Database& database, const Campaign& campaign,
              const solver::Mechanism& mechanism);
 
-  /// New units with all that belongs to them.
+  /// Writes new units with all their rows.
   void write(const std::vector<UnitRecord>& units, std::int64_t run);
-  /// A draw of a unit that is there, undecided so far: `decided` is that draw alone, judged again.
-  /// A row of the fault sample takes the place of the one that there was, if there was one, with
-  /// its weight. UserError (bad_input) if it is in no unit.
+  /// Stores the new verdict of an undecided draw: `decided` is a unit of that draw alone. A row of
+  /// the fault sample is replaced, with its weight. UserError (bad_input) if the draw is in no
+  /// unit.
   void settle(const UnitRecord& decided);
 
  private:

@@ -13,8 +13,8 @@
 namespace misalign::schema {
 namespace {
 
-// A log that readers keep from being emptied is emptied by waiting for them, from this size on;
-// usually it is written from its start again at 32 MB (see open_for_writing).
+// The log size from which a commit waits for readers that keep it from being emptied; usually it is
+// overwritten from its start at 32 MB (see open_for_writing).
 constexpr std::uintmax_t kLargestLog_bytes = 44 << 20;
 constexpr int kWaitForReaders_ms = 300, kWaitForWriters_ms = 10000;
 
@@ -27,8 +27,8 @@ int checkpoint(SQLite::Database& database) {
 
 }  // namespace
 
-// Before new work: what a full disk kept in the log takes twice its room for as long as it is
-// there, and every start would add to it. Readers may keep it, which does no harm.
+// Called before new work: a log that a full disk has kept would take its space twice, and grow with
+// every start. Readers may keep it, which does no harm.
 void WriteAheadLog::fold_in() {
   if (storage_ == Storage::network) return;
   const int result = checkpoint(database_);
@@ -37,16 +37,16 @@ void WriteAheadLog::fold_in() {
   }
 }
 
-// Where that fails, as on a full disk, the log keeps it all, and the next commit says why.
+// A failure, as on a full disk, leaves the log as it is, and the next commit reports it.
 void WriteAheadLog::copy_into_file() {
   if (storage_ == Storage::local) database_.tryExec("PRAGMA wal_checkpoint(PASSIVE)");
 }
 
-// The log is written from its start again once no reader needs it, but with readers all the time
-// that moment never comes by itself.
+// SQLite overwrites the log from its start once no reader needs it. With readers all the time that
+// moment never comes by itself.
 void WriteAheadLog::keep_small() {
   const auto log_bytes = [&] { return journal_bytes(path_ + "-wal"); };
-  // A reader that stays at one moment keeps it: not every commit is to wait for that one again.
+  // A reader that keeps an old snapshot keeps the log: not every commit may wait for it again.
   if (log_bytes() <= std::max(kLargestLog_bytes, kept_bytes_ + kLargestLog_bytes / 4)) return;
   checkpoint(database_);
   kept_bytes_ = log_bytes();
@@ -58,8 +58,8 @@ std::uintmax_t journal_bytes(const std::string& path) {
   return error ? 0 : bytes;
 }
 
-// SQLite's header: bytes 18 and 19 are the versions of the format that writing and reading need,
-// and 2 where there is a log.
+// Bytes 18 and 19 of SQLite's header are the versions of the format that writing and reading need,
+// 2 if there is a log.
 bool lacks_log(const std::string& path) {
   constexpr std::size_t kWriteVersion = 18;
   constexpr char kWithLog = 2;

@@ -24,7 +24,7 @@ struct flock locked_byte() {
 }  // namespace
 
 WriterLock::WriterLock(const std::string& path, Missing missing)
-    // Without waiting: a named pipe may be there.
+    // O_NONBLOCK: the path may be a named pipe.
     : path_(path), descriptor_(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK)) {
   if (descriptor_ < 0 && errno == ENOENT) {
     if (missing == Missing::refused) {
@@ -51,10 +51,10 @@ WriterLock::WriterLock(const std::string& path, Missing missing)
 
 void WriterLock::check_kind() const {
   struct stat opened {};
-  if (::fstat(descriptor_, &opened) != 0) return;  // what follows says why
+  if (::fstat(descriptor_, &opened) != 0) return;  // later calls report the failure
   if (!S_ISREG(opened.st_mode)) {
     throw UserError(Cause::bad_input, path_ +
-                                          ": is no catalogue (it is there, and no file); choose " +
+                                          ": is no catalogue (it exists, and is no file); choose " +
                                           "another place with " + parameter("catalogue"));
   }
   if (opened.st_nlink > 1) {

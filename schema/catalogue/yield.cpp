@@ -9,11 +9,12 @@
 namespace misalign::schema {
 namespace {
 
-// The campaign's threshold.
+// SQL of the campaign's threshold.
 constexpr const char* kThresholdSql =
     "(SELECT json_extract(configuration, '$.accept.deploys_from_deg') FROM campaign)";
 
-// Of draws that are no candidates nothing is kept; of as many trials the one that is there stays.
+// Inserts a yield; ignores draws that are no candidates, and replaces a stored yield only by one
+// with more trials.
 const std::string kInsertYield =
     std::string(
         "INSERT INTO yield (draw, amplitude_mm, trials, survivors, undecided, share, share_low, "
@@ -32,7 +33,7 @@ constexpr const char* kColumns =
     "made_at, from_deg";
 constexpr int kColumnCount = 11;
 
-// Rows of a catalogue, each for the candidate whose number `renumber` says, if any.
+// Copies yields, each to the candidate with the number that `renumber` returns, if any.
 template <class Renumber>
 void copy(SQLite::Database& from, SQLite::Database& into, const std::string& which,
           const Renumber& renumber) {
@@ -46,7 +47,7 @@ void copy(SQLite::Database& from, SQLite::Database& into, const std::string& whi
   });
 }
 
-// Another library's quantiles may differ in their last digits.
+// Quantiles of other libraries may differ in their last digits.
 bool agree(const Json& stored, const Json& recomputed) {
   constexpr double kLastDigits = 1e-9;
   if (stored.is_null() || recomputed.is_null()) return stored == recomputed;

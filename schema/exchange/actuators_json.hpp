@@ -1,4 +1,4 @@
-// Springs on the diagonals, as JSON.
+// Writes springs on the diagonals as JSON.
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
@@ -11,11 +11,11 @@ std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal);
 /// "A11-A17, A3-A9"; "none".
 std::string diagonal_labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals);
 
-/// What a candidate's file says of them: actuators, force on each diagonal at D, weakest point, the
-/// few that would do, where the stroke ends.
+/// Springs of a candidate's file: actuators, force on each diagonal at D, weakest point, fewest
+/// springs, stroke limit.
 Json actuation_json(const FoldingView& view, const solver::Actuation& actuation);
 
-/// That, and "history": energy, moment, mechanical advantage and forces, flat first.
+/// actuation_json and "history": energy, moment, mechanical advantage and forces, flat first.
 Json actuation_history_json(const FoldingView& view, const solver::Actuation& actuation);
 
 /// weakest, few and over_stroke, null where there is none; diagonals by their number, from 0.

@@ -1,4 +1,4 @@
-// A study of backlash, as JSON.
+// Writes a study of backlash as JSON.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace misalign::schema {
 
-/// The trials that move one way from `from_deg` up to this angle.
+/// The share of trials that move one way from `from_deg` up to `up_to_deg`.
 ShareOfTrials one_way_share(const solver::Backlash& backlash, double up_to_deg);
 
-/// Without the sheet's name; the campaign's threshold, if it has one.
+/// The study without the sheet's name; with the campaign's threshold, if it has one.
 Json backlash_json(const solver::Backlash& backlash, std::optional<double> threshold_deg);
 
 }  // namespace misalign::schema

@@ -1,4 +1,4 @@
-// The study of panels that bend, as JSON.
+// Writes the study of panels that bend as JSON.
 #pragma once
 
 #include "schema/files/input.hpp"
@@ -8,7 +8,7 @@
 
 namespace misalign::schema {
 
-/// A sheet of some material whose panels bend; with what a preload does, where there is one.
+/// A sheet whose panels bend, with a study of its preload, if it has one.
 struct BentSheet {
   Material material;
   solver::BentPanels panels;

@@ -31,7 +31,7 @@ class Deck {
     const auto& corners = sheet_.panels.corners[panel];
     return static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
   }
-  // The panel's node at a vertex that is a corner of its.
+  // The panel's node at one of its corners.
   int node_at(int panel, int vertex) const {
     return mesh_.corner_node(panel, corner_of(panel, vertex));
   }
@@ -51,7 +51,7 @@ std::string tie(int dependent, int node) {
   return text;
 }
 
-// Bilinear between the corners: nodes along a crease agree with its other side's.
+// Interpolates bilinearly between corners: nodes on both sides of a crease agree.
 Vector3d Deck::place_mm(int panel, int i, int j) const {
   const double u = static_cast<double>(i) / mesh_.side(), v = static_cast<double>(j) / mesh_.side();
   const auto& c = sheet_.panels.corners[panel];
@@ -134,7 +134,7 @@ std::string Deck::ties() const {
   return text;
 }
 
-// Beyond the ends of a table its last force stays: they lie where no spring gets to.
+// ccx keeps the last force beyond a table's ends, which no spring reaches.
 std::string Deck::springs() const {
   std::string text;
   int element = panels() * mesh_.elements_of_a_panel();

@@ -1,5 +1,5 @@
-// An input deck for CalculiX (ccx, tried with 2.20) of a sheet about to deploy: elastic panels in
-// motion.
+// Writes an input deck for CalculiX (ccx, tried with 2.20) of a deploying sheet with elastic
+// panels.
 #pragma once
 
 #include <string>
@@ -11,22 +11,21 @@
 namespace misalign::schema {
 
 struct DeckOptions {
-  int elements = 2;  ///< a panel's side is cut in so many
+  int elements = 2;  ///< number of elements along a panel's side
   Material material;
   double end_s = 1;
-  /// Of the implicit integrator, which shortens it where it must: about a fifth of the period of a
-  /// panel of the paper's that bends (2 ms).
+  /// First time step of the implicit integrator, which shortens it: about a fifth of the bending
+  /// period of a panel of the paper (2 ms).
   double time_step_s = 4e-4;
-  /// Against the velocity of all mass, per unit of both: free flight slows down like
-  /// exp(-damping t).
+  /// Damping force per mass and velocity: free flight slows down like exp(-damping t).
   double damping_per_s = 0;
 };
 
-/// Eight-node shells (S8R) of panels with nodes of their own; where panels meet, nodes are tied by
-/// equations of their translations: a crease turns freely. Of k panels at a corner k - 1 are tied
-/// to the first, in each direction. Springs (SPRINGA) are non-linear ones, which may pull from the
-/// start on: F = k (L - L0). Free in space, at rest, no damping but the integrator's where
-/// none is asked for. ccx writes where corners are, energies and stresses at each increment.
+/// The deck: eight-node shells (S8R), a mesh for each panel. Equations tie the translations of
+/// nodes that panels share, so that creases turn freely: of k panels at a corner k - 1 are tied to
+/// the first, in each direction. Non-linear springs (SPRINGA) may pull at the start: F = k (L -
+/// L0). The sheet is free in space and starts at rest; without `damping_per_s` only the integrator
+/// damps. ccx writes corners, energies and stresses at each increment.
 std::string calculix_deck(const SimulatedSheet& sheet, const DeckOptions& options);
 
 /// Node sets and element sets of the deck.

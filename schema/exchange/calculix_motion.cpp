@@ -68,12 +68,12 @@ void MotionReader::see_corner(const std::string& line) {
 
 Vector3d MotionReader::normal(int panel) const {
   const Eigen::Index first = 4 * panel;
-  const Vector3d one = corners_mm_.col(first + 2) - corners_mm_.col(first),
+  const Vector3d diagonal = corners_mm_.col(first + 2) - corners_mm_.col(first),
                  other = corners_mm_.col(first + 3) - corners_mm_.col(first + 1);
-  return one.cross(other).normalized();
+  return diagonal.cross(other).normalized();
 }
 
-// The right panel is turned by -rho about the crease from a to b.
+// The right panel is rotated by -rho about the crease from a to b.
 double MotionReader::fold_angle_deg(const solver::FoldLine& fold) const {
   const auto& corners = sheet_.panels.corners[static_cast<std::size_t>(fold.left)];
   const auto place = [&](int vertex) -> Vector3d {
@@ -88,7 +88,7 @@ double MotionReader::fold_angle_deg(const solver::FoldLine& fold) const {
 void MotionReader::add_row() {
   const auto& folds = sheet_.panels.folds;
   const auto pilot = static_cast<std::size_t>(sheet_.mechanism.pilot);
-  // Positive at the start, as the pilot's angle is everywhere.
+  // The pilot angle is positive at the start, as everywhere.
   row_.pilot_deg = fold_angle_deg(folds[pilot]) * folds[pilot].sign;
   for (const solver::FoldLine& fold : folds) {
     row_.widest_deg = std::max(row_.widest_deg, std::abs(fold_angle_deg(fold)));

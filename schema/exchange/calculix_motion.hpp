@@ -1,4 +1,4 @@
-// Reads the motion of the panels' corners, and energies, of CalculiX's results of a deck
+// Reads the motion of the panels' corners and the energies from CalculiX's results
 // (calculix_deck.hpp).
 #pragma once
 
@@ -16,9 +16,9 @@ class MotionReader {
  public:
   MotionReader(const SimulatedSheet& sheet, const PanelMesh& mesh);
 
-  /// Reads text that came since the last call; its last line may be a part of one.
+  /// Reads the text since the last call, whose last line may be incomplete.
   void feed(const std::string& text);
-  /// The first is the start; the last is before the first one that is no result.
+  /// Rows from the start to the last before an increment that is no result.
   const std::vector<solver::StressStudy::Row>& rows() const { return rows_; }
   bool is_sound() const { return is_sound_; }
 
@@ -33,12 +33,12 @@ class MotionReader {
 
   const SimulatedSheet& sheet_;
   const PanelMesh mesh_;
-  std::string rest_;  // of a line that is not whole yet
+  std::string rest_;  // an incomplete line
   Block block_ = Block::none;
   solver::StressStudy::Row row_;
-  Eigen::Matrix3Xd corners_mm_;  // of each panel its four
+  Eigen::Matrix3Xd corners_mm_;  // four for each panel
   std::vector<solver::StressStudy::Row> rows_;
-  bool is_sound_ = true;  // no increment was none
+  bool is_sound_ = true;  // false after an increment that is no result
 };
 
 }  // namespace misalign::schema

@@ -19,7 +19,7 @@ double von_mises(const std::array<double, 6>& s) {
                    3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
-// One expanded node: ccx makes three of a shell's at its corners, two in the middles.
+// An expanded node: ccx makes three of a shell's corner node, two of a mid-side node.
 struct Node {
   Vector3d at_mm;
   int panel = -1;
@@ -75,7 +75,7 @@ class StressReader {
   Block block_ = Block::none;
   int element_ = 0;
   bool placed_ = false;
-  std::unordered_map<int, Node> nodes_;  // by their numbers, which may be any
+  std::unordered_map<int, Node> nodes_;  // the keys, nodes' numbers, may be any
   Frame frame_;
   solver::StressHistory history_;
 };
@@ -125,7 +125,7 @@ void StressReader::end_block() {
     history_.is_sound = history_.is_sound && frame_.is_sound && is_result(frame_.time_s) &&
                         frame_.time_s >= before_s;
   }
-  // A hair later: times are written with six digits.
+  // The tolerance covers times' six written digits.
   if (block_ == Block::stresses && history_.is_sound &&
       frame_.time_s <= options_.until_s * (1 + 1e-5)) {
     history_.time_s.push_back(frame_.time_s);
@@ -149,7 +149,7 @@ void StressReader::end_block() {
   frame_.panels_mpa.assign(sheet_.panels.corners.size(), 0);
 }
 
-// Panels are flat at the start: from there to the flat sheet by the two edges at corner 0.
+// Maps nodes of panels, which are plane at the start, to the flat sheet by the edges at corner 0.
 void StressReader::place_nodes() {
   for (auto& [number, node] : nodes_) {
     if (node.panel < 0) continue;
@@ -179,7 +179,7 @@ solver::StressHistory read_stresses(std::istream& file, const std::string& name,
   if (!reader.has_places()) {
     throw UserError(Cause::failure, name +
                                         ": holds no elements (ccx ended before it wrote any); see "
-                                        "what it says in its log beside it");
+                                        "its log beside it");
   }
   return reader.take();
 }

@@ -1,4 +1,4 @@
-// Reads stresses of CalculiX's results of a deck (calculix_deck.hpp).
+// Reads stresses from CalculiX's results (calculix_deck.hpp).
 #pragma once
 
 #include <iosfwd>
@@ -12,14 +12,14 @@
 namespace misalign::schema {
 
 struct StressOptions {
-  /// Radius of the discs round the corners of each panel: forces that act at a point have no limit
-  /// there as meshes get finer. A tenth of the paper's panels.
+  /// Radius of the discs round corners whose stresses are left out: at point forces the stress
+  /// diverges as the mesh is refined. A tenth of the paper's panels.
   double disc_mm = 8;
-  double until_s = std::numeric_limits<double>::infinity();  ///< later frames do not count
+  double until_s = std::numeric_limits<double>::infinity();  ///< later frames are ignored
 };
 
-/// Reads a .frd file; its last frame may be cut off, and then does not count. UserError (failure)
-/// if the file is not what ccx writes of such a deck.
+/// Reads a .frd file, without a last frame that is cut off. UserError (failure) if the file is no
+/// result of such a deck.
 solver::StressHistory read_stresses(std::istream& file, const std::string& name,
                                     const SimulatedSheet& sheet, const PanelMesh& mesh,
                                     const StressOptions& options);

@@ -8,6 +8,14 @@
 #include "schema/pattern/design_json.hpp"
 
 namespace misalign::schema {
+namespace {
+
+std::string with_unit(const std::string& number, const std::string& unit) {
+  if (unit.empty()) return number;
+  return unit == "deg" ? number + "°" : number + " " + unit;
+}
+
+}  // namespace
 
 bool CardLine::passes() const {
   if (!wanted) return true;
@@ -25,13 +33,12 @@ std::optional<double> CardLine::margin() const {
 
 std::string CardLine::wanted_text() const {
   if (!wanted) return "";
-  return fmt::format("{} {:.10g}{}{}", bound == Bound::at_least ? "≥" : "≤", *wanted,
-                     unit.empty() ? "" : " ", unit);
+  return (bound == Bound::at_least ? "≥ " : "≤ ") +
+         with_unit(fmt::format("{:.10g}", *wanted), unit);
 }
 
 std::string CardLine::found_text() const {
-  if (!found) return "";
-  return fmt::format("{:.4g}{}{}", *found, unit.empty() ? "" : " ", unit);
+  return found ? with_unit(fmt::format("{:.4g}", *found), unit) : "";
 }
 
 int Card::asked() const {
@@ -51,16 +58,16 @@ std::string Card::verdict() const {
 Json card_json(const Card& card) {
   Json lines = Json::array();
   for (const CardLine& line : card.lines) {
-    Json one = {{"key", line.key},
-                {"what", line.what},
-                {"unit", line.unit},
-                {"wanted", or_null(line.wanted)},
-                {"found", or_null(line.found)},
-                {"bound", line.bound == CardLine::Bound::at_least ? "at_least" : "at_most"},
-                {"margin", or_null(line.margin())},
-                {"passes", line.is_asked() ? Json(line.passes()) : Json()}};
-    if (!line.note.empty()) one["note"] = line.note;
-    lines.push_back(std::move(one));
+    Json json = {{"key", line.key},
+                 {"what", line.what},
+                 {"unit", line.unit},
+                 {"wanted", or_null(line.wanted)},
+                 {"found", or_null(line.found)},
+                 {"bound", line.bound == CardLine::Bound::at_least ? "at_least" : "at_most"},
+                 {"margin", or_null(line.margin())},
+                 {"passes", line.is_asked() ? Json(line.passes()) : Json()}};
+    if (!line.note.empty()) json["note"] = line.note;
+    lines.push_back(std::move(json));
   }
   return {{"passes", card.passes()},
           {"asked", card.asked()},

@@ -1,4 +1,4 @@
-// A card of one sheet: what its design asks of it, and what was found.
+// The card of a sheet: the requirements of its design, and their results.
 #pragma once
 
 #include <optional>
@@ -9,26 +9,26 @@
 
 namespace misalign::schema {
 
-/// A requirement, or where nothing is asked a fact.
+/// A requirement, or a fact without one.
 struct CardLine {
-  const char* key;  ///< in JSON
+  const char* key;  ///< its name in JSON
   std::string what, unit;
   std::optional<double> wanted, found;
   enum class Bound { at_least, at_most } bound = Bound::at_least;
-  std::string note;  ///< why nothing was found, or what to know of it
+  std::string note;  ///< reason of a missing result, or a remark
 
   bool is_asked() const { return wanted.has_value(); }
-  /// Where nothing was found it does not pass.
+  /// Returns whether it is met; false without a result.
   bool passes() const;
-  /// How much more there is than is asked, as a share of it; none where that is nothing.
+  /// The ratio of actual to required value, less one; none where either is not positive.
   std::optional<double> margin() const;
-  /// "≥ 140 deg" and "156 deg"; empty where there is no such number.
+  /// "≥ 140°" and "156°"; empty where there is no such number.
   std::string wanted_text() const;
   std::string found_text() const;
 };
 
 struct Card {
-  std::string name;  ///< of the sheet
+  std::string name;  ///< the sheet's
   double from_deg;   ///< the angle of use
   Design design;
   std::vector<CardLine> lines;
@@ -36,7 +36,7 @@ struct Card {
   int asked() const;
   int passed() const;
   bool passes() const { return passed() == asked(); }
-  std::string verdict() const;  ///< in words
+  std::string verdict() const;  ///< a sentence without its full stop
 };
 
 Json card_json(const Card& card);

@@ -1,4 +1,4 @@
-// The certificates of `misalign certify`, as JSON.
+// Writes the certificates of `misalign certify` as JSON.
 #pragma once
 
 #include "schema/files/input.hpp"
@@ -8,7 +8,7 @@
 
 namespace misalign::schema {
 
-/// The row as certificate_json has it, with "bytes" instead of the proof.
+/// certificate_json with "bytes" instead of the proof.
 Json certified_json(const NamedCertificate& sheet);
 
 Json check_json(const CertificateCheck& check);

@@ -1,4 +1,4 @@
-// A constructed sheet as JSON: its pattern, what its holes do, and what is certain of it.
+// Writes a constructed sheet as JSON: its pattern, its holes, and its proof.
 #pragma once
 
 #include "schema/pattern/pattern_file.hpp"

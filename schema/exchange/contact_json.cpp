@@ -17,7 +17,7 @@ Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel
   return facet_json(base, panels.facets[static_cast<std::size_t>(panel)]);
 }
 
-// "A9", "A2-A9", or null: what two panels have in common.
+// The common vertex or crease of two panels: "A9", "A2-A9" or null.
 Json joint_json(const solver::Panels& panels, const solver::PanelPair& pair) {
   if (pair.kind == solver::ContactKind::apart) return nullptr;
   if (pair.kind == solver::ContactKind::vertex) return solver::vertex_label(pair.joint);

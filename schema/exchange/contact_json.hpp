@@ -1,4 +1,4 @@
-// The study of contact as JSON: where panels meet, and how thick they may be.
+// Writes the study of contact as JSON: first contact, clearances, largest thickness.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace misalign::schema {
 
-/// "panels [2,3] and [4,3]", with what they have in common.
+/// "panels [2,3] and [4,3]", with their common vertex or crease.
 std::string panels_text(const Pattern& base, const solver::Panels& panels,
                         const solver::PanelPair& pair);
 
-/// {"pilot_deg", "kind", "panels", "joint", "on_panels_mm"}: where on either panel, on the flat
+/// {"pilot_deg", "kind", "panels", "joint", "on_panels_mm"}: the points of contact, on the flat
 /// sheet.
 Json contact_json(const Pattern& base, const solver::Panels& panels,
                   const solver::Contact& contact);
 
-/// All of it; clearances as arrays.
+/// The study; clearances as arrays.
 Json contact_study_json(const Pattern& base, const solver::Panels& panels,
                         const solver::ContactStudy& study);
 

@@ -48,7 +48,7 @@ Json equilibria_json(const std::vector<solver::Equilibrium>& equilibria) {
   });
 }
 
-// Vectors row by row.
+// A list of the rows' vectors, in columns from `first` on.
 Json vectors_json(const Eigen::MatrixXd& rows, Eigen::Index first) {
   Json list = Json::array();
   for (Eigen::Index row = 0; row < rows.rows(); ++row) {

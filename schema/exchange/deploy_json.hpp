@@ -1,4 +1,4 @@
-// The deployment of a released sheet, as JSON.
+// Writes the deployment of a released sheet as JSON.
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
@@ -6,24 +6,22 @@
 
 namespace misalign::schema {
 
-/// The two numbers of it that rank sheets, {"deploy_time_s", "critical_friction_n_mm_per_mm"}: null
-/// where it does not get to flat.
+/// {"deploy_time_s", "critical_friction_n_mm_per_mm"}, which rank sheets: null where the sheet does
+/// not reach flat.
 Json deployment_metrics_json(const solver::DeploymentStudy& study);
 
-/// Those, and what was let go: what an exported candidate says.
+/// deployment_metrics_json and the released sheet, for exported candidates.
 Json exported_deployment_json(const solver::DeploymentStudy& study);
 
-/// Those and everything else but the motion itself: what was let go, its outcome, equilibria,
-/// friction.
+/// exported_deployment_json, outcome, equilibria and friction, without the motion.
 Json deployment_json(const solver::Mechanism& mechanism, const solver::DeploymentStudy& study);
 
-/// That, and the rows of the motion as arrays: time_s, pilot_deg, rate_deg_per_s, energy_n_mm (of
-/// the springs), kinetic_n_mm, total_n_mm; its events; and the forces in the joints if they were
-/// found.
+/// deployment_json, and the motion as arrays: time_s, pilot_deg, rate_deg_per_s, energy_n_mm (of
+/// the springs), kinetic_n_mm, total_n_mm; its events; the forces in the joints if they are known.
 Json deployment_history_json(const solver::Mechanism& mechanism,
                              const solver::DeploymentStudy& study);
 
-/// Pins under load: critical mu r, and where it locks.
+/// Friction of pins: critical mu r, and locking.
 Json pins_json(const solver::PinStudy& study);
 
 }  // namespace misalign::schema

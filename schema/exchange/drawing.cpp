@@ -10,7 +10,7 @@ namespace misalign::schema {
 namespace {
 
 constexpr double kMargin_mm = 5;
-constexpr double kLabel_mm = 2.88;  // 4 as a font size
+constexpr double kLabel_mm = 2.88;  // capitals of font size 4
 
 class PatternPen {
  public:
@@ -22,7 +22,7 @@ class PatternPen {
     return path;
   }
   DrawnText label(int v) const { return {vertices_mm_.col(v), solver::vertex_label(v), kLabel_mm}; }
-  // A number for a spring, off the crossing with the hole's other one.
+  // The number of a spring stands off the crossing with the hole's other one.
   static DrawnText number_of(const DrawnPath& spring, std::size_t number) {
     constexpr double kAlong = 0.3;
     const Eigen::Vector2d &from = spring.points_mm[0], &to = spring.points_mm[1];

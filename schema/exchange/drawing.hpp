@@ -9,10 +9,9 @@
 
 namespace misalign::schema {
 
-/// The crease pattern, a margin round it: layers `cut` (black: perimeter and holes, closed
-/// outlines), `mountain` (red) and `valley` (blue); and, hidden so that no cutter follows them,
-/// `springs` (the diagonals, green) and `labels` (of the vertices, and the diagonals' numbers from
-/// 0).
+/// The crease pattern with a margin: layers `cut` (black: perimeter and holes, closed outlines),
+/// `mountain` (red) and `valley` (blue); and, hidden so that no cutter follows them, `springs` (the
+/// diagonals, green) and `labels` (of the vertices, and the diagonals' numbers from 0).
 LineDrawing crease_pattern_drawing(const Pattern& base, const Eigen::Matrix2Xd& vertices_mm,
                                    const solver::Mechanism& mechanism, const std::string& title);
 

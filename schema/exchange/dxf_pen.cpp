@@ -17,7 +17,7 @@
 namespace misalign::schema {
 namespace {
 
-constexpr int kMillimetres = 4, kMetric = 1;  // of $INSUNITS and $MEASUREMENT
+constexpr int kMillimetres = 4, kMetric = 1;  // values of $INSUNITS and $MEASUREMENT
 constexpr int kByLayer = 256;
 constexpr const char* kStyle = "STANDARD";
 
@@ -31,7 +31,7 @@ std::string capitals(std::string name) {
   return name;
 }
 
-// Words of unknown origin within a TEXT: one line, in ASCII, where %% and ^ would begin a code.
+// Escapes words for a TEXT: one line of ASCII, in which %% and ^ would begin a code.
 std::string dxf_text(const std::string& words) {
   const std::string line = printable(utf8(words));
   std::string text;
@@ -168,7 +168,7 @@ class DxfPen {
   }
 
   const LineDrawing& drawing_;
-  // Static, so that it is zero before it is made: dxflib writes a handle that it never sets.
+  // Static storage is zero at first: dxflib writes a handle that it never sets.
   static inline DL_Dxf dxf_;
   const std::unique_ptr<DL_WriterA> to_;
 };
@@ -176,11 +176,11 @@ class DxfPen {
 }  // namespace
 
 std::string dxf_of(const LineDrawing& drawing) {
-  // dxflib writes to a path, and what it makes is to appear whole under its name, or not at all.
+  // dxflib writes to a path, but files must appear whole or not at all.
   const MemoryFile file("the DXF file");
   DxfPen(drawing, file.path()).write();
   const std::string text = file.bytes();
-  // dxflib does not say when memory ran out.
+  // dxflib does not report that memory ran out.
   if (!text.ends_with("EOF\n")) refuse("it was not written to its end");
   return text;
 }

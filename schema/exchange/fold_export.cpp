@@ -29,8 +29,8 @@ Json coordinates_json(const Eigen::MatrixXd& points_mm) {
                    [](const auto& point) { return json_list(point, std::identity()); });
 }
 
-// Angles of one row; flat if there is none. A crease may be closed a little (kOverFoldBand_deg)
-// beyond 180 degrees, which readers need not understand.
+// Fold angles of one row; 0 without a row. Angles slightly (kOverFoldBand_deg) beyond 180 degrees,
+// which readers may refuse, are clipped.
 Json angles_json(const FoldingView& view, const std::vector<int>& crease_of_edge, Index row) {
   return json_list(crease_of_edge, [&](int crease) {
     const double angle = crease >= 0 && row >= 0 ? view.history.fold_angle_deg(row, crease) : 0.0;
@@ -39,22 +39,23 @@ Json angles_json(const FoldingView& view, const std::vector<int>& crease_of_edge
 }
 
 constexpr const char* kPlainDescription =
-    "The folded shapes are in file_frames. Where two panels share a vertex alone there is a ball "
-    "joint, for which this format has no word: who folds the pattern along a tree of creases "
-    "cannot place panels that only ball joints hold. `misalign export --format fold --joined` "
-    "writes hinges for that.";
+    "The folded shapes are in file_frames. Two panels that share only a vertex have a ball joint, "
+    "which this format cannot express: programs that fold along a tree of creases cannot place "
+    "panels that only ball joints hold. `misalign export --format fold --joined` writes hinges "
+    "for them.";
 constexpr const char* kJoinedDescription =
     "The folded shapes are in file_frames. The last faces, those of misalign:fillers, are no "
-    "panels: two triangles each, in the corner of a hole, stand for a ball joint by three hinges, "
-    "so that all panels can be placed along a tree of creases. They are not part of the sheet.";
+    "panels: two triangles in the corner of a hole replace each ball joint by three hinges, so "
+    "that "
+    "all panels can be placed along a tree of creases. They are not part of the sheet.";
 
-// The fillers of a sheet, flat and in each of its frames.
+// Places the fillers of a sheet, flat and in each of its frames.
 class Fillers {
  public:
   Fillers(const FoldingView& view, const std::vector<solver::Filler>& fillers)
       : view_(view), fillers_(fillers) {}
 
-  // As they are folded in a row: with the letters of their hinges there.
+  // Fillers with the letters (M, V) of their hinges in a row.
   std::vector<MeshFiller> lettered(Index row) const {
     std::vector<MeshFiller> lettered;
     for (const solver::Filler& filler : fillers_) {
@@ -109,7 +110,7 @@ Json folded_fold_json(const FoldingView& view, const std::vector<Index>& rows,
                       const std::vector<solver::Filler>& chosen) {
   const solver::CreasePattern& sheet = view.base.base.sheet;
   const std::vector<int> creases = crease_of_edge(sheet, view.mechanism);
-  const std::vector<solver::Filler> none;  // of a sheet of which nothing is shown folded
+  const std::vector<solver::Filler> none;  // sheets without rows have none
   const Fillers fillers(view, rows.empty() ? none : chosen);
   Json mesh = perforated_mesh_json(view.base), frames = Json::array();
   const std::vector<MeshFiller> lettered =

@@ -66,7 +66,7 @@ Json folding_json(const FoldingView& view) {
           {"mesh_off_mm", view.base.mesh_off_mm},
           {"unknowns", view.mechanism.unknowns},
           {"equations", view.mechanism.equations},
-          {"degrees_of_freedom", 1},  // others are turned away, overconstrained ones have it too
+          {"degrees_of_freedom", 1},  // other sheets are refused
           {"verdict", verdict_json(view)},
           {"bump_between_samples", bump_json(view)},
           {"fold_limit_deg", history.path.fold_limit_deg},

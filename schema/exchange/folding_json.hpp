@@ -1,4 +1,4 @@
-// A folding path as JSON: what `fold`, `replay` and `export` write.
+// Writes a folding path as JSON, for `fold`, `replay` and `export`.
 #pragma once
 
 #include "schema/catalogue/candidate_row.hpp"
@@ -6,11 +6,11 @@
 
 namespace misalign::schema {
 
-/// What every such file begins with: pattern with these shifts, unknowns, verdict, fold limit.
+/// A sheet and its history as such files show them.
 struct FoldingView {
   FoldingView(const Pattern& pattern, const solver::Sheet& shown)
       : FoldingView(pattern, shown, shown.history()) {}
-  /// The same by another history of the sheet.
+  /// A view by another history of the sheet.
   FoldingView(const Pattern& pattern, const solver::Sheet& shown,
               const solver::FoldingHistory& another)
       : base(pattern), sheet(shown), history(another) {}
@@ -26,20 +26,20 @@ struct FoldingView {
 /// {"deploys_from_deg", "first_fault", "fault_deg", "where", ...}; fault_deg and where may be null.
 Json verdict_json(const FoldingView& view);
 
-/// {"from_deg", "where"} of the history's first bump between samples, up to D or as the fault that
-/// ends it; null if none was seen.
+/// The history's first bump between samples, up to D or as its first fault, {"from_deg", "where"};
+/// null if there is none.
 Json bump_json(const FoldingView& view);
 
-/// The contract's `fold --json`.
+/// The JSON of `fold --json`.
 Json folding_json(const FoldingView& view);
 
-/// What is exported of a sheet (candidate.schema.json): metrics and elongations are null for one
-/// that deploys from nothing.
+/// An exported sheet (candidate.schema.json): metrics and elongations are null if it does not
+/// deploy from any angle.
 Json folded_pattern_json(const Sampling& sampling, const FoldingView& view, const Json& actuation,
                          const Json& deployment);
 
-/// What a candidate's export says besides: {"campaign": {"name", "identity"}, "draw", "yields"},
-/// the last as from yields_json. With a certificate also that ("certificate", certificate_json).
+/// The origin of an exported candidate: {"campaign": {"name", "identity"}, "draw", "yields"}, with
+/// yields of yields_json, and its certificate, if it has one ("certificate", certificate_json).
 Json origin_json(const Campaign& campaign, std::uint64_t draw, const Json& yields);
 
 }  // namespace misalign::schema

@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Index;
 
-// Empty where there is no number.
+// Appends a cell, which is empty where there is no finite number.
 void append(std::string& text, int digits, double value) {
   text += ",";
   if (std::isfinite(value)) fmt::format_to(std::back_inserter(text), "{:.{}g}", value, digits);
 }
 
-// Lengths and angles have what the solver is good for, what follows from them a little less.
+// Lengths and angles have the digits of the solver, derived quantities fewer.
 void append_measured(std::string& text, double value) { append(text, 12, value); }
 void append_derived(std::string& text, double value) { append(text, 9, value); }
 
@@ -47,7 +47,7 @@ std::string diagonal_columns(const RowKey& key) {
 std::string diagonal_rows(const RowKey& key, const FoldingView& view,
                           const solver::Actuation& actuation, double every_deg) {
   const std::string sheet = csv_cell(key.value) + ",";
-  std::vector<std::string> names;  // of the diagonals: what no row changes
+  std::vector<std::string> names;  // constant cells of each diagonal
   assert(std::ssize(actuation.pilot_deg) == actuation.force_n.rows());
   for (std::size_t d = 0; d < view.mechanism.diagonals.size(); ++d) {
     const solver::Diagonal& diagonal = view.mechanism.diagonals[d];
@@ -61,16 +61,16 @@ std::string diagonal_rows(const RowKey& key, const FoldingView& view,
     const auto at = static_cast<Index>(row);
     const std::string station = sheet + shown_number(actuation.pilot_deg[row]);
     for (std::size_t d = 0; d < names.size(); ++d) {
-      const auto of = static_cast<Index>(d);
+      const auto diagonal = static_cast<Index>(d);
       const double flat_mm = view.history.flat_mm[d];
-      const double length_mm = row == 0 ? flat_mm : view.history.length_mm(at - 1, of);
-      const double force_n = actuation.force_n(at, of);
+      const double length_mm = row == 0 ? flat_mm : view.history.length_mm(at - 1, diagonal);
+      const double force_n = actuation.force_n(at, diagonal);
       text += station + names[d];
       append_measured(text, length_mm);
       append_derived(text, (length_mm - flat_mm) / flat_mm);
       append_derived(text, force_n);
       append_derived(text, force_n * (length_mm - flat_mm) / 2);
-      append_derived(text, actuation.moment_by_n_mm(at, of));
+      append_derived(text, actuation.moment_by_n_mm(at, diagonal));
       append_derived(text, actuation.mechanical_advantage[row]);
       text += "\n";
     }
@@ -96,8 +96,8 @@ std::string crease_rows(const RowKey& key, const FoldingView& view, double every
     const std::string station = sheet + shown_number(pilot_deg);
     for (std::size_t i = 0; i < names.size(); ++i) {
       text += station + names[i];
-      const auto of = static_cast<Index>(i);
-      append_measured(text, row < 0 ? 0.0 : view.history.fold_angle_deg(row, of));
+      const auto crease = static_cast<Index>(i);
+      append_measured(text, row < 0 ? 0.0 : view.history.fold_angle_deg(row, crease));
       text += "\n";
     }
   };

@@ -1,5 +1,5 @@
-// Histories as long tables (CSV): a row for each sheet, angle and diagonal, or crease. Any number
-// of sheets make one table, which pandas, R, MATLAB and spreadsheets group, filter and plot.
+// Writes histories as long tables (CSV): one row for each sheet, angle and diagonal, or crease. Any
+// number of sheets make one table, which pandas, R, MATLAB and spreadsheets group, filter and plot.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace misalign::schema {
 
-/// Whose rows they are: the first column's name and value, {"draw", "7"} or {"pattern", "table1"}.
+/// The first column's name and value, which name a sheet: {"draw", "7"} or {"pattern", "table1"}.
 struct RowKey {
   std::string name, value;
 };
@@ -18,10 +18,10 @@ struct RowKey {
 /// 0), hole_row, hole_column, from_vertex, to_vertex, length_mm, elongation (a share: 0.02 = 2 %),
 /// force_n, energy_n_mm, moment_n_mm, mechanical_advantage.
 std::string diagonal_columns(const RowKey& key);
-/// The lines of one sheet, flat first, at every sample, or where `every_deg` is not 0 at its
-/// multiples and at D. Force, energy and moment are those of the diagonal's own
-/// spring: over the diagonals of a station, energies and moments add up to the sheet's. The
-/// mechanical advantage is the sheet's, the same in all rows of a station, and empty when flat.
+/// The lines of one sheet, flat first, at every sample, or at multiples of `every_deg` and at D if
+/// it is not 0. Force, energy and moment are those of the diagonal's spring: those of a station add
+/// up to the sheet's. The mechanical advantage is the sheet's, in all rows of a station, empty when
+/// flat.
 std::string diagonal_rows(const RowKey& key, const FoldingView& view,
                           const solver::Actuation& actuation, double every_deg = 0);
 

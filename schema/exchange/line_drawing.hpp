@@ -1,4 +1,4 @@
-// A drawing for a machine that follows lines, in layers: made once, and written by any pen.
+// A drawing in layers for a machine that follows lines, for any pen to write.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace misalign::schema {
 
-/// For SVG as #rrggbb, for DXF as its number in AutoCAD's list of colours.
+/// A colour: #rrggbb for SVG, a number in AutoCAD's list of colours for DXF.
 struct LineColour {
   std::string rgb;
   int aci;
@@ -17,7 +17,7 @@ inline const LineColour kBlack{"#000000", 7}, kRed{"#ff0000", 1}, kBlue{"#0000ff
 
 struct DrawnPath {
   std::vector<Eigen::Vector2d> points_mm;
-  bool closed;  ///< from the last point back to the first, which is not repeated
+  bool closed;  ///< true if the last point is joined to the first, which is not repeated
 };
 
 struct DrawnCircle {
@@ -26,17 +26,17 @@ struct DrawnCircle {
 };
 
 struct DrawnText {
-  Eigen::Vector2d at_mm;  ///< on the base line: its left end, or its middle
+  Eigen::Vector2d at_mm;  ///< left end or middle of the base line
   std::string words;
-  double height_mm;  ///< of a capital
+  double height_mm;  ///< height of a capital
   bool centred = false;
   double turned_deg = 0;  ///< counter-clockwise, about `at_mm`
 };
 
 enum class LayerUse {
   cut,     ///< cut, scored or perforated
-  mark,    ///< shown, for a machine that engraves or for people
-  hidden,  ///< no machine follows it unless asked
+  mark,    ///< engraved, or shown to people
+  hidden,  ///< followed by no machine by default
 };
 
 struct LineLayer {
@@ -50,13 +50,14 @@ struct LineLayer {
   bool is_empty() const { return paths.empty() && circles.empty() && texts.empty(); }
 };
 
-/// Seen from +z, y up, true scale. Later layers lie over earlier ones, and are cut after them.
+/// A drawing in top view (+z), y up, scale 1:1. Later layers lie over earlier ones, and are cut
+/// after them.
 struct LineDrawing {
   std::string title;
   Eigen::Vector2d least_mm, most_mm;  ///< opposite corners of the page
   std::vector<LineLayer> layers;
 
-  /// Without what is not cut: some programs follow hidden layers, too.
+  /// Removes layers that are not cut: some programs follow hidden layers, too.
   void keep_cuts() {
     std::erase_if(layers, [](const LineLayer& layer) { return layer.use != LayerUse::cut; });
   }

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-// The flat sheet stands before the stations.
+// Prepends the flat sheet to the stations.
 Eigen::MatrixXd from_flat_on(const Eigen::MatrixXd& stations, const Eigen::RowVectorXd& flat) {
   Eigen::MatrixXd all(stations.rows() + 1, stations.cols());
   all << flat, stations;
@@ -26,7 +26,7 @@ Eigen::MatrixXd from_zero_on(const Eigen::MatrixXd& stations) {
   return from_flat_on(stations, Eigen::RowVectorXd::Zero(stations.cols()));
 }
 
-// Rows of indices from 0, counted from 1.
+// Rows of indices, converted to count from 1.
 template <class Row>
 Eigen::MatrixXd counted(const std::vector<Row>& rows) {
   const Index width = static_cast<Index>(std::tuple_size_v<Row>);
@@ -39,8 +39,8 @@ Eigen::MatrixXd counted(const std::vector<Row>& rows) {
   return matrix;
 }
 
-// Facets, panels and holes as rows of corners; holes also as rows and columns of the sheet, which
-// count from 0 as in a pattern file.
+// Facets, panels and holes as rows of corners; holes also as rows and columns of the sheet, counted
+// from 0 as in a pattern file.
 void add_mesh(const FoldingView& view, std::vector<MatValue>& variables) {
   const solver::PerforatedSheet& base = view.base.base;
   std::vector<std::array<int, 4>> panels, holes;
@@ -109,13 +109,13 @@ void add_histories(const FoldingView& view, const solver::Actuation& actuation,
       Eigen::RowVectorXd::Map(history.flat_mm.data(), static_cast<Index>(history.flat_mm.size()));
   variables.push_back(MatValue::column("pilot_deg", actuation.pilot_deg));
   variables.push_back(MatValue::matrix("length_mm", from_flat_on(history.length_mm, flat_mm)));
-  // Lengths change with the square of the angle near flat: their rates begin with 0.
+  // Rates are 0 when flat: lengths change with the square of the angle there.
   variables.push_back(MatValue::matrix("rate_mm_per_deg", from_zero_on(history.slope_mm_per_deg)));
   variables.push_back(MatValue::matrix("fold_angle_deg", from_zero_on(history.fold_angle_deg)));
   variables.push_back(folded_vertices(view.sheet));
 }
 
-// Diagonals that are named by their number, counted from 1.
+// Numbers of diagonals, converted to count from 1.
 Json limits_counted(const solver::Actuation& actuation) {
   Json limits = limits_json(actuation);
   for (const char* key : {"few", "over_stroke"}) {
@@ -144,35 +144,32 @@ MatValue springs(const solver::Actuation& actuation) {
 
 MatValue verdict(const FoldingView& view) {
   Json json = verdict_json(view);
-  if (json["where"].is_null()) json["where"] = "";  // a text, whether or not there is one
+  if (json["where"].is_null()) json["where"] = "";  // always a text
   json["fold_limit_deg"] = view.history.path.fold_limit_deg;
   return MatValue::json("verdict", json);
 }
 
-// The part of the file's `readme` that is the same for every sheet: the variables with their axes
-// and units.
+// The constant part of the file's `readme`: the variables with their axes and units.
 constexpr const char* kMatReadme =
-    "Lengths in mm, angles in degrees, forces in N; the unit ends each name.\n"
-    "S rows: pilot angles, flat first. V vertices (row 1 is "
-    "A1), C creases, D diagonals.\n"
+    "Lengths in mm, angles in degrees, forces in N; names end in their units.\n"
+    "S samples: pilot angles, flat first. V vertices (row 1: A1), C creases, D diagonals.\n"
     "All indices count from 1: vertices, panels, holes, diagonals.\n"
-    "vertices_mm [V x 2] x and y on the flat sheet, with shifts_mm [V x 2] in them\n"
-    "facets [F x 4] corners of all, counter-clockwise seen from above; panels [P x 4] of those\n"
-    "that are left; holes [H x 4] of those taken out; hole_row_column [H x 2] counts from 0\n"
-    "creases [C x 2] vertices; crease_assignment [C x 1] 1 valley, -1 mountain, seen from above\n"
-    "pilot_crease: the crease whose angle pilot_deg is (of a mountain without its sign)\n"
-    "diagonals [D x 2] vertices; diagonal_hole [D x 1] the row of holes\n"
-    "pilot_deg [S x 1], 0 flat; length_mm, rate_mm_per_deg [S x D] of the diagonals\n"
+    "vertices_mm [V x 2] x and y on the flat sheet, including shifts_mm [V x 2]\n"
+    "facets [F x 4] corners, counter-clockwise in top view; panels [P x 4] facets that are kept;\n"
+    "holes [H x 4] facets that are taken out; hole_row_column [H x 2] counts from 0\n"
+    "creases [C x 2] vertices; crease_assignment [C x 1] 1 valley, -1 mountain, in top view\n"
+    "pilot_crease: the crease whose fold angle pilot_deg is (absolute value for a mountain)\n"
+    "diagonals [D x 2] vertices; diagonal_hole [D x 1] row in holes\n"
+    "pilot_deg [S x 1], 0 flat; length_mm, rate_mm_per_deg [S x D] of diagonals\n"
     "fold_angle_deg [S x C], 0 flat, valleys positive\n"
-    "folded_vertices_mm [S x V x 3] x, y, z, each state laid over the flat sheet\n"
-    "springs: one on each diagonal, relaxed when flat; force_n [S x D] positive where it pulls,\n"
-    "  moment_by_n_mm [S x D] of each and moment_n_mm [S x 1] of all about the pilot crease,\n"
-    "  energy_n_mm [S x 1], mechanical_advantage [S x 1], NaN when flat; weakest: the least "
-    "moment\n"
-    "  from 5 deg to D; few: the fewest diagonals that keep half of it; NaN where there is none\n"
+    "folded_vertices_mm [S x V x 3] x, y, z, each state aligned with the flat sheet\n"
+    "springs: one on each diagonal; force_n [S x D] positive in tension, moment_by_n_mm [S x D]\n"
+    "  of each and moment_n_mm [S x 1] of all about the pilot crease, energy_n_mm [S x 1],\n"
+    "  mechanical_advantage [S x 1], NaN when flat; weakest: the least moment from 5 deg to D;\n"
+    "  few: the fewest diagonals that keep half of it; NaN where there is none\n"
     "verdict: deploys_from_deg (D), first_fault, fault_deg, where, fold_limit_deg\n"
-    "metrics: over the samples up to D, the units in their names; elongations and strokes are\n"
-    "  shares (0.02 is 2 %); NaN where there is none\n";
+    "metrics: over the samples up to D, units in their names; elongations and strokes are shares\n"
+    "  (0.02 is 2 %); NaN where there is none\n";
 
 }  // namespace
 

@@ -1,5 +1,4 @@
-// A folded sheet as the variables of a MAT-file, for MATLAB and Octave: histories, coordinates,
-// springs.
+// Writes a folded sheet as a MAT-file, for MATLAB and Octave: histories, coordinates, springs.
 #pragma once
 
 #include <string>

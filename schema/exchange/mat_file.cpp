@@ -13,12 +13,12 @@
 namespace misalign::schema {
 namespace {
 
-// By default matio puts the time in.
+// The header has no time, which matio would write by default.
 constexpr const char* kHeader = "MATLAB 5.0 MAT-file, written by misalign";
 
 matvar_t* array_of(const std::string& name, matio_classes kind, matio_types type,
                    std::vector<std::size_t> dimensions, const void* data, int flags = 0) {
-  // Copied, so that the data may be constant; of none there is no address to read from.
+  // Data are copied, so that they may be constant; empty ones have no address.
   static const double kNothing = 0;
   return Mat_VarCreate(name.c_str(), kind, type, static_cast<int>(dimensions.size()),
                        dimensions.data(), const_cast<void*>(data ? data : &kNothing), flags);
@@ -31,7 +31,7 @@ matvar_t* doubles(const std::string& name, std::vector<std::size_t> dimensions,
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw UserError(Cause::failure, path + ": cannot be written (libmatio: " + why +
-                                      "); see to the system, or take " +
+                                      "); check disk and memory, or take " +
                                       parameter("format", "csv"));
 }
 
@@ -73,9 +73,9 @@ MatValue MatValue::text(const std::string& name, const std::string& utf8) {
 MatValue MatValue::structure(const std::string& name, std::vector<MatValue> fields) {
   std::vector<const char*> names;
   for (const MatValue& field : fields) names.push_back(field.value_->name);
-  std::size_t one[] = {1, 1};
-  MatValue whole(
-      Mat_VarCreateStruct(name.c_str(), 2, one, names.data(), static_cast<unsigned>(names.size())));
+  std::size_t scalar[] = {1, 1};
+  MatValue whole(Mat_VarCreateStruct(name.c_str(), 2, scalar, names.data(),
+                                     static_cast<unsigned>(names.size())));
   for (std::size_t i = 0; i < fields.size(); ++i) {
     Mat_VarSetStructFieldByIndex(whole.value_.get(), i, 0, fields[i].value_.release());
   }
@@ -106,8 +106,7 @@ MatValue MatValue::json(const std::string& name, const Json& value) {
   return column(name, numbers);
 }
 
-// matio does not look at how much of what it writes arrives, so that a full disk would go unseen:
-// it writes to memory.
+// matio writes to memory: it does not check its writes, so that a full disk would go unnoticed.
 std::string mat_file(const std::string& path, const std::vector<MatValue>& variables) {
   const MemoryFile memory(path);
   mat_t* const file = Mat_CreateVer(memory.path().c_str(), kHeader, MAT_FT_MAT5);

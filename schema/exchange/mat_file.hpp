@@ -1,5 +1,4 @@
-// MAT-files of level 5, which MATLAB 7 and later, Octave and SciPy read: values, and the file that
-// holds them under their names. Through libmatio.
+// Writes MAT-files of level 5, which MATLAB 7 and later, Octave and SciPy read, by libmatio.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,15 +14,15 @@ struct matvar_t;
 
 namespace misalign::schema {
 
-/// A named value: a variable of a file, or a field of a struct. std::bad_alloc where matio has no
-/// room for one.
+/// A named value: a variable of a file, or a field of a struct. std::bad_alloc where memory is
+/// exhausted.
 class MatValue {
  public:
-  /// Doubles, one below the other (n x 1).
+  /// A column of doubles (n x 1).
   static MatValue column(const std::string& name, std::span<const double> numbers);
-  /// Doubles, as the matrix is.
+  /// A matrix of doubles.
   static MatValue matrix(const std::string& name, const Eigen::MatrixXd& numbers);
-  /// Doubles in three dimensions: the first index runs fastest.
+  /// A three-dimensional array of doubles: the first index runs fastest.
   static MatValue box(const std::string& name, const std::array<std::size_t, 3>& dimensions,
                       std::span<const double> numbers);
   static MatValue integer(const std::string& name, std::int64_t number);
@@ -44,9 +43,8 @@ class MatValue {
   std::unique_ptr<matvar_t, Freed> value_;
 };
 
-/// The whole file: compressed where matio can do that, and the same bytes from the same values.
-/// `path` is the name that it is to have, in sentences. UserError (failure) where it cannot be
-/// made.
+/// The bytes of a file: compressed where matio can, and the same from the same values. `path` is
+/// its name in sentences. UserError (failure) where matio fails.
 std::string mat_file(const std::string& path, const std::vector<MatValue>& variables);
 
 }  // namespace misalign::schema

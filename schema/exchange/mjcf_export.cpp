@@ -18,10 +18,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Units that go together, so that the file needs no factor: stiffness is in N/mm in each.
+// Consistent units, so that the file needs no factors: stiffness is in N/mm in each.
 struct Units {
   const char* words;
-  double finer;  // of a mm, and of a s; its square of a t
+  double finer;  // units per mm and per s; its square: units per t
 
   double force_times_length() const { return finer * finer; }
   double inertia() const { return std::pow(finer, 4); }
@@ -31,11 +31,10 @@ constexpr Units kUnits[] = {
     {"units: um, g, ms; forces in mN, energies in mN um (nJ), as the panels are so small", 1e3},
     {"units: nm, ug, us; forces in uN, energies in uN nm (fJ), as the panels are so small", 1e6}};
 
-// MuJoCo takes no moment of inertia below 1e-15 (mjMINVAL), and computes well a million times
-// above.
+// MuJoCo refuses moments of inertia below 1e-15 (mjMINVAL), and is accurate a million times above.
 constexpr double kLeastInertia = 1e-9;
 
-// The coarsest in which the moments of inertia of all panels are large enough.
+// The coarsest units in which the moments of inertia of all panels are large enough.
 Units units_of(const std::vector<solver::PanelMass>& masses) {
   double least_t_mm2 = INFINITY;
   for (const solver::PanelMass& mass : masses) {
@@ -52,7 +51,7 @@ std::string numbers(const Vector3d& v) {
   return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
 }
 
-// Two dashes would end it.
+// Escapes double dashes, which would end a comment.
 std::string in_comment(const std::string& text) {
   std::string comment;
   for (const char c : printable(text)) comment += c == '-' && comment.ends_with('-') ? '_' : c;
@@ -106,7 +105,7 @@ class MjcfWriter {
   // A place of the sheet, in the file's units.
   std::string place(const Vector3d& at_mm) const { return numbers(units_.finer * at_mm); }
   double time_step_s() const;
-  // Right-handed: two of them in the panel.
+  // Right-handed axes: two of them in the panel.
   Eigen::Matrix3d normal_frame(int panel) const;
 
   const SimulatedSheet& sheet_;
@@ -115,11 +114,11 @@ class MjcfWriter {
   const std::vector<solver::PanelMass> masses_;
   const Units units_;
   std::vector<std::vector<const solver::JointTree::Branch*>> children_;
-  std::set<int> ends_;  // vertices that springs pull at
+  std::set<int> ends_;  // vertices at which springs end
 };
 
-// No longer than two pi-th of the period that all panels' mass would have on all springs: the
-// loops, which close in two steps, stay faster than what springs move.
+// The step is at most half of sqrt(m/k) for all panels' mass m and all springs' stiffness k: loops,
+// which close in two steps, are then faster than motions by springs.
 double MjcfWriter::time_step_s() const {
   double mass_t = 0;
   for (const solver::PanelMass& mass : masses_) mass_t += mass.mass_t;
@@ -128,7 +127,7 @@ double MjcfWriter::time_step_s() const {
   return std::min(options_.time_step_s, 0.5 * std::sqrt(mass_t / springs_n_per_mm));
 }
 
-// Flat coordinates, as x and y, to the folded sheet's.
+// Maps flat coordinates x and y to the folded sheet.
 Eigen::Matrix3d MjcfWriter::normal_frame(int panel) const {
   const auto& corners = sheet_.panels.corners[panel];
   const Eigen::Vector2d flat =
@@ -146,14 +145,15 @@ std::string MjcfWriter::head() const {
   for (const std::string& line : sheet_.head()) text += "    " + in_comment(line) + "\n";
   text += std::string("    ") + units_.words + "\n";
   text += fmt::format(
-      "    {} hinges and {} ball joints hang the panels on one another; what is left are {} points "
-      "that two panels share.\n"
-      "    A hinge among them has two, one at each end, of which one equation of six says nothing "
-      "new: both panels keep\n"
-      "    its length. Where an end is a vertex that hinges in the tree keep together anyway, it "
-      "is left out.\n"
-      "    The values of hinges are fold angles in rad, valleys positive. Friction acts on hinges "
-      "of the tree: {:.10g} N mm per mm.\n  -->\n",
+      "    A tree of {} hinges and {} ball joints joins the panels; {} `connect` close the loops, "
+      "at "
+      "points that two panels share.\n"
+      "    A hinge that closes a loop has two, one at each end. One of their six equations is "
+      "redundant: both panels keep\n"
+      "    its length. An end at a vertex that hinges of the tree hold together is left out.\n"
+      "    Joint values of hinges are fold angles in rad, valleys positive. Friction acts on "
+      "hinges "
+      "of the tree: {:.10g} N mm/mm.\n  -->\n",
       std::count(tree_.crease_is_branch.begin(), tree_.crease_is_branch.end(), true),
       tree_.branches.size() -
           static_cast<std::size_t>(
@@ -176,7 +176,7 @@ std::string MjcfWriter::settings() const {
       time_step, stiff, stiff);
 }
 
-// Panels as prisms to look at.
+// Panels as visible prisms.
 std::string MjcfWriter::assets() const {
   std::string text = "  <asset>\n";
   for (int panel = 0; panel < static_cast<int>(masses_.size()); ++panel) {
@@ -191,7 +191,7 @@ std::string MjcfWriter::assets() const {
   return text + "  </asset>\n";
 }
 
-// About its principal axes. The third moment of a plate is the sum of the other two, no less.
+// Inertia about principal axes. The third moment of a plate is the sum of the other two, no less.
 std::string MjcfWriter::inertial(int panel) const {
   const solver::PanelMass& mass = masses_[panel];
   const Eigen::Matrix3d frame = normal_frame(panel);
@@ -218,7 +218,7 @@ std::string MjcfWriter::joint(const solver::JointTree::Branch& branch) const {
     return fmt::format("<joint name=\"{}\" type=\"ball\" pos=\"{}\"/>\n",
                        solver::vertex_label(vertex), place(sheet_.start_mm.col(vertex)));
   }
-  // The right panel is turned by -rho about the crease from a to b.
+  // The right panel is rotated by -rho about the crease from a to b.
   const solver::FoldLine& fold = sheet_.panels.folds[branch.joint];
   const Vector3d way = sheet_.start_mm.col(fold.b) - sheet_.start_mm.col(fold.a);
   const double sense = branch.child == fold.right ? -1 : 1;

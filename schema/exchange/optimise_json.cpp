@@ -35,9 +35,9 @@ Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseOptio
 
 namespace {
 
-// What springs may have, and what they have at the end.
-Json chosen_json(const std::optional<solver::OptimiseOptions::Range>& range, double own) {
-  return range ? Json{{"within", {range->least, range->most}}, {"chosen", own}} : Json();
+// The range and the chosen value of a spring's property.
+Json chosen_json(const std::optional<solver::OptimiseOptions::Range>& range, double chosen) {
+  return range ? Json{{"within", {range->least, range->most}}, {"chosen", chosen}} : Json();
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A sheet that was made better, as JSON: its pattern, the value of its goal, and what limits it.
+// Writes an optimised sheet as JSON: its pattern, its objective, and its active constraints.
 #pragma once
 
 #include "schema/campaign/optimise_bounds.hpp"
@@ -7,15 +7,15 @@
 
 namespace misalign::schema {
 
-/// As keys and columns have it.
+/// The reason's name in keys and columns.
 const char* name_of(solver::Optimised::StopReason reason);
 
-/// What limits an end: by how much the goal would grow with more room, and diagonals that would
-/// turn back.
+/// The constraints that limit an optimum: gains of the objective where they are relaxed, and
+/// diagonals that would reverse.
 Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseOptions& options,
                  const solver::Optimised::Limits& limits);
 
-/// `sheet`: the one that was found, proven up to `certified_deg`, and its pattern file.
+/// `sheet`: the optimum, proven up to `certified_deg`; `pattern`: its pattern file.
 Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
                    std::optional<double> certified_deg, const Json& pattern);
 

@@ -1,11 +1,11 @@
-// Quadrilateral panels cut into eight-node elements, every panel with nodes of its own.
+// Meshes quadrilateral panels with eight-node elements; panels share no nodes.
 #pragma once
 
 #include <array>
 
 namespace misalign::schema {
 
-/// Numbers count from 1, as programs for finite elements have it. A panel's nodes lie on a grid of
+/// Numbers count from 1, as in finite-element programs. A panel's nodes lie on a grid of
 /// (2 n + 1) x (2 n + 1) without the elements' middles; corner 0 of the panel is at (0, 0), corner
 /// 1 at (2 n, 0), corner 2 at (2 n, 2 n).
 class PanelMesh {
@@ -25,12 +25,13 @@ class PanelMesh {
   }
   int panel_of_element(int element) const { return (element - 1) / elements_of_a_panel(); }
 
-  /// Corners counter-clockwise, then the middles between them.
+  /// Corner nodes counter-clockwise, then mid-side nodes.
   std::array<int, 8> nodes_of_element(int panel, int i, int j) const {
     const auto at = [&](int di, int dj) { return node(panel, 2 * i + di, 2 * j + dj); };
     return {at(0, 0), at(2, 0), at(2, 2), at(0, 2), at(1, 0), at(2, 1), at(1, 2), at(0, 1)};
   }
-  /// The `step`-th node, 0 to side(), on the way from a corner of a panel to one of its neighbours.
+  /// The `step`-th node, 0 to side(), on the edge from a corner of a panel to one of its
+  /// neighbours.
   int node_on_edge(int panel, int from_corner, int to_corner, int step) const {
     const auto [i0, j0] = place(from_corner);
     const auto [i1, j1] = place(to_corner);

@@ -12,7 +12,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Of the panel with these corners, counter-clockwise: along its first edge, across it, upwards.
+// Axes of the panel with these corners, counter-clockwise: along its first edge, across it,
+// upwards.
 Matrix3d axes_of(const Vector3d& first, const Vector3d& second, const Vector3d& last) {
   const Vector3d along = (second - first).normalized();
   assert(first != second && first != last);

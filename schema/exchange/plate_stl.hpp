@@ -1,4 +1,4 @@
-// Panels as plates in a folded state, for printers and solid modellers.
+// Writes panels as plates in a folded state, for printers and solid modellers.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ int SimulatedSheet::panel_at(int vertex) const {
 std::vector<std::string> SimulatedSheet::head() const {
   const solver::Crease& pilot = mechanism.creases[mechanism.pilot];
   return {title,
-          fmt::format("let go at rest with the pilot crease {} at {:.10g} deg; free in space",
+          fmt::format("released at rest with the pilot crease {} at {:.10g} deg; free in space",
                       solver::line_label(pilot.a, pilot.b), pilot_deg),
           fmt::format("{} panels, {:.10g} mm thick, {:.10g} g/cm^3; {} springs of {:.10g} N/mm, "
                       "relaxed {}",

@@ -1,4 +1,4 @@
-// A folded sheet with springs, about to deploy: the input of other programs that simulate it.
+// A folded sheet with springs before its release: the input of other programs that simulate it.
 #pragma once
 
 #include <string>
@@ -10,21 +10,20 @@
 
 namespace misalign::schema {
 
-/// What a file in these units says of them.
+/// Description of the units for files.
 inline constexpr const char* kSimulatedUnits =
     "units: mm, t (1000 kg), s; forces in N, energies in N mm (mJ), stresses in N/mm^2 (MPa)";
 
-/// Its springs end on the vertices. Lengths in mm, masses in t, times in s, and so forces in N:
-/// nothing needs a factor.
+/// Its springs end on the vertices. Units are consistent: mm, t, s and N.
 struct SimulatedSheet {
   std::string title;
   solver::Mechanism mechanism;
   solver::Panels panels;
   std::vector<std::array<int, 2>> places;  ///< row and column of each panel
   solver::FlatVertices flat_mm;
-  double pilot_deg;                    ///< at the start
+  double pilot_deg;                    ///< pilot angle at the start
   Eigen::Matrix3Xd start_mm;           ///< 3 x vertices
-  std::vector<double> fold_angle_deg;  ///< of each crease at the start, valleys positive
+  std::vector<double> fold_angle_deg;  ///< each crease at the start, valleys positive
   solver::Plates plates;
   double stiffness_n_per_mm;
   double rest_deg;           ///< the pilot angle at which all springs are relaxed
@@ -38,7 +37,7 @@ struct SimulatedSheet {
   }
   /// The first panel that has this vertex for a corner.
   int panel_at(int vertex) const;
-  /// What a program's file says of it first, a line each; its units come next.
+  /// Header lines of a program's file; its units come next.
   std::vector<std::string> head() const;
 };
 

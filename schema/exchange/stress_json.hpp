@@ -1,4 +1,4 @@
-// A study of stress, as JSON.
+// Writes a study of stress as JSON.
 #pragma once
 
 #include "schema/exchange/calculix_deck.hpp"
@@ -6,7 +6,7 @@
 
 namespace misalign::schema {
 
-/// The contract's `stress --json`, without whose it is.
+/// The JSON of `stress --json`, without the sheet's name.
 Json stress_json(const SimulatedSheet& sheet, const DeckOptions& deck, double disc_mm,
                  const solver::StressStudy& study);
 

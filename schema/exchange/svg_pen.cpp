@@ -7,10 +7,10 @@
 namespace misalign::schema {
 namespace {
 
-constexpr double kLine_mm = 0.1;     // what laser cutters take for a cut or an engraved line
+constexpr double kLine_mm = 0.1;     // a cut or an engraved line for laser cutters
 constexpr double kCapitalEm = 0.72;  // height of a capital in most typefaces
 
-// To a nanometre: the shortest decimal that is still exact for everything a cutter does.
+// A length to a nanometre, which is exact for any cutter, as the shortest decimal.
 std::string number(double value) {
   std::string shortest = fmt::format("{:.6f}", value);
   shortest.erase(shortest.find_last_not_of('0') + 1);
@@ -36,7 +36,7 @@ class Page {
     return "    <circle cx=\"" + x(circle.centre_mm) + "\" cy=\"" + y(circle.centre_mm) +
            "\" r=\"" + number(circle.radius_mm) + "\"/>\n";
   }
-  // `height_mm`: of the layer's texts, where this one need not say its own.
+  // `height_mm`: the height of the layer's texts, which a text of the same height inherits.
   std::string text(const DrawnText& text, double height_mm) const {
     std::string tag =
         "    <text x=\"" + x(text.at_mm) + "\" y=\"" + y(text.at_mm) + "\"" +

@@ -7,7 +7,8 @@
 
 namespace misalign::schema {
 
-/// One user unit a mm; a group with Inkscape's names for each layer, hidden ones not displayed.
+/// SVG with 1 mm per user unit; a group with Inkscape's names for each layer, hidden ones not
+/// displayed.
 std::string svg_of(const LineDrawing& drawing);
 
 }  // namespace misalign::schema

@@ -1,4 +1,4 @@
-// A study of tolerance, as JSON.
+// Writes a study of tolerance as JSON.
 #pragma once
 
 #include "schema/campaign/share_interval.hpp"
@@ -12,7 +12,7 @@ inline ShareOfTrials share_of(std::uint64_t hits, const solver::MiscutCopies& co
   return share_of(hits, copies.undecided, copies.trials);
 }
 
-/// Without the sheet's name.
+/// The study without the sheet's name.
 Json tolerance_json(const solver::Tolerance& tolerance);
 
 /// {"amplitude_mm", "trials", "open": [{"pilot_deg", "median_mm", "of_95_percent_mm",

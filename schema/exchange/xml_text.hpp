@@ -1,4 +1,4 @@
-// Text within XML and HTML: SVG, MJCF, the card and the guide of a kit.
+// Escapes text for XML and HTML: SVG, MJCF, the card and the guide of a kit.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace misalign::schema {
 
-/// As content or as an attribute, printable: XML cannot even name most control characters.
+/// Text as content or an attribute, without control characters, most of which XML cannot express.
 inline std::string xml_text(const std::string& text) {
   std::string xml;
   for (const char c : printable(text)) {

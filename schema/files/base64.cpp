@@ -41,7 +41,7 @@ std::optional<std::string> from_base64(std::string_view text) {
       bytes += static_cast<char>(three >> (16 - 8 * byte) & 0xff);
     }
   }
-  // Blanks left in the last digit, or anything behind a '=', would be another text of the same.
+  // Unused bits of the last digit, or text after a '=', would give a second text of the same bytes.
   if (base64(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()) != text) {
     return std::nullopt;
   }

@@ -1,4 +1,4 @@
-// Bytes as base64 (RFC 4648); numbers little-endian.
+// Converts bytes to and from base64 (RFC 4648); numbers little-endian.
 #pragma once
 
 #include <bit>
@@ -11,7 +11,7 @@ namespace misalign::schema {
 
 std::string base64(const unsigned char* bytes, std::size_t count);
 
-/// The bytes; none where the text is not exactly what base64() makes of some.
+/// Returns the bytes of a text; none unless base64() makes exactly this text of them.
 std::optional<std::string> from_base64(std::string_view text);
 
 template <class Number>

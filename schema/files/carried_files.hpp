@@ -1,5 +1,5 @@
-// Files of schema/, and the page made of schema/report/, compiled into the program, so that it runs
-// from anywhere.
+// Holds the files of schema/, and the page made of schema/report/, compiled into the program so
+// that it runs from anywhere.
 #pragma once
 
 #include <stdexcept>
@@ -15,7 +15,7 @@ struct CarriedFile {
 
 const std::vector<CarriedFile>& carried_files();
 
-/// The text of one that is there.
+/// Returns the text of a file, which must exist.
 inline const std::string& carried_text(const std::string& path) {
   for (const CarriedFile& file : carried_files()) {
     if (file.path == path) return file.text;

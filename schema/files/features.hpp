@@ -1,4 +1,4 @@
-// Says which libraries this build has, and refuses what needs another.
+// Lists the libraries of this build, and refuses what needs another.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ namespace misalign::schema {
 /// "a MAT-file needs matio (this program was built without it); install ..."
 std::string missing_text(std::string_view library);
 
-/// UserError (failure) with that sentence where this build is without the library.
+/// Throws a UserError (failure) with that sentence if this build lacks the library.
 void need(std::string_view library);
 
-/// Those that are in, or those that are not: "FLINT, matio"; "none".
+/// Returns the libraries of this build, or the missing ones: "FLINT, matio"; "none".
 std::string libraries_text(bool in);
 
 }  // namespace misalign::schema

@@ -14,12 +14,12 @@
 namespace misalign::schema {
 namespace {
 
-/// A file that is open, and its sentences.
+/// An open file, and its error sentences.
 class OpenFile {
  public:
   OpenFile(const std::string& path, int flags)
       : path_(path),
-        // A name that a file gives may hold what ends a name for the system.
+        // A name from a file may hold a zero byte, which ends a name for the system.
         descriptor_(path.find('\0') != std::string::npos ? -1 : uninterrupted([&] {
           return ::open(path.c_str(), flags | O_CLOEXEC);
         })) {}
@@ -36,7 +36,7 @@ class OpenFile {
     return found;
   }
   void skip_to(off_t place) const { ::lseek(descriptor_, place, SEEK_SET); }
-  // What comes next, nothing at the end.
+  // Reads the next bytes, none at the end.
   std::string part(std::size_t most_bytes) const {
     std::string bytes(most_bytes, '\0');
     const ssize_t count =
@@ -59,7 +59,7 @@ class OpenFile {
 }  // namespace
 
 std::string read_file(const std::string& path, std::size_t most_bytes, FileKind kind) {
-  // A pipe that nobody writes to is not waited for, if a file names it.
+  // A pipe named by a file must not block.
   const OpenFile file(path, O_RDONLY | (kind == FileKind::regular ? O_NONBLOCK : 0));
   const auto refuse = [&](const std::string& why) {
     throw UserError(Cause::bad_input, printable(path) + ": " + why + "; check the path");
@@ -74,7 +74,8 @@ std::string read_file(const std::string& path, std::size_t most_bytes, FileKind 
   for (std::string part = file.part(kPart_bytes); !part.empty(); part = file.part(kPart_bytes)) {
     text += part;
     if (text.size() > most_bytes) {
-      refuse("is larger than " + std::to_string(most_bytes >> 20) + " MB (no file of ours is)");
+      refuse("is larger than " + std::to_string(most_bytes >> 20) +
+             " MB, the largest size that is read");
     }
   }
   return text;

@@ -1,4 +1,4 @@
-// Reads files as bytes, whatever kind of file it is and however the file system fails.
+// Reads files of any kind as bytes, and reports every failure of the file system.
 #pragma once
 
 #include <cerrno>
@@ -9,8 +9,8 @@
 
 namespace misalign::schema {
 
-/// Calls again what a signal interrupted, as POSIX asks for. A file system that answers so for ever
-/// is broken: after half a second errno is EIO.
+/// Repeats a call that a signal interrupted, as POSIX requires. A file system that always answers
+/// so is broken: after half a second errno is EIO.
 template <class Call>
 auto uninterrupted(const Call& call) {
   constexpr int kMost = 500, kAtOnce = 100;
@@ -27,20 +27,20 @@ auto uninterrupted(const Call& call) {
   return result;
 }
 
-/// What an SQLite database begins with; the zero is a part of it.
+/// First bytes of an SQLite database; the zero is part of them.
 inline constexpr std::string_view kDatabaseHeader("SQLite format 3", 16);  // NOLINT: with its zero
 
 enum class FileKind {
-  any,     ///< what a person has named: a pipe, too
-  regular  ///< what a file has named
+  any,     ///< named by a person: also a pipe
+  regular  ///< named by a file
 };
 
-/// All of it. UserError (bad_input) if it cannot be opened or read, is not of that kind, or is
-/// larger.
+/// Reads a whole file. UserError (bad_input) if it cannot be opened or read, is not of that kind,
+/// or is larger.
 std::string read_file(const std::string& path, std::size_t most_bytes, FileKind kind);
 
-/// Its last bytes, all of a shorter one, none of one that is not there. UserError (failure) if it
-/// cannot be read.
+/// Reads a file's last bytes, all of a shorter one, none of a missing one. UserError (failure) if
+/// it cannot be read.
 std::string end_of_file(const std::string& path, std::size_t bytes);
 
 }  // namespace misalign::schema

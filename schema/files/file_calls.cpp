@@ -14,22 +14,22 @@ namespace {
 
 using Call = sqlite3_syscall_ptr;
 
-// EIO, ENXIO and ERANGE while reading are SQLITE_IOERR_CORRUPTFS to SQLite, and from there on
-// SQLITE_CORRUPT. With another errno they stay what they are.
+// SQLite takes EIO, ENXIO and ERANGE while reading for SQLITE_IOERR_CORRUPTFS, and that for
+// SQLITE_CORRUPT. Another errno avoids this.
 ssize_t read_again(const auto& call) {
   const ssize_t count = uninterrupted(call);
   if (count < 0 && (errno == EIO || errno == ENXIO || errno == ERANGE)) errno = EREMOTEIO;
   return count;
 }
 
-// One system call of SQLite's table; `real` is what stood there before. The number tells calls of
-// the same arguments apart.
+// Guards a system call of SQLite's table; `real` is the call before. The number tells calls of the
+// same arguments apart.
 template <int kNumber, class Result, class... Arguments>
 struct GuardedCall {
   static inline Result (*real)(Arguments...) = nullptr;
   static Result guarded(Arguments... arguments) {
     const auto call = [&] { return real(arguments...); };
-    if constexpr ((std::is_same_v<Arguments, void*> || ...)) {  // it reads into that
+    if constexpr ((std::is_same_v<Arguments, void*> || ...)) {  // the call reads into it
       return read_again(call);
     } else {
       return uninterrupted(call);

@@ -3,9 +3,9 @@
 
 namespace misalign::schema {
 
-/// From now on SQLite's calls end though they are interrupted for ever, and a disk that cannot be
-/// read (EIO) is not taken for a damaged file: SQLite would say SQLITE_CORRUPT. For the whole
-/// process; may be called again, and then stands before what was put there meanwhile.
+/// Guards SQLite's system calls from now on: they end even if they are always interrupted, and an
+/// unreadable disk (EIO) is not taken for a damaged file (SQLITE_CORRUPT). Affects the whole
+/// process; another call guards calls that were put in meanwhile.
 void guard_file_calls();
 
 }  // namespace misalign::schema

@@ -17,10 +17,10 @@
 namespace misalign::schema {
 namespace {
 
-constexpr std::size_t kLongestStem = 200;  // with what is added, a name of at most 255 bytes
+constexpr std::size_t kLongestStem = 200;  // with additions, a name of at most 255 bytes
 constexpr std::size_t kRandomDigits = 32;
 constexpr const char* kEnding = ".partial";
-constexpr int kMostLinks = 40;  // as Linux itself follows
+constexpr int kMostLinks = 40;  // the limit of Linux
 
 int errno_unless(bool done) { return done ? 0 : errno; }
 
@@ -29,7 +29,7 @@ std::string stem_of(const std::string& output) {
   return path.parent_path() / (path.filename().string().substr(0, kLongestStem) + ".");
 }
 
-// The part before the digits of a name of that form; empty of others.
+// Returns the part before the digits of a name of that form; empty for others.
 std::string stem_within(const std::string& path) {
   const std::size_t added = kRandomDigits + std::string_view(kEnding).size();
   if (path.size() <= added || !path.ends_with(kEnding)) return "";
@@ -131,7 +131,7 @@ void check_is_file(const std::string& path, const std::string& suggestion) {
     throw UserError(Cause::bad_input, path + ": " + what + "; " + suggestion);
   };
   if (path.find('\0') != std::string::npos) {
-    refuse("can be no file (a zero is among its letters, and names end there)");
+    refuse("cannot be a file (its name contains a zero byte)");
   }
   std::error_code error;
   const auto type = std::filesystem::status(path, error).type();
@@ -139,7 +139,7 @@ void check_is_file(const std::string& path, const std::string& suggestion) {
     refuse("is a link that leads nowhere (links go round in a circle)");
   }
   using Type = std::filesystem::file_type;
-  // What may not be looked at is not there.
+  // A path that may not be read counts as missing.
   if (type == Type::regular || type == Type::not_found || type == Type::none) return;
   refuse(std::string("is ") + what_it_is(type) + " (no regular file)");
 }

@@ -1,4 +1,4 @@
-// 128-bit fingerprints of bytes.
+// Computes 128-bit hashes of bytes.
 #pragma once
 
 #include <xxhash.h>
@@ -10,7 +10,7 @@ namespace misalign::schema {
 
 /// XXH3-128, seed 0.
 XXH128_hash_t hash_of(std::string_view bytes);
-/// 32 hex digits, the most significant first.
+/// Returns 32 hex digits, the most significant first.
 std::string hex(const XXH128_hash_t& hash);
 
 }  // namespace misalign::schema

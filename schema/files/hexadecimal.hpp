@@ -1,4 +1,4 @@
-// Bytes as hexadecimal digits.
+// Writes bytes as hexadecimal digits.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@ namespace misalign::schema {
 
 inline constexpr std::string_view kHexDigits = "0123456789abcdef";
 
-/// Two for each byte.
+/// Returns two digits for each byte.
 inline std::string hex(std::span<const unsigned char> bytes) {
   std::string digits;
   for (const unsigned char byte : bytes) {

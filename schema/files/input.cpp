@@ -9,24 +9,24 @@
 namespace misalign::schema {
 namespace {
 
-// A mesh of 40 x 40 panels has 0.2 MB; a device that never ends is refused, too.
+// A mesh of 40 x 40 panels has 0.2 MB; an endless device is refused, too.
 constexpr std::size_t kLargest_bytes = 64 << 20;
 
-// What leaves the library's parser: why a text is not read.
+// Exception thrown out of the library's parser: why a text is refused.
 struct Unread {
   std::string why;
 };
 
-// Looks on while JSON is parsed: refuses what is nested too deeply to be meant (and would exhaust
-// the stack later), and keys that are there twice, of which one would be ignored in silence.
+// Watches the parsing of JSON: refuses nesting so deep that it would exhaust the stack later, and
+// duplicate keys, of which one would be ignored silently.
 struct StructureGuard {
   static constexpr int kDeepest = 32;
-  std::vector<std::set<std::string>> keys = {};  // of the objects that are open, by depth
+  std::vector<std::set<std::string>> keys = {};  // keys of the open objects, by depth
 
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
     if (depth > kDeepest) {
       throw Unread{"is nested more than " + std::to_string(kDeepest) +
-                   " levels deep (no file of ours is); mend it there"};
+                   " levels deep (no valid file is); mend it there"};
     }
     const auto level = static_cast<std::size_t>(depth);
     if (event == Json::parse_event_t::object_start) {
@@ -35,7 +35,7 @@ struct StructureGuard {
     } else if (event == Json::parse_event_t::key) {
       const std::string key = parsed.get<std::string>();
       if (!keys.at(level).insert(key).second) {
-        throw Unread{printable(key) + " is there twice (only one can count); take one out"};
+        throw Unread{printable(key) + " occurs twice (only one can count); take one out"};
       }
     }
     return true;
@@ -44,7 +44,7 @@ struct StructureGuard {
 
 struct ParsedText {
   Json json;
-  std::string why_not;  // empty: `json` is what it holds
+  std::string why_not;  // empty: `json` is valid
 };
 
 ParsedText parsed(const std::string& text) {
@@ -54,7 +54,7 @@ ParsedText parsed(const std::string& text) {
     return {{}, unread.why};
   } catch (const Json::exception& error) {
     std::string what = error.what();
-    what = what.substr(what.find(']') + 2);  // without "[json.exception...] "
+    what = what.substr(what.find(']') + 2);  // removes "[json.exception...] "
     return {{}, "is not JSON (" + what + "); mend it there"};
   }
 }

@@ -7,7 +7,7 @@ namespace misalign::schema {
 
 bool are_numbers(const Json& value, std::size_t count) {
   return value.is_array() && value.size() == count &&
-         std::ranges::all_of(value, [](const Json& one) { return one.is_number(); });
+         std::ranges::all_of(value, [](const Json& element) { return element.is_number(); });
 }
 
 void leave_out_defaults(Json& value, const Json& defaults) {

@@ -1,4 +1,4 @@
-// Values that may be absent, or no numbers, as JSON.
+// Writes values as JSON that may be absent or not finite.
 #pragma once
 
 #include <cmath>
@@ -14,21 +14,21 @@ Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-/// Null for infinities and NaN, which JSON does not have.
+/// Returns null for infinities and NaN, which JSON does not have.
 inline Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-/// A list of what `of`, a function or a member, is of each.
+/// Returns a list of `projection`, a function or a member, of each element.
 template <class Range, class Of>
-Json json_list(const Range& range, const Of& of) {
+Json json_list(const Range& range, const Of& projection) {
   Json list = Json::array();
-  for (const auto& one : range) list.push_back(std::invoke(of, one));
+  for (const auto& element : range) list.push_back(std::invoke(projection, element));
   return list;
 }
 
-/// True for a list of `count` numbers.
+/// Returns whether a value is a list of `count` numbers.
 bool are_numbers(const Json& value, std::size_t count);
 
-/// Removes from an object whatever `defaults` says just the same, in its objects, too.
+/// Removes all values from an object that equal their `defaults`, also within its objects.
 void leave_out_defaults(Json& value, const Json& defaults);
 
 }  // namespace misalign::schema

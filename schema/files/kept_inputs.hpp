@@ -1,15 +1,15 @@
-// Files that were read, so that no output takes their place.
+// Remembers files that were read, so that no output replaces them.
 #pragma once
 
 #include <sys/stat.h>
 
 namespace misalign::schema {
 
-/// From now on every regular file that read_file reads is kept: OutputFile::text does not replace
-/// it. For a program that does one thing; a module's caller may mean to write what he has read.
+/// Keeps from now on every regular file that read_file reads: OutputFile::text does not replace it.
+/// For programs with a single task; the caller of a module may want to overwrite an input.
 void keep_inputs();
 
-/// Nothing before keep_inputs().
+/// Notes an input; does nothing before keep_inputs().
 void note_input(const struct stat& file);
 bool is_input(const struct stat& file);
 

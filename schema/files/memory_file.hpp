@@ -1,4 +1,4 @@
-// A file in memory alone, for libraries that write to nothing but a path.
+// Makes a file in memory, for libraries that can only write to a path.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@ namespace misalign::schema {
 
 class MemoryFile {
  public:
-  /// An empty one. `name` is that of the file that it is to become, for sentences. UserError
-  /// (failure) if the system gives none.
+  /// Makes an empty file. `name` is that of the final file, for sentences. UserError (failure) if
+  /// the system gives none.
   explicit MemoryFile(const std::string& name);
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
   ~MemoryFile();
 
-  /// Where to open it, in this process, while this object lives.
+  /// Returns its path, valid in this process while this object lives.
   std::string path() const;
-  /// All that was written to it by now. UserError (failure).
+  /// Returns all bytes written so far. UserError (failure).
   std::string bytes() const;
 
  private:

@@ -21,7 +21,7 @@ namespace {
 constexpr int kMostTries = 100;
 constexpr int kCreate = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
 
-// One byte far behind the data, beside the one that a catalogue's writer locks. 0, or an errno.
+// Locks one byte far behind the data, beside that of a catalogue's writer. Returns 0, or an errno.
 int lock(int descriptor) {
   struct flock byte {};
   byte.l_type = F_WRLCK;
@@ -63,9 +63,10 @@ bool is_one_of(const Stat& file, const std::vector<std::string>& paths) {
   return false;
 }
 
-// Removes what a process that was killed has left of this output. False if one that lives is at it.
+// Removes what a killed process left of this output. Returns false if a living process is writing
+// it.
 bool remove_leftover(const std::string& path, const std::vector<std::string>& originals) {
-  // Looked at before it is opened: closing an original would drop SQLite's locks on it.
+  // Checked before opening: closing an original would drop SQLite's locks on it.
   const auto found = stat_of(path);
   const bool ours = found && S_ISREG(found->st_mode) && found->st_uid == ::geteuid() &&
                     found->st_nlink == 1 && !is_one_of(*found, originals);
@@ -78,7 +79,7 @@ bool remove_leftover(const std::string& path, const std::vector<std::string>& or
   return !is_locked(error);
 }
 
-// False if another process is writing this output.
+// Removes leftovers; returns false if another process is writing this output.
 bool remove_leftovers(const std::string& output, const std::vector<std::string>& originals) {
   if (file_system_of(output).storage == Storage::network) return true;
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
@@ -91,7 +92,7 @@ bool remove_leftovers(const std::string& output, const std::vector<std::string>&
   return true;
 }
 
-// What lies there; `error` where that cannot be said, for then it may be a database.
+// The file at a path; `error` if that is unknown, for then it may be a database.
 struct ExistingFile {
   bool is_database = false;
   int error = 0;
@@ -116,14 +117,14 @@ ExistingFile existing_file(const std::string& path) {
   return {begin == kDatabaseHeader, error};
 }
 
-// No text takes the place of a database, of a journal of one, or of what may be either.
+// Refuses to replace a database, a journal of one, or a file that may be either by a text.
 void refuse_database(const std::string& path, const std::string& output) {
   std::vector<std::string> paths{path};
   for (const std::string& suffix : journal_suffixes()) {
     if (path.ends_with(suffix)) paths.push_back(path.substr(0, path.size() - suffix.size()));
   }
-  for (const std::string& one : paths) {
-    const ExistingFile found = existing_file(one);
+  for (const std::string& database : paths) {
+    const ExistingFile found = existing_file(database);
     if (found.is_database) {
       throw UserError(Cause::bad_request,
                       output + ": is a database, or belongs to one; name another file with " +
@@ -131,14 +132,14 @@ void refuse_database(const std::string& path, const std::string& output) {
     }
     if (found.error != 0) {
       throw UserError(Cause::failure,
-                      output + ": cannot be written (" + one +
+                      output + ": cannot be written (" + database +
                           " may be a database, and cannot be read: " + std::strerror(found.error) +
                           "); name another file with " + parameter("output"));
     }
   }
 }
 
-// Who may read all of these, and its owner in any case.
+// Returns the permissions of those who may read all of these files, and of the owner.
 mode_t common_mode(const std::vector<std::string>& originals) {
   mode_t mode = 0666;
   for (const std::string& path : originals) {
@@ -167,7 +168,7 @@ OutputFile OutputFile::database(const std::string& output,
   for (const std::string& suffix : journal_suffixes()) {
     if (!is_taken(output + suffix)) continue;
     throw UserError(Cause::bad_request,
-                    output + suffix + ": is there already (SQLite would take it for a part of " +
+                    output + suffix + ": exists already (SQLite would take it for a part of " +
                         output + "); name a new file, or move that one away");
   }
   if (!remove_leftovers(output, originals)) {
@@ -185,31 +186,32 @@ OutputFile OutputFile::text(const std::string& output) {
   const auto found = stat_of(file.target_);
   if (found && !S_ISREG(found->st_mode)) {
     throw UserError(Cause::failure,
-                    output + ": cannot be written (it is there, and no file); choose another " +
+                    output + ": cannot be written (it exists, and is no file); choose another " +
                         parameter("output"));
   }
   if (found && is_input(*found)) {
     throw UserError(Cause::bad_request,
-                    output + ": is what this is made of (it would be lost); name another " +
+                    output + ": is an input of this output (it would be lost); name another " +
                         parameter("output"));
   }
   refuse_database(file.target_, output);
   file.make_unnamed();
-  if (found) {  // who may not give it its owner back writes a file of his own
+  if (found) {  // a user who may not restore its owner writes a file of his own
     [[maybe_unused]] const int ignored = ::fchown(file.descriptor_, found->st_uid, found->st_gid);
     ::fchmod(file.descriptor_, found->st_mode & 0777);
   }
   return file;
 }
 
-// What removes leftovers may have come between making and locking it: then another name.
+// A remover of leftovers may have come between making and locking the file: then it gets another
+// name.
 void OutputFile::make_named(mode_t mode) {
   for (int k = 0; k < kMostTries; ++k) {
     const std::string path = unforeseen_name(target_);
     descriptor_ = ::open(path.c_str(), kCreate, mode);
     if (descriptor_ < 0 && errno == EEXIST) continue;
     if (descriptor_ < 0) refuse(errno);
-    // Where there are no locks nobody else's can be had either, and nothing is removed.
+    // Where locks fail, those of others cannot be tested either, and nothing is removed.
     if (!is_locked(lock(descriptor_)) && leads_to(path, descriptor_)) {
       path_ = path;
       return;
@@ -242,15 +244,15 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
-// What is in a journal is not in the file yet: a disk that failed while the last connection closed
-// has left it there. An empty one, or shared memory, says nothing.
+// Data in a journal is not in the file yet: a disk that failed while the last connection closed has
+// left it there. An empty journal, or shared memory, means nothing.
 void OutputFile::refuse_journals() const {
   for (const std::string& suffix : journal_suffixes()) {
     const auto found = stat_of(path_ + suffix);
     if (found && found->st_size > 0 && suffix != "-shm") {
       throw UserError(Cause::failure, output_ +
-                                          ": could not be written to its end (a journal is left of "
-                                          "it); see to the disk, then the same again");
+                                          ": could not be completed (a journal of it is left); see "
+                                          "to the disk, then the same again");
     }
     if (found) ::unlink((path_ + suffix).c_str());
   }

@@ -1,12 +1,11 @@
-// A file that appears under its name only once it is whole: databases, text and copies alike.
+// Writes files that appear under their names only once they are whole: databases, text and copies.
 //
-// Until then it lies in the same directory under a name that nobody can foresee,
-// NAME.<32 hexadecimal digits>.partial, made by this process and by none other, so that nothing
-// that is there is opened, followed or removed. Text is written without any name where the file
-// system can do that (O_TMPFILE): then a process that is killed leaves nothing. SQLite needs names:
-// a database is locked from start to end, and whoever writes the same output next removes what is
-// of that form, this user's, no input, and locked by nobody. Not so on storage that machines share,
-// where a lock may not be seen: what was left stays there.
+// Until then a file lies in the same directory under an unpredictable name of this process,
+// NAME.<32 hexadecimal digits>.partial, so that no existing file is opened, followed or removed.
+// Text is written without a name where the file system can do that (O_TMPFILE): then a killed
+// process leaves nothing. SQLite needs names: a database is locked from start to end. The next
+// writer of the same output removes unlocked files of that form that belong to this user and are
+// no input. On shared storage, where a lock may be invisible, leftovers stay.
 #pragma once
 
 #include <sys/stat.h>
@@ -21,28 +20,29 @@ namespace misalign::schema {
 
 class OutputFile {
  public:
-  /// A new database, readable by those who may read all of `originals`, which it is made of.
-  /// UserError: bad_request the output, or a journal beside it, is there already; in_use another
-  /// process is writing it; failure it cannot be written.
+  /// Makes a new database, readable by those who may read all of its sources `originals`.
+  /// UserError: bad_request if the output, or a journal beside it, exists; in_use if another
+  /// process is writing it; failure if it cannot be written.
   static OutputFile database(const std::string& output, const std::vector<std::string>& originals);
-  /// A file of bytes, in place of an older one, whose permissions it keeps, and its owner where the
-  /// system lets it; what a link points to is replaced instead of the link. UserError: bad_request
-  /// that is a database, or belongs to one, or is an input (keep_inputs); failure it cannot be
-  /// read, so that it may be one, or not be written.
+  /// Makes a file of bytes in place of an older one, whose permissions it keeps, and its owner if
+  /// the system allows; the target of a link is replaced, not the link. UserError: bad_request if
+  /// that is a database, belongs to one, or is an input (keep_inputs); failure if it cannot be
+  /// read, so that it may be a database, or cannot be written.
   static OutputFile text(const std::string& output);
 
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
-  /// Removes what was not published.
+  /// Removes an unpublished file.
   ~OutputFile();
 
-  /// Where to write a database. Its connections must be closed before this object ends.
+  /// Returns the path for writing a database. Its connections must be closed before this object
+  /// ends.
   const std::string& path() const { return path_; }
-  /// Adds to a text. UserError (failure).
+  /// Appends to a text. UserError (failure).
   void write(std::string_view bytes);
-  /// Gives it its name, when disk and directory have it. Every connection to it must be closed.
-  /// UserError: bad_request the output has come to be meanwhile; failure it cannot be written, or
-  /// SQLite has left a part of it in a journal.
+  /// Gives the file its name once disk and directory have it. All connections to it must be closed.
+  /// UserError: bad_request if the output has appeared meanwhile; failure if it cannot be written,
+  /// or SQLite has left a part of it in a journal.
   void publish();
 
  private:
@@ -52,9 +52,9 @@ class OutputFile {
   void refuse_journals() const;
   [[noreturn]] void refuse(int error) const;
 
-  std::string output_, target_;  // as it was asked for, and where links lead from there
+  std::string output_, target_;  // as given, and at the end of links
   Existing existing_;
-  std::string path_;  // empty while it has none
+  std::string path_;  // empty without a name
   int descriptor_ = -1;
 };
 

@@ -12,7 +12,7 @@
 namespace misalign::schema {
 namespace {
 
-// What a terminal acts on, or what hides or turns round what is beside it: controls; Arabic letter
+// Characters that control a terminal, or hide or reverse their neighbours: controls; Arabic letter
 // mark, marks and embeddings of direction; separators of lines; isolates and deprecated format
 // characters; byte order mark; annotation; tags.
 constexpr CharacterRange kEscaped[] = {
@@ -22,11 +22,11 @@ constexpr CharacterRange kEscaped[] = {
 void append_escape(std::string& shown, char32_t code) {
   const auto append = [&](std::uint32_t unit) { shown += fmt::format("\\u{:04x}", unit); };
   if (code < 0x10000) return append(code);
-  append(0xd800 + ((code - 0x10000) >> 10));  // as JSON writes it: a pair
+  append(0xd800 + ((code - 0x10000) >> 10));  // a pair, as in JSON
   append(0xdc00 + ((code - 0x10000) & 0x3ff));
 }
 
-// `keeps(c)` says of a character that would be escaped that it stays.
+// Escapes a text; `keeps(c)` exempts a character from escaping.
 template <class Keeps>
 std::string escaped(std::string_view text, Keeps keeps) {
   std::string shown;

@@ -17,8 +17,8 @@ struct KnownType {
   Storage storage;
 };
 
-// From linux/magic.h and the file systems' own sources. FUSE may be anything, sshfs and Gluster
-// too.
+// Types of linux/magic.h and the file systems' sources. FUSE may be anything, also sshfs and
+// Gluster.
 constexpr KnownType kKnownTypes[] = {
     {0x6969, "nfs", Storage::network},        {0xFF534D42, "cifs", Storage::network},
     {0xFE534D42, "smb2", Storage::network},   {0x517B, "smb", Storage::network},
@@ -46,7 +46,7 @@ FileSystem file_system_of(const std::string& path) {
   const std::filesystem::path directory = std::filesystem::absolute(path).parent_path();
   struct statfs found {};
   if (statfs(directory.c_str(), &found) != 0) return {"unknown", Storage::local, 0};
-  // Some of the magic numbers have their highest bit set, which f_type may carry into its sign.
+  // f_type may carry the highest bit of some magic numbers into its sign.
   FileSystem system = file_system_of_type(static_cast<std::uint32_t>(found.f_type));
   system.free_bytes =
       static_cast<std::uint64_t>(found.f_bavail) * static_cast<std::uint64_t>(found.f_bsize);
@@ -54,13 +54,13 @@ FileSystem file_system_of(const std::string& path) {
 }
 
 UserError storage_failure(const std::string& written, const SQLite::Exception& error) {
-  // A catalogue keeps what was committed; an output that has no name yet goes.
+  // A catalogue keeps its commits; an output without its final name is removed.
   const std::string path = output_of(written);
   const bool is_kept = path == written;
   const std::string kept = is_kept ? "; what was committed is good: " : "; nothing was written: ";
   const std::string again =
       is_kept ? ", then the same command goes on from there" : ", then give the same command again";
-  // The number tells reading from writing, locking and so forth.
+  // The extended code tells reading from writing, locking and so forth.
   const std::string number = error.getErrorCode() == SQLITE_IOERR
                                  ? ", " + std::to_string(error.getExtendedErrorCode())
                                  : "";
@@ -104,10 +104,10 @@ UserError storage_failure(const std::string& written, const SQLite::Exception& e
       return {Cause::bad_input, path + ": is damaged" + what +
                                     "; put a backup in its place, or save with the sqlite3 shell's "
                                     ".recover what can be saved"};
-    case SQLITE_ERROR:  // our statements are right for a catalogue that is
+    case SQLITE_ERROR:  // the program's statements fit every valid catalogue
       return {Cause::bad_input, path + ": does not hold what a catalogue must" + what +
                                     "; put a backup in its place"};
-    case SQLITE_CONSTRAINT:  // nor do they write what others of ours have written
+    case SQLITE_CONSTRAINT:  // nor do they violate its own constraints
       return {Cause::bad_input,
               path + ": holds rows that contradict what is to be written" + what +
                   "; see what `misalign verify` says, or put a backup in its place"};

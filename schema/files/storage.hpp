@@ -1,4 +1,4 @@
-// The storage on which a catalogue lies, local or shared, and sentences for its failures.
+// Finds out whether a catalogue's storage is local or shared, and words its failures.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -10,7 +10,7 @@
 namespace misalign::schema {
 
 enum class Storage {
-  local,   ///< one machine's own: a write-ahead log, readers never wait
+  local,   ///< one machine's: a write-ahead log, readers never wait
   network  ///< shared by machines: WAL corrupts there, so a rollback journal, and no reader
            ///< meanwhile
 };
@@ -21,19 +21,20 @@ struct FileSystem {
   std::uint64_t free_bytes;
 };
 
-/// Of the directory that holds `path`, by statfs. What is not known to be shared is local.
+/// Returns the file system of the directory that holds `path`, by statfs; local if it is not known
+/// to be shared.
 FileSystem file_system_of(const std::string& path);
 
-/// What statfs's f_type stands for.
+/// Returns the file system with that f_type of statfs.
 FileSystem file_system_of_type(std::uint64_t type);
 
-/// What SQLite says of a file, as a sentence that says what was kept and what to do: a failure in
-/// most cases, a bad input of a damaged file (also one in which a table or column is missing), in
-/// use where another program keeps it locked. Of an OutputFile's database it names the output, of
-/// which nothing is kept.
+/// Returns SQLite's error about a file as a sentence that says what was kept and what to do: a
+/// failure in most cases, bad input for a damaged file (also one without a table or column), in use
+/// if another program keeps it locked. For an OutputFile's database it names the output, of which
+/// nothing is kept.
 UserError storage_failure(const std::string& path, const SQLite::Exception& error);
 
-/// Calls `work`; what SQLite throws becomes a UserError about `path`.
+/// Calls `work`; exceptions of SQLite become errors about `path`.
 template <class Work>
 auto guarded(const std::string& path, const Work& work) {
   try {

@@ -8,7 +8,7 @@
 namespace misalign::schema {
 namespace {
 
-// Letters to add, leave out, change, or swap with their neighbour.
+// Returns the number of letters to add, leave out, change, or swap with their neighbour.
 std::size_t letters_off(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> off(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -28,7 +28,7 @@ std::size_t letters_off(const std::string& a, const std::string& b) {
   return off[a.size()][b.size()];
 }
 
-// Its beginning, or whole words of it.
+// Returns whether `typed` is the beginning of `word`, or whole words of it.
 bool is_part(const std::string& typed, const std::string& word) {
   if (typed.size() <= 2) return false;
   const std::size_t at = word.find(typed), end = at + typed.size();

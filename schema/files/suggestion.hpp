@@ -1,4 +1,4 @@
-// Suggests which known word a misspelt one may have meant.
+// Suggests a known word for a misspelt one.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace misalign::schema {
 
-/// The known word that `typed` is nearest to: its beginning, whole words of it (friction of
+/// Returns the known word that `typed` is nearest to: its beginning, whole words of it (friction of
 /// critical_friction), or some letters off (one in three); empty if there is none.
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& known);
 
-/// "serch is no verb (did you mean search?)"
+/// Returns "serch is no verb (did you mean search?)".
 std::string unknown_word(const std::string& typed, const std::string& kind,
                          const std::vector<std::string>& known);
 

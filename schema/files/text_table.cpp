@@ -10,7 +10,7 @@
 namespace misalign::schema {
 namespace {
 
-// Blocks of Unicode as a whole: exact enough for names in a table.
+// Combining characters by whole blocks of Unicode: exact enough for names in a table.
 constexpr CharacterRange kOnTheLetterBefore[] = {{0x300, 0x36f},   {0x483, 0x489},
                                                  {0x1ab0, 0x1aff}, {0x200b, 0x200f},
                                                  {0x20d0, 0x20ff}, {0xfe00, 0xfe0f}};
@@ -41,8 +41,8 @@ std::string Columns::line(const Row& row) const {
   std::string line;
   for (std::size_t k = 0; k < row.size(); ++k) {
     assert(k < width_.size() && k < numeric_.size());
-    const std::size_t own = display_width(row[k]);
-    const std::string pad(width_[k] - std::min(width_[k], own), ' ');
+    const std::size_t cell_width = display_width(row[k]);
+    const std::string pad(width_[k] - std::min(width_[k], cell_width), ' ');
     line += (k ? "  " : "") + (numeric_[k] ? pad + row[k] : row[k] + pad);
   }
   line.erase(line.find_last_not_of(' ') + 1);

@@ -7,8 +7,8 @@
 namespace misalign::schema {
 namespace {
 
-// Round a parameter's name: characters that Unicode keeps for programs' own use. In a name of a
-// file they could do no more than the name "--output" could.
+// Marks round a parameter's name: noncharacters of Unicode. In a file's name they could do no more
+// than the name "--output" could.
 constexpr std::string_view kName = "\uFDD0", kAlone = "\uFDD1", kBeforeValue = "\uFDD2";
 
 constexpr std::size_t kMostOfASentence = 3000;
@@ -25,21 +25,21 @@ std::string listed(const std::vector<std::string>& list, std::size_t more) {
 }
 
 std::string named(std::string_view text, NameParameter name_parameter) {
-  std::string said;
+  std::string full;
   for (;;) {
     const std::size_t begin = text.find(kName);
     const std::size_t end = std::min(text.find(kAlone, begin), text.find(kBeforeValue, begin));
     if (end == text.npos) break;
     const std::string_view name = text.substr(begin, end - begin).substr(kName.size());
-    said += text.substr(0, begin);
-    said += name_parameter(name, text.substr(end).starts_with(kBeforeValue));
+    full += text.substr(0, begin);
+    full += name_parameter(name, text.substr(end).starts_with(kBeforeValue));
     text.remove_prefix(end + kAlone.size());
   }
-  said += text;
-  for (const std::string_view mark : {kName, kAlone, kBeforeValue}) {  // others were cut off
-    for (std::size_t at; (at = said.find(mark)) != said.npos;) said.erase(at, mark.size());
+  full += text;
+  for (const std::string_view mark : {kName, kAlone, kBeforeValue}) {  // the others were cut off
+    for (std::size_t at; (at = full.find(mark)) != full.npos;) full.erase(at, mark.size());
   }
-  return said;
+  return full;
 }
 
 std::string name_in_python(std::string_view name, bool has_value) {
@@ -75,7 +75,7 @@ std::string UserError::sentence(NameParameter name_parameter) const {
 }
 
 std::string in_a_sentence(const std::string& text, std::size_t most) {
-  // Shortened first, too: a value can be as long as its file.
+  // Shortens before and after escaping: a value can be as long as its file.
   return shortened(printable(shortened(text, most)), most);
 }
 

@@ -9,15 +9,15 @@ namespace misalign::schema {
 
 struct Utf8Character {
   char32_t code;
-  std::size_t bytes;    ///< that it takes; 1 where it is none
-  bool is_utf8 = true;  ///< false: no character begins here, and `code` is the byte
+  std::size_t bytes;    ///< bytes of the character; 1 if it is none
+  bool is_utf8 = true;  ///< false: no valid character, and `code` is the byte
 };
 
-/// The first character of a text that is not empty: shortest forms only, no halves of pairs
-/// (RFC 3629).
+/// Decodes the first character of a text that is not empty: shortest forms only, no surrogates (RFC
+/// 3629).
 Utf8Character first_character(std::string_view text);
 
-/// Characters from one to another, both included.
+/// A range of characters, both ends included.
 struct CharacterRange {
   char32_t first, last;
 };

@@ -9,7 +9,7 @@
 namespace misalign::schema {
 namespace {
 
-// On paper a sheet of 6 x 6 fits one page of A4.
+// A sheet of 6 x 6 fits one printed page of A4.
 constexpr const char* kCardStyle =
     "<style>td.n{white-space:nowrap}.bad{background:#fdd}.pair figure,.pair figure.wide{width:49%}"
     "@page{size:A4;margin:9mm}@media print{body{font-size:7.5pt;max-width:none;margin:0;padding:0}"
@@ -22,7 +22,7 @@ std::string percent(const std::optional<double>& share) {
 
 std::string requirements(const Card& card) {
   std::string text = "<h2>Requirements</h2>\n<table>\n" +
-                     table_row({"", "what", "asked", "found", "to spare"}, 2, "th");
+                     table_row({"", "quantity", "required", "actual", "margin"}, 2, "th");
   for (const CardLine& line : card.lines) {
     if (!line.is_asked()) continue;
     const std::string row =
@@ -35,7 +35,7 @@ std::string requirements(const Card& card) {
 }
 
 std::string facts(const Card& card) {
-  std::string text = "<h2>And besides</h2>\n<table>\n";
+  std::string text = "<h2>Further data</h2>\n<table>\n";
   for (const CardLine& line : card.lines) {
     if (line.is_asked() && line.note.empty()) continue;
     text += table_row({line.what, line.is_asked() ? "" : line.found_text(), line.note}, 3);

@@ -1,4 +1,4 @@
-// A picture of a page to build a kit by, as SVG within HTML.
+// Draws a picture of a kit's guide, as SVG within HTML.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace misalign::schema {
 
-/// What is drawn, on a page of its own size, y up. Lengths in mm; styles are CSS.
+/// A picture whose page fits its shapes, y up. Lengths in mm; styles are CSS.
 class GuidePicture {
  public:
   void polygon(const std::vector<Eigen::Vector2d>& corners, const std::string& style);
@@ -25,7 +25,7 @@ class GuidePicture {
   std::string shapes_;
 };
 
-/// From above and aside, y away from the reader: across, up, and how near.
+/// The oblique view of a point from above, y away from the reader: x, y and nearness.
 Eigen::Vector3d seen_from_aside(const Eigen::Vector3d& at_mm);
 
 }  // namespace misalign::schema

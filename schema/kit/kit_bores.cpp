@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using solver::OptionFault;
 
-constexpr double kTabSlot_mm = 1;  // as it is drawn, between a tab and the panels beside it
+constexpr double kTabSlot_mm = 1;  // drawn between a tab and the panels beside it
 
 double distance_to_edges(const solver::Sheet& sheet, int facet, const Vector2d& point) {
   const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
@@ -29,7 +29,7 @@ double distance_to_edges(const solver::Sheet& sheet, int facet, const Vector2d& 
 
 class FittingsMaker {
  public:
-  // With the diameters times `scale`.
+  // `scale` multiplies the diameters.
   FittingsMaker(const solver::Sheet& sheet, const KitOptions& options, double scale)
       : sheet_(sheet), options_(options), scale_(scale) {}
 
@@ -52,7 +52,7 @@ class FittingsMaker {
   }
 
  private:
-  // On the bisector of a corner, behind others.
+  // Adds a bore on the bisector of a corner, behind earlier ones.
   void add_bore(int facet, int vertex, int spring, double diameter_mm) {
     const PanelCorner corner(sheet_, facet, vertex);
     const double radius_mm = 0.5 * diameter_mm, edge_mm = options_.bore_edge_mm;
@@ -66,7 +66,7 @@ class FittingsMaker {
         {facet, vertex, spring, corner.at_mm + away_mm * corner.bisector, diameter_mm});
   }
 
-  // Of a spring at a corner of its hole.
+  // Adds a spring's end at a corner of its hole.
   void add_end(const solver::Loop& loop, std::size_t corner, int spring) {
     const solver::Loop::Carrier& carrier = loop.carriers[corner];
     const int vertex = loop.corners[corner], facet = carrier.facet;
@@ -102,7 +102,7 @@ class FittingsMaker {
   KitFittings made_;
 };
 
-constexpr double kSlack_mm = 1e-9;  // rounding of sizes of metres
+constexpr double kSlack_mm = 1e-9;  // rounding of sizes in metres
 
 bool has_room(const solver::Sheet& sheet, const KitFittings& fittings, const Bore& bore,
               double edge_mm) {
@@ -119,8 +119,7 @@ double distance_to_segment(const Vector2d& at, const Vector2d& p, const Vector2d
   return (at - p - along * (q - p)).norm();
 }
 
-// What is cut away round a tab must leave something of the panels beside it, and of what else is
-// in them.
+// Returns whether the clearance of a tab keeps off the other edges, tabs and bores.
 bool has_room(const solver::Sheet& sheet, const KitFittings& fittings, const SpringTab& tab,
               double edge_mm) {
   const Vector2d at_mm = sheet.point_mm(tab.vertex);
@@ -147,29 +146,27 @@ bool has_room(const solver::Sheet& sheet, const KitFittings& fittings, const Spr
          });
 }
 
-// The first bore that leaves its panel, or bore or tab that comes too close to something, in words;
-// empty if none does.
+// Describes the first bore that leaves its panel, or bore or tab without room; empty if none does.
 std::string misplaced(const solver::Sheet& sheet, const KitFittings& fittings, double edge_mm) {
   for (const Bore& bore : fittings.bores) {
     if (fittings.tab_at(bore.vertex) != nullptr || has_room(sheet, fittings, bore, edge_mm)) {
       continue;
     }
-    return fmt::format(
-        "no room in panel {} at {} (between bores and edges {:g} mm are to be left, {})",
-        panel_label(sheet, bore.facet), solver::vertex_label(bore.vertex), edge_mm,
-        parameter("bore_edge_mm"));
+    return fmt::format("no room in panel {} at {} (bores must be {:g} mm from bores and edges, {})",
+                       panel_label(sheet, bore.facet), solver::vertex_label(bore.vertex), edge_mm,
+                       parameter("bore_edge_mm"));
   }
   for (const SpringTab& tab : fittings.tabs) {
     if (has_room(sheet, fittings, tab, edge_mm)) continue;
     return fmt::format(
-        "no room for a tab at {} (the panels beside it would be cut away {:.4g} mm round it, "
-        "{} of {:g} mm among them)",
+        "no room for a tab at {} (the panels beside it would be cut away within {:.4g} mm, "
+        "including {} of {:g} mm)",
         solver::vertex_label(tab.vertex), tab.clear_mm, parameter("bore_edge_mm"), edge_mm);
   }
   return "";
 }
 
-// The largest part of the diameters that fits.
+// The largest scale of the diameters that fits.
 double fitting_scale(const solver::Sheet& sheet, const KitOptions& options) {
   double fits = 0, fails = 1;
   for (int k = 0; k < 30; ++k) {
@@ -189,7 +186,7 @@ void refuse_within_kerf(const char* name, const std::optional<double>& bore_mm, 
 }
 
 // "joint_bore_mm=1.2 spring_bore_mm=0.8", rounded down.
-std::string asked_for(const KitOptions& options, double scale) {
+std::string requested(const KitOptions& options, double scale) {
   constexpr double kStep = 100;
   std::string words;
   const auto add = [&](const char* name, const std::optional<double>& bore_mm) {
@@ -235,9 +232,9 @@ KitFittings kit_fittings(const solver::Sheet& sheet, const KitOptions& options) 
       scale * std::max(options.joint_bore_mm.value_or(0), options.spring_bore_mm.value_or(0));
   throw UserError(
       Cause::bad_request,
-      fmt::format("{}: {}; {}", asked_for(options, 1), bad,
+      fmt::format("{}: {}; {}", requested(options, 1), bad,
                   largest_mm < kLeastBore_mm ? "take a smaller " + parameter("bore_edge_mm")
-                                             : asked_for(options, scale) + " would fit"));
+                                             : requested(options, scale) + " would fit"));
 }
 
 }  // namespace misalign::schema

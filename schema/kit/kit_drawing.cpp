@@ -49,7 +49,7 @@ class Kit {
     if (sheet_.shifts_mm().isZero(0)) notes_.emplace_back("no vertex is shifted");
     if (!springs_.empty() && options_.spring_at != SpringAt::panel &&
         sheet_.base().springs.at_vertices()) {
-      notes_.emplace_back("springs end on vertices: in a tab's bore, or in the ball joint's wire");
+      notes_.emplace_back("springs end on vertices: in a tab's bore, or in a ball joint's wire");
     }
     if (options_.bed_mm) parts = fitted(parts);
     std::vector<KitItem> items;
@@ -60,13 +60,13 @@ class Kit {
   }
 
  private:
-  // Panels that no crease holds.
+  // Notes panels that no crease holds.
   void note_loose_panels(const std::vector<KitPart>& parts) {
     std::vector<std::string> names;
     for (std::size_t p = 1; p < parts.size(); ++p) {
       for (const int f : parts[p].facets) names.push_back(panel_label(sheet_, f));
     }
-    if (!names.empty()) notes_.push_back(listed("held by ball joints alone", names));
+    if (!names.empty()) notes_.push_back(listed("panels held by ball joints alone", names));
   }
 
   std::vector<std::string> sentences(std::size_t bed, std::size_t beds) const {
@@ -76,13 +76,13 @@ class Kit {
     std::vector<std::string> lines;
     if (!warning_.empty()) lines.push_back("WARNING: " + warning_);
     lines.push_back(title_);
-    lines.push_back(fmt::format("kit to cut, mm, sheet {} of {}; {}; kerf {:g}", bed + 1, beds,
+    lines.push_back(fmt::format("kit to cut (mm), sheet {} of {}; {}; kerf {:g}", bed + 1, beds,
                                 creases, options_.kerf_mm));
     lines.insert(lines.end(), notes_.begin(), notes_.end());
     return lines;
   }
 
-  // What is left of a bed for parts, below its margin and above its heading.
+  // The room of a bed for parts, within its margin and above its heading.
   Vector2d room_mm() const {
     const Vector2d inside = *options_.bed_mm - Vector2d::Constant(2 * options_.margin_mm);
     constexpr std::size_t kMany = 999;
@@ -100,7 +100,7 @@ class Kit {
                        [&](const KitPart& part) { return fits_bed(box_of(part), room_mm); });
   }
 
-  // Parts that are too large for the bed cut along creases.
+  // Cuts parts that are too large for the bed along creases.
   std::vector<KitPart> fitted(const std::vector<KitPart>& parts) {
     check_bed();
     std::vector<KitPart> smaller;
@@ -129,14 +129,14 @@ class Kit {
 
   void expect_room(const std::string& what, const LayoutBox& box, const Vector2d& room_mm) const {
     if (fits_bed(box, room_mm)) return;
-    refuse_bed(
-        fmt::format("{} does not fit{} (it has {:.1f} x {:.1f} mm, and margin and heading leave "
-                    "{:.1f} x {:.1f})",
-                    what, box.may_turn ? ", turned neither" : "", box.size_mm.x(), box.size_mm.y(),
-                    room_mm.x(), room_mm.y()));
+    refuse_bed(fmt::format(
+        "{} does not fit{} (its size is {:.1f} x {:.1f} mm, and margin and heading leave "
+        "{:.1f} x {:.1f})",
+        what, box.may_turn ? ", turned or not" : "", box.size_mm.x(), box.size_mm.y(), room_mm.x(),
+        room_mm.y()));
   }
 
-  // In the fewest cells of a grid in which everything fits.
+  // Divides a part by the grid with the fewest cells in which everything fits.
   std::vector<KitPart> divided_to_fit(const KitPart& part, const Vector2d& room_mm) const {
     const auto [rows, columns] = rows_and_columns(sheet_, part);
     for (int cells = 1; cells <= rows * columns; ++cells) {
@@ -154,8 +154,8 @@ class Kit {
 
   void note_cuts(const KitPart& part, const std::vector<KitPart>& smaller) {
     for (const int c : part.creases) {
-      const bool kept = std::any_of(smaller.begin(), smaller.end(), [&](const KitPart& one) {
-        return std::binary_search(one.creases.begin(), one.creases.end(), c);
+      const bool kept = std::any_of(smaller.begin(), smaller.end(), [&](const KitPart& piece) {
+        return std::binary_search(piece.creases.begin(), piece.creases.end(), c);
       });
       if (!kept) cuts_.push_back(c);
     }

@@ -1,4 +1,4 @@
-// A kit to cut: the sheet's parts with their numbers, laid out on sheets of material, with notes.
+// Draws a kit to cut: the sheet's numbered parts and notes, laid out on sheets of material.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 namespace misalign::schema {
 
 struct KitDrawings {
-  std::vector<LineDrawing> beds;  ///< without beds one; layers without a line are left out
-  std::string warning;            ///< of springs that contradict the verdict; stands first on each
+  std::vector<LineDrawing> beds;  ///< one if no bed is given; without empty layers
+  std::string warning;            ///< names springs that contradict the verdict; heads each drawing
 };
 
 /// UserError (bad_request) if the options do not go together, a panel or a table does not fit the

@@ -52,7 +52,7 @@ class Guide {
       mass_t += panel.mass_t;
     }
     std::string text =
-        "<h2>What it takes</h2>\n<table>\n" + table_row({"what", "how many", "how much"}, 1, "th");
+        "<h2>Parts</h2>\n<table>\n" + table_row({"part", "number", "amount"}, 1, "th");
     text += table_row({"panels", std::to_string(sheet_.panels().facets.size()),
                        fmt::format("{:.0f} cm² of sheet", mass_t / plates.area_density() / 100)},
                       1);
@@ -63,9 +63,9 @@ class Guide {
                         1);
     }
     for (const bool valley : {false, true}) {
-      const KitHinges some(sheet_, valley, input_.actuation.from_row);
-      text += table_row({fmt::format("hinges, {}, {}", some.name, made), std::to_string(some.count),
-                         fmt::format("{:.0f} mm", some.length_mm)},
+      const KitHinges hinges(sheet_, valley, input_.actuation.from_row);
+      text += table_row({fmt::format("hinges, {}, {}", hinges.name, made),
+                         std::to_string(hinges.count), fmt::format("{:.0f} mm", hinges.length_mm)},
                         1);
     }
     const auto& bore_mm = input_.options.joint_bore_mm;
@@ -77,22 +77,24 @@ class Guide {
         {fmt::format("springs of {:g} N/mm", input_.actuation.actuators.stiffness_n_per_mm),
          std::to_string(mechanism_.diagonal_count()),
          fmt::format(
-             "{:.4g} N mm stored at {:.10g}°",
+             "{:.4g} N mm at {:.10g}°",
              input_.actuation.energy_n_mm[static_cast<std::size_t>(input_.actuation.from_row)],
              from_deg())},
         1);
     text += "</table>\n";
     if (input_.contact && input_.contact->thickness) {
       const bool meets = input_.contact->reach_deg < input_.contact->used_from_deg;
-      text += meets
-                  ? fmt::format(
-                        "<p>Panels meet on the way, at {:.4g}°: no plate reaches {:.10g}°.</p>\n",
-                        input_.contact->reach_deg, input_.contact->used_from_deg)
-                  : fmt::format(
-                        "<p>Plates may be up to {:.3g} mm thick to fold to {:.10g}°: hinged at the "
-                        "mid-plane, tapered towards the creases, corners trimmed by {:g} mm.</p>\n",
-                        input_.contact->thickness->thickness_mm, input_.contact->used_from_deg,
-                        input_.contact->trim_mm);
+      text +=
+          meets
+              ? fmt::format(
+                    "<p>Panels come into contact at {:.4g}°: plates of no thickness reach "
+                    "{:.10g}°.</p>\n",
+                    input_.contact->reach_deg, input_.contact->used_from_deg)
+              : fmt::format(
+                    "<p>Largest panel thickness to fold to {:.10g}°: {:.3g} mm, with hinges at the "
+                    "mid-plane, edges tapered at creases, and corners trimmed by {:g} mm.</p>\n",
+                    input_.contact->used_from_deg, input_.contact->thickness->thickness_mm,
+                    input_.contact->trim_mm);
     }
     return text;
   }
@@ -101,7 +103,8 @@ class Guide {
     return spring_table(sheet_, input_.actuation, [&](int d) { return lengths_mm(d); });
   }
 
-  // Flat, and at the angle of use: between a spring's own ends where the kit has them.
+  // Lengths of a spring when flat and at the angle of use; of its diagonal where the kit has no
+  // ends.
   SpringLengths lengths_mm(int d) const {
     for (const KitSpring& spring : springs_) {
       if (spring.from.spring != d) continue;
@@ -113,14 +116,13 @@ class Guide {
 
   std::string assembly() const {
     const std::vector<KitPart> parts = kit_parts(sheet_, input_.options.crease);
-    std::string text =
-        "<h2>Putting it together</h2>\n<ol>\n<li>Cut the parts. Each panel has its number.";
+    std::string text = "<h2>Assembly</h2>\n<ol>\n<li>Cut the parts. Each panel has its number.";
     std::vector<std::string> loose;
     for (std::size_t p = 1; p < parts.size() && input_.options.crease != CreaseCut::cut; ++p) {
       for (const int f : parts[p].facets) loose.push_back(panel_label(sheet_, f));
     }
     if (!loose.empty()) {
-      text += fmt::format(" {} hang in ball joints alone.", fmt::join(loose, ", "));
+      text += fmt::format(" Ball joints alone hold {}.", fmt::join(loose, ", "));
     }
     text += "</li>\n" + exploded_picture(sheet_);
     text += input_.options.crease == CreaseCut::cut
@@ -128,7 +130,7 @@ class Guide {
                 : "<li>Fold each crease once by hand, mountains away from you, valleys towards "
                   "you.</li>\n";
     text +=
-        "<li>Tie the ball joints, in this order: a loop of wire through both panels, at the "
+        "<li>Tie the ball joints in this order: a loop of wire through both panels at each "
         "vertex.</li>\n<table>\n" +
         table_row({"vertex", "panel", "panel"}, 3, "th");
     for (const solver::BallJoint& ball : mechanism_.balls) {
@@ -138,16 +140,17 @@ class Guide {
     }
     text += "</table>\n" + assembled_picture(sheet_);
     text +=
-        "<li>Fold the sheet, without springs: it has one way to go. It looks like this:</li>\n" +
+        "<li>Fold the sheet without springs. It has one degree of freedom and these "
+        "shapes:</li>\n" +
         folded();
-    return text + fmt::format(
-                      "<li>Unfold it flat, and hang in the springs, which then {}.</li>\n<li>Fold "
-                      "it, and let go.</li>\n</ol>\n",
-                      !input_.actuation.actuators.preload.is_any() ? "are relaxed"
-                                                                   : "pull or push already");
+    return text +
+           fmt::format(
+               "<li>Unfold it flat and attach the springs, which then {}.</li>\n<li>Fold "
+               "and release it.</li>\n</ol>\n",
+               !input_.actuation.actuators.preload.is_any() ? "are relaxed" : "are preloaded");
   }
 
-  // At a sixth of the way, half of it, and the angle of use.
+  // Shapes at a sixth of the rows, half of them, and the angle of use.
   std::string folded() const {
     const Index last = input_.actuation.from_row;
     std::string text;

@@ -1,4 +1,4 @@
-// A page to build a kit by: what it takes, and how it goes together, with pictures.
+// Writes the guide of a kit: its parts and its assembly, with pictures.
 #pragma once
 
 #include <string>
@@ -13,12 +13,12 @@ struct GuideInput {
   const solver::Sheet& sheet;
   const KitOptions& options;
   const Design& design;
-  const solver::Actuation& actuation;   ///< of the design's springs, from its angle of use or D
-  const solver::ContactStudy* contact;  ///< null: not looked at
-  std::string title, warning;           ///< of springs that contradict the verdict; or empty
+  const solver::Actuation& actuation;   ///< the design's springs, from its angle of use or D
+  const solver::ContactStudy* contact;  ///< null: not studied
+  std::string title, warning;           ///< warning: springs that contradict the verdict, if any
 };
 
-/// HTML that prints, complete in itself. Lengths in mm, forces in N.
+/// A self-contained page to print, as HTML. Lengths in mm, forces in N.
 std::string kit_guide(const GuideInput& input);
 
 }  // namespace misalign::schema

@@ -10,21 +10,22 @@
 namespace misalign::schema {
 namespace {
 
-// Of each facet's panel, up where the sheet is flat.
+// Normals of the panels by facet; they point up when the sheet is flat.
 std::map<int, Eigen::Vector3d> normals_of(const solver::Panels& panels,
                                           const Eigen::Matrix3Xd& shape_mm) {
   std::map<int, Eigen::Vector3d> normals;
   for (std::size_t k = 0; k < panels.facets.size(); ++k) {
     const auto& v = panels.corners[k];
-    const Eigen::Vector3d one = shape_mm.col(v[2]) - shape_mm.col(v[0]),
-                          other = shape_mm.col(v[3]) - shape_mm.col(v[1]);
-    normals[panels.facets[k]] = one.cross(other).normalized();
+    const Eigen::Vector3d first = shape_mm.col(v[2]) - shape_mm.col(v[0]),
+                          second = shape_mm.col(v[3]) - shape_mm.col(v[1]);
+    normals[panels.facets[k]] = first.cross(second).normalized();
   }
   return normals;
 }
 
-// A hinge half a thickness above both mid-planes, or below them, moves the next plate by so much of
-// the difference of their normals. Ball joints are in the mid-plane.
+// The gap at a loop's end, per thickness. A hinge half a thickness above both mid-planes, or below,
+// moves the next plate by ±1/2 of the difference of their normals. Ball joints are in the
+// mid-plane.
 Eigen::Vector3d open_end(const solver::Mechanism& mechanism, const solver::Loop& loop,
                          const std::map<int, Eigen::Vector3d>& normals) {
   Eigen::Vector3d end = Eigen::Vector3d::Zero();

@@ -5,9 +5,9 @@
 
 namespace misalign::schema {
 
-/// In the order in which a machine should follow them, what holds a part last.
+/// Layers in the order of cutting: contours, which hold a part, are last.
 enum class KitLayer {
-  hatch,  ///< waste: falls out; not cut
+  hatch,  ///< hatching of openings; not cut
   note,   ///< title, gauge and tables
   engrave,
   score_mountain,
@@ -15,22 +15,22 @@ enum class KitLayer {
   dash_mountain,
   dash_valley,
   bore,
-  slit,  ///< through a ball joint, where two openings touch
+  slit,  ///< cuts through a ball joint, where two openings touch
   cut,
 };
 
 struct KitItem {
-  LineDrawing drawing;  ///< with every layer
+  LineDrawing drawing;  ///< has every layer
   bool may_turn = false;
 
   LineLayer& on(KitLayer layer) { return drawing.layers[static_cast<std::size_t>(layer)]; }
   Eigen::Vector2d size_mm() const { return drawing.most_mm - drawing.least_mm; }
-  /// The other's lines too, their page's lower left corner at a point; turned by a quarter,
-  /// counter-clockwise, if that is asked for.
+  /// Adds the other's lines, with their page's lower left corner at a point; `turned`: by a
+  /// quarter, counter-clockwise.
   void add(const KitItem& other, const Eigen::Vector2d& at_mm, bool turned);
 };
 
-/// Nothing yet, on every layer.
+/// An item with every layer, all empty.
 KitItem empty_item(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& most_mm);
 
 }  // namespace misalign::schema

@@ -12,11 +12,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kNote_mm = 2.5, kNoteLine_mm = 4.5;  // of a capital; from line to line
+constexpr double kNote_mm = 2.5, kNoteLine_mm = 4.5;  // capitals' height; line spacing
 
 using Row = std::vector<std::string>;
 
-// Words within a number of letters; a longer word is a line of its own.
+// Wraps words to lines of a number of letters; a longer word is a line of its own.
 std::vector<std::string> wrapped(const std::string& sentence, std::size_t letters) {
   std::vector<std::string> lines(1);
   for (std::size_t at = 0; at < sentence.size();) {
@@ -35,7 +35,7 @@ DrawnText written(double x, double y, const std::string& words) {
   return {{x, y}, words, kNote_mm, false, 0};
 }
 
-// Rows below a line of headings, in columns as wide as their widest words.
+// A table with a line of headings; its columns are as wide as their widest words.
 KitItem table(const std::string& caption, const Row& heads, const std::vector<Row>& rows) {
   constexpr double kBetween_mm = 3;
   std::vector<double> starts(1, 0.0);
@@ -99,7 +99,7 @@ std::vector<Row> spring_rows(const std::vector<KitSpring>& springs) {
   return rows;
 }
 
-std::vector<Row> spring_way_rows(const std::vector<KitSpring>& springs) {
+std::vector<Row> spring_stroke_rows(const std::vector<KitSpring>& springs) {
   std::vector<Row> rows;
   for (const KitSpring& spring : springs) {
     rows.push_back({number_of(spring), fmt::format("{:.3f}", spring.length_mm.back()),
@@ -109,7 +109,7 @@ std::vector<Row> spring_way_rows(const std::vector<KitSpring>& springs) {
   return rows;
 }
 
-// A few springs a table: lengths flat, every ten degrees, and at the end.
+// Tables of a few springs' lengths: flat, every ten degrees, and at the end.
 void add_histories(const solver::Sheet& sheet, const std::vector<KitSpring>& springs,
                    double most_height_mm, std::vector<KitItem>& items) {
   constexpr std::size_t kSprings = 4;
@@ -130,7 +130,7 @@ void add_histories(const solver::Sheet& sheet, const std::vector<KitSpring>& spr
         rows.back().push_back(fmt::format("{:.3f}", springs[s].length_mm[at + 1]));
       }
     }
-    add_blocks("springs' lengths, mm, by pilot angle", heads, rows, most_height_mm, items);
+    add_blocks("spring lengths (mm) by pilot angle", heads, rows, most_height_mm, items);
   }
 }
 
@@ -165,14 +165,14 @@ KitItem kit_heading(const std::vector<std::string>& sentences, double width_mm) 
 std::vector<KitItem> kit_tables(const solver::Sheet& sheet, const std::vector<KitSpring>& springs,
                                 const std::vector<int>& cuts, double most_height_mm) {
   std::vector<KitItem> items;
-  add_blocks("shifts, mm", {"vertex", "dx", "dy"}, shift_rows(sheet), most_height_mm, items);
-  add_blocks("springs, mm, flat", {"no.", "ends", "vertices", "spring"}, spring_rows(springs),
+  add_blocks("shifts (mm)", {"vertex", "dx", "dy"}, shift_rows(sheet), most_height_mm, items);
+  add_blocks("springs when flat (mm)", {"no.", "ends", "vertices", "spring"}, spring_rows(springs),
              most_height_mm, items);
   const Eigen::Index rows = sheet.rows_shown();
   const double end_deg =
       rows == 0 ? 0 : sheet.history().stations[static_cast<std::size_t>(rows - 1)].pilot_deg;
-  add_blocks(fmt::format("springs, mm, flat to {:.10g} deg", end_deg),
-             {"no.", "at the end", "stroke", "spring", "diagonal"}, spring_way_rows(springs),
+  add_blocks(fmt::format("springs from flat to {:.10g} deg (mm)", end_deg),
+             {"no.", "at the end", "stroke", "spring", "diagonal"}, spring_stroke_rows(springs),
              most_height_mm, items);
   add_histories(sheet, springs, most_height_mm, items);
   std::vector<Row> hinges;
@@ -181,8 +181,8 @@ std::vector<KitItem> kit_tables(const solver::Sheet& sheet, const std::vector<Ki
     hinges.push_back({solver::line_label(crease.a, crease.b), panel_label(sheet, crease.left),
                       panel_label(sheet, crease.right)});
   }
-  add_blocks("cut for the bed: to be hinged", {"crease", "panel", "panel"}, hinges, most_height_mm,
-             items);
+  add_blocks("creases cut to fit the bed, to be hinged", {"crease", "panel", "panel"}, hinges,
+             most_height_mm, items);
   return items;
 }
 

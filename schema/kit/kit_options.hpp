@@ -8,24 +8,24 @@
 
 namespace misalign::schema {
 
-/// Where the springs of a kit end, unless the pattern says it itself (solver::SpringEnds).
+/// Places of a kit's spring ends, where the pattern has none of its own (solver::SpringEnds).
 enum class SpringAt {
-  vertex,  ///< on the vertices of their diagonals: in tabs, and in ball joints
-  panel,   ///< in bores inside panels near these vertices
+  vertex,  ///< the diagonals' vertices: tabs and ball joints
+  panel,   ///< bores inside panels near these vertices
 };
 
 struct KitOptions {
   CreaseCut crease = CreaseCut::score;
-  double kerf_mm = 0;                                   ///< what the beam or the mill takes away
-  double dash_mm = 4, bridge_mm = 1;                    ///< of a perforation, as they come out
+  double kerf_mm = 0;                                   ///< width of material that a cut removes
+  double dash_mm = 4, bridge_mm = 1;                    ///< sizes of a perforation after cutting
   std::optional<double> joint_bore_mm, spring_bore_mm;  ///< diameters
-  std::optional<SpringAt> spring_at;                    ///< on vertices where nobody says it
-  double bore_edge_mm = 2;  ///< what is left between a bore and an edge, or another bore
-  double gap_mm = 5;        ///< between parts
-  double margin_mm = 5;     ///< round all of them
+  std::optional<SpringAt> spring_at;                    ///< default: vertex
+  double bore_edge_mm = 2;                ///< least distance of a bore from edges and other bores
+  double gap_mm = 5;                      ///< distance between parts
+  double margin_mm = 5;                   ///< round all parts
   std::optional<Eigen::Vector2d> bed_mm;  ///< width and height of the machine's
-  bool guide = false;                     ///< with a page to build it by
-  bool test_piece = false;                ///< with one hinge and one ball joint to be cut first
+  bool guide = false;                     ///< true if a guide is written, too
+  bool test_piece = false;  ///< true if one hinge and one ball joint to cut first are drawn, too
 };
 
 }  // namespace misalign::schema

@@ -14,8 +14,8 @@ using Eigen::Vector2d;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// The next vertex along an opening's side, from `from` by way of `at`: where the way branches, the
-// first edge counter-clockwise from where it came, so that what is outside stays one region.
+// The next vertex of a contour that goes from `from` to `at`: where it branches, by the first edge
+// counter-clockwise from the way back, so that the outside stays one region.
 int next_vertex(const solver::Sheet& sheet, int from, int at, const std::vector<int>& ways) {
   const Vector2d back = sheet.point_mm(from) - sheet.point_mm(at);
   const auto turned = [&](int to) {
@@ -45,8 +45,8 @@ bool is_simple(const Ring& ring) {
   return true;
 }
 
-// Where a corner lies once both its edges (unit directions) are moved to their right: one point, or
-// two where the mitre is cut off.
+// The place of a corner whose edges (unit directions) move to their right: one point, or two where
+// the mitre is cut off.
 std::vector<Vector2d> moved_corner(const Vector2d& corner, const Vector2d& in, const Vector2d& out,
                                    double distance_mm) {
   const Vector2d right_in(in.y(), -in.x()), right_out(out.y(), -out.x());
@@ -85,14 +85,13 @@ std::vector<double> arc(double from_rad, double turn_rad, double radius_mm) {
   return angles_rad;
 }
 
-// A part's contour where it comes to a vertex with a tab: round the disc where its panel is at this
-// corner, and where others are round what is cut away of them. `after` is the contour's next
-// vertex.
+// A part's contour at a vertex with a tab: round the disc at its own panel, and round the clearance
+// at other panels. `after` is the contour's next vertex.
 Ring round_tab(const solver::Sheet& sheet, const KitPart& part, const SpringTab& tab, int after) {
   const Vector2d at_mm = sheet.point_mm(tab.vertex);
   struct Sector {
     bool has_tab;
-    double from_rad, turn_rad;  // counter-clockwise from its one edge to the other
+    double from_rad, turn_rad;  // counter-clockwise from its first edge to the second
   };
   std::vector<Sector> sectors;  // counter-clockwise
   for (int edge = after; edge >= 0;) {
@@ -101,11 +100,11 @@ Ring round_tab(const solver::Sheet& sheet, const KitPart& part, const SpringTab&
       const auto& v = sheet.base().sheet.facets[static_cast<std::size_t>(f)];
       for (std::size_t k = 0; k < 4; ++k) {
         if (v[k] != tab.vertex || v[(k + 1) % 4] != edge) continue;
-        const Vector2d one = sheet.point_mm(edge) - at_mm;
+        const Vector2d first = sheet.point_mm(edge) - at_mm;
         next = v[(k + 3) % 4];
-        const Vector2d other = sheet.point_mm(next) - at_mm;
-        sectors.push_back({f == tab.facet, std::atan2(one.y(), one.x()),
-                           std::atan2(cross(one, other), one.dot(other))});
+        const Vector2d second = sheet.point_mm(next) - at_mm;
+        sectors.push_back({f == tab.facet, std::atan2(first.y(), first.x()),
+                           std::atan2(cross(first, second), first.dot(second))});
       }
     }
     edge = next;
@@ -134,7 +133,7 @@ Ring ring_with_tabs(const solver::Sheet& sheet, const KitPart& part, const KitFi
   return ring;
 }
 
-// The widest kerf for which each of these contours can still be cut.
+// The widest kerf with which all of these contours can be cut.
 double widest_kerf_mm(const std::vector<Ring>& rings, double too_wide_mm) {
   double fits = 0, fails = too_wide_mm;
   for (int k = 0; k < 40; ++k) {
@@ -218,7 +217,7 @@ PartOutline part_outline(const solver::Sheet& sheet, const KitPart& part,
   std::vector<Ring> drawn;
   for (const auto& walk : walks) drawn.push_back(ring_with_tabs(sheet, part, fittings, walk));
   PartOutline outline;
-  std::map<int, std::vector<Vector2d>> ends_at;  // of slits, by vertex
+  std::map<int, std::vector<Vector2d>> ends_at;  // slits' ends by vertex
   for (std::size_t r = 0; r < drawn.size(); ++r) {
     const std::optional<Ring> moved = offset_ring(drawn[r], 0.5 * kerf_mm);
     if (!moved) {

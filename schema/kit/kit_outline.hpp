@@ -1,4 +1,4 @@
-// The outline of a part: its contours, and beside them the path of a beam that has a width.
+// Computes the outline of a part: its contours, offset by half a kerf.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace misalign::schema {
 
-/// A closed contour, its material on the left; the last point is not the first one again.
+/// A closed contour, its material on the left; the first point is not repeated at the end.
 using Ring = std::vector<Eigen::Vector2d>;
 
 /// Vertices of the sheet along each contour of a part: the outer one first (counter-clockwise seen
@@ -17,18 +17,17 @@ using Ring = std::vector<Eigen::Vector2d>;
 /// panels of the part, each is a contour of its own, and they touch there.
 std::vector<std::vector<int>> part_walks(const solver::Sheet& sheet, const KitPart& part);
 
-/// The contour moved off its material by a distance, its corners mitred. A corner of the material
-/// so acute that the mitre is longer than kMitreLimit distances is cut off there. Nothing if an
-/// edge would vanish, or the contour meet itself.
+/// The contour offset from its material by a distance, with mitred corners. A mitre longer than
+/// kMitreLimit distances is cut off. Nothing if an edge would vanish, or the contour meet itself.
 std::optional<Ring> offset_ring(const Ring& ring, double distance_mm);
 inline constexpr double kMitreLimit = 4;  // corners below 29 degrees
 
 struct PartOutline {
-  /// As part_walks, with tabs and what is cut away round them, moved off by half a kerf. Arcs are
-  /// chords that leave them by at most kChordOff_mm.
+  /// Contours of part_walks with tabs and their clearances, offset by half a kerf. Arcs are chords
+  /// within kChordOff_mm.
   std::vector<Ring> rings;
-  /// From a corner of one ring through the ball joint to that of another: where openings touch, and
-  /// only half a kerf inside them is cut, a neck would be left. None without a kerf.
+  /// Cuts from a corner of one ring through a ball joint to that of another: where openings touch,
+  /// contours half a kerf inside them would leave a neck. None without a kerf.
   std::vector<std::vector<Eigen::Vector2d>> slits;
 
   Eigen::Vector2d least_mm() const;
@@ -37,11 +36,11 @@ struct PartOutline {
 
 inline constexpr double kChordOff_mm = 0.005;
 
-/// UserError (bad_request) if the kerf is too wide for it.
+/// The outline of a part. UserError (bad_request) if the kerf is too wide.
 PartOutline part_outline(const solver::Sheet& sheet, const KitPart& part,
                          const KitFittings& fittings, double kerf_mm);
 
-/// Twice the area inside, positive if counter-clockwise, halved: mm^2.
+/// The area inside, positive if counter-clockwise.
 double signed_area_mm2(const Ring& ring);
 
 }  // namespace misalign::schema

@@ -8,8 +8,7 @@
 namespace misalign::schema {
 namespace {
 
-// The facets of each part from the group that each facet is in (-1: in none): what creases within a
-// group hold together. `Joins` says whether a crease may.
+// Parts of `facets`: panels that creases join for which `joins` is true.
 template <class Joins>
 std::vector<KitPart> joined(const solver::Sheet& sheet, const std::vector<int>& facets,
                             const Joins& joins) {
@@ -54,7 +53,7 @@ struct Span {
     most = std::max(most, value);
   }
   int count() const { return most - least + 1; }
-  // Which of `cells` about equal ranges a value is in.
+  // The index of a value among `cells` about equal ranges.
   int cell(int value, int cells) const { return (value - least) * cells / count(); }
 };
 

@@ -10,18 +10,18 @@ namespace misalign::schema {
 
 struct KitPart {
   std::vector<int> facets;   ///< ascending
-  std::vector<int> creases;  ///< of the mechanism, between two of them; ascending
+  std::vector<int> creases;  ///< the mechanism's, within the part; ascending
 };
 
-/// What creases hold together (with CreaseCut::cut nothing): the largest first, among equals that
-/// of the least facet.
+/// The parts that creases hold together (with CreaseCut::cut: single panels), the largest first,
+/// among equals by their least facet.
 std::vector<KitPart> kit_parts(const solver::Sheet& sheet, CreaseCut crease);
 
-/// A part cut along creases into a grid of about equal numbers of the sheet's rows and columns that
-/// it covers; what hangs together in a cell of it is a part.
+/// Cuts a part along creases by a grid with about equal numbers of rows and columns of panels;
+/// panels that creases join within a cell are a part.
 std::vector<KitPart> divided(const solver::Sheet& sheet, const KitPart& part, int down, int across);
 
-/// How many of the sheet's rows and columns a part covers.
+/// The numbers of the sheet's rows and columns that a part covers.
 std::array<int, 2> rows_and_columns(const solver::Sheet& sheet, const KitPart& part);
 
 }  // namespace misalign::schema

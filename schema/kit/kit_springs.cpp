@@ -12,8 +12,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A point of a panel where a shape has that panel, by its two edges at one vertex; as far off it as
-// its pattern says.
+// The place of a spring's end in a folded shape: by the panel's two edges at one vertex, and its
+// height off the panel.
 Vector3d folded_point(const solver::Sheet& sheet, const SpringEnd& end,
                       const Eigen::Matrix3Xd& shape) {
   const auto& v = sheet.base().sheet.facets[static_cast<std::size_t>(end.facet)];
@@ -31,7 +31,7 @@ Vector3d folded_point(const solver::Sheet& sheet, const SpringEnd& end,
 
 LengthTrend trend_of(const std::vector<double>& length_mm, double band_mm) {
   double least = length_mm[0], most = length_mm[0], fallen = 0, risen = 0;
-  for (const double length : length_mm) {  // the farthest below what it had, and above
+  for (const double length : length_mm) {  // largest fall and rise so far
     least = std::min(least, length);
     most = std::max(most, length);
     fallen = std::max(fallen, most - length);
@@ -85,17 +85,18 @@ std::string contradiction_of(const std::vector<KitSpring>& springs) {
                                                       : opposite);
   }
   std::vector<std::string> kinds;
-  const auto add = [&](int count, const char* one, const char* many) {
-    if (count > 0) kinds.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+  const auto add = [&](int count, const char* singular, const char* plural) {
+    if (count > 0) kinds.push_back(fmt::format("{} {}", count, count == 1 ? singular : plural));
   };
-  add(opposite, "goes the other way than its diagonal", "go the other way than their diagonals");
+  add(opposite, "opposes its diagonal", "oppose their diagonals");
   add(reverse, "reverses", "reverse");
-  add(idle, "does nothing", "do nothing");
-  add(driven, "changes though its diagonal does not: it is driven by its bores",
-      "change though their diagonals do not: the sheet is driven by its bores");
+  add(idle, "keeps its length", "keep their lengths");
+  add(driven, "changes its length though its diagonal does not",
+      "change their lengths though their diagonals do not");
   if (kinds.empty()) return "";
   return fmt::format(
-      "{} of {} springs contradict the verdict ({}); --spring-at vertex hangs them where it holds",
+      "{} of {} springs contradict the verdict ({}); --spring-at vertex attaches them where it "
+      "holds",
       opposite + reverse + idle + driven, springs.size(), fmt::join(kinds, ", "));
 }
 

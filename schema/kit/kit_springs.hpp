@@ -1,5 +1,5 @@
-// The springs of a kit as the sheet folds, beside the diagonals of which the verdict speaks: a bore
-// inside a panel turns with it, and its spring may do something else.
+// Compares the springs of a kit with the diagonals of the verdict as the sheet folds: a bore inside
+// a panel turns with it, so that its spring may differ.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace misalign::schema {
 
-/// From flat to folded.
+/// Change of a length from flat to folded.
 enum class LengthTrend { constant, lengthens, shortens, reverses };
 
 /// "lengthens".
@@ -17,22 +17,22 @@ const char* word_of(LengthTrend trend);
 
 struct KitSpring {
   SpringEnd from, to;
-  /// Flat, and at each row of the path that is shown (Sheet::rows_shown).
+  /// Lengths when flat, and at each row of the path that is shown (Sheet::rows_shown).
   std::vector<double> length_mm, diagonal_mm;
   LengthTrend trend, diagonal_trend;
 
-  /// Longest less shortest.
+  /// The longest less the shortest length.
   double stroke_mm() const;
-  /// Of a diagonal that itself reverses the verdict promises nothing.
+  /// Returns whether the trends differ; the verdict promises nothing of a diagonal that reverses.
   bool contradicts_verdict() const {
     return diagonal_trend != LengthTrend::reverses && trend != diagonal_trend;
   }
 };
 
-/// In the order of diagonals; none without --spring-bore.
+/// The springs in the order of diagonals; none without --spring-bore.
 std::vector<KitSpring> kit_springs(const solver::Sheet& sheet, const KitFittings& fittings);
 
-/// How many of them contradict the verdict and how, and what to do; empty if none does.
+/// A sentence on springs that contradict the verdict; empty if none does.
 std::string contradiction_of(const std::vector<KitSpring>& springs);
 
 }  // namespace misalign::schema

@@ -43,28 +43,28 @@ std::string hinge_table(const solver::Sheet& sheet, std::optional<double> thickn
   std::string text =
       "<h2>Hinges</h2>\n<table>\n" +
       table_row(
-          {"hinges", "fold at most to",
-           thickness_mm ? fmt::format("film at half thickness: gap for {:g} mm", *thickness_mm)
-                        : "film at half thickness: gap for each mm",
-           "or edges bevelled by"},
+          {"hinges", "largest fold angle",
+           thickness_mm ? fmt::format("gap, film at half thickness, {:g} mm panels", *thickness_mm)
+                        : "gap, film at half thickness, per mm",
+           "or bevel of edges"},
           1, "th");
   for (const bool valley : {false, true}) {
-    const KitHinges some(sheet, valley, from_row);
-    text += table_row({some.name, fmt::format("{:.1f}°", some.fold_deg),
-                       fmt::format("{:.2f} mm", some.gap_mm(thickness_mm.value_or(1))),
-                       fmt::format("{:.1f}°", some.bevel_deg())},
+    const KitHinges hinges(sheet, valley, from_row);
+    text += table_row({hinges.name, fmt::format("{:.1f}°", hinges.fold_deg),
+                       fmt::format("{:.2f} mm", hinges.gap_mm(thickness_mm.value_or(1))),
+                       fmt::format("{:.1f}°", hinges.bevel_deg())},
                       1);
   }
   text += fmt::format(
-      "</table>\n<p>Up to {:.10g}°. Hinges belong to the mid-plane, at half the thickness.",
+      "</table>\n<p>Values up to {:.10g}°. Hinges lie in the mid-plane, at half the thickness.",
       from_deg);
   const FaceHingeMisfit misfit = face_hinge_misfit(sheet, from_row);
   if (misfit.loop) {
     text += fmt::format(
-        " On the faces on which creases close, panels would not meet round {}: by {:.2f} mm{}.",
+        " Hinges on the faces on which creases close would leave a gap of {1:.2f} mm{2} round {0}.",
         misfit.place(sheet), misfit.per_mm * thickness_mm.value_or(1),
-        thickness_mm ? fmt::format(" if they are {:g} mm thick", *thickness_mm)
-                     : std::string(" for each mm of thickness"));
+        thickness_mm ? fmt::format(" at {:g} mm thickness", *thickness_mm)
+                     : std::string(" per mm of thickness"));
   }
   return text + "</p>\n";
 }
@@ -83,14 +83,14 @@ std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& ac
   std::vector<int> few;
   if (actuation.few) few = actuation.few->diagonals;
   std::string text = fmt::format(
-      "<h2>Springs</h2>\n<p>{}; folded to {:.10g}° a spring that is longer than when it is free "
-      "pulls, one that is shorter pushes.</p>\n<table>\n",
+      "<h2>Springs</h2>\n<p>{}. Folded: pilot angle {:.10g}°. A spring pulls where it is longer "
+      "than its free length, and pushes where it is shorter.</p>\n<table>\n",
       !springs.preload.is_any()
-          ? "All are relaxed where the sheet is flat"
-          : fmt::format("Where the sheet is flat each has {} left", preload_words(springs.preload)),
+          ? "All springs are relaxed when the sheet is flat"
+          : fmt::format("Preload when the sheet is flat: {}", preload_words(springs.preload)),
       actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)]);
-  text += table_row({"no.", "from vertex to vertex", "does", "enough", "free, mm", "flat, mm",
-                     "folded, mm", "stroke, %", "force, N"},
+  text += table_row({"no.", "vertices", "force", "enough", "free (mm)", "flat (mm)", "folded (mm)",
+                     "elongation (%)", "force (N)"},
                     4, "th");
   double largest_n = 0;
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
@@ -108,11 +108,11 @@ std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& ac
          fmt::format("{:.3g}", force_n)},
         4);
   }
-  text += fmt::format("</table>\n<p>The largest force is {:.3g} N.", largest_n);
+  text += fmt::format("</table>\n<p>Largest force: {:.3g} N.", largest_n);
   if (!few.empty()) {
-    text +=
-        fmt::format(" Those marked “enough”, {} of {}, keep {:.0f} % of the least moment of all.",
-                    few.size(), mechanism.diagonal_count(), 100 * actuation.few->share);
+    text += fmt::format(
+        " The {} of {} springs marked “enough” alone keep {:.0f} % of the least moment.",
+        few.size(), mechanism.diagonal_count(), 100 * actuation.few->share);
   }
   return text + "</p>\n";
 }

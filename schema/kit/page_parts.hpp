@@ -1,4 +1,4 @@
-// What pages that are printed have in common: their frame, and tables of hinges and springs.
+// Writes the common parts of printed pages: their frame, and tables of hinges and springs.
 #pragma once
 
 #include <functional>
@@ -10,27 +10,27 @@
 
 namespace misalign::schema {
 
-/// Up to the heading, with the style of all.
+/// The page up to its heading, with the common style.
 std::string page_begin(const std::string& title);
 inline constexpr const char* kPageEnd = "</body></html>\n";
 
-/// A table's row; cells from `numbers` on are to the right.
+/// A table's row; cells from `numbers` on are aligned to the right.
 std::string table_row(const std::vector<std::string>& cells, std::size_t numbers,
                       const char* cell = "td");
 
-/// How far hinges fold in so many rows, what plates need for it, and by how much plates that are
-/// hinged on their faces would not meet.
+/// The largest fold angles of hinges in the first `from_row` rows, the gaps and bevels of plates,
+/// and the misfit of hinges on faces.
 std::string hinge_table(const solver::Sheet& sheet, std::optional<double> thickness_mm,
                         Eigen::Index from_row, double from_deg);
 
 struct SpringLengths {
-  double flat_mm, folded_mm;  ///< at the angle of use
+  double flat_mm, folded_mm;  ///< folded: at the angle of use
 };
-/// Of a diagonal itself.
+/// Lengths of a diagonal.
 SpringLengths diagonal_lengths(const solver::Sheet& sheet, const solver::Actuation& actuation,
                                int diagonal);
 
-/// One row a spring, and the largest force; `lengths` of each from end to end.
+/// One row for each spring, and the largest force; `lengths`: between a spring's ends.
 std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
                          const std::function<SpringLengths(int)>& lengths);
 

@@ -1,4 +1,4 @@
-// The corner of a panel at one of its vertices, and what a panel is called on a kit.
+// Computes the corner of a panel at one of its vertices; names panels on a kit.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +20,13 @@ struct PanelCorner {
     const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
     const auto k =
         static_cast<std::size_t>(std::find(around.begin(), around.end(), vertex) - around.begin());
-    const Eigen::Vector2d one = (sheet.point_mm(around[(k + 1) % 4]) - at_mm).normalized(),
-                          other = (sheet.point_mm(around[(k + 3) % 4]) - at_mm).normalized();
-    bisector = (one + other).normalized();
-    sine = 0.5 * (one - other).norm();
+    const Eigen::Vector2d next = (sheet.point_mm(around[(k + 1) % 4]) - at_mm).normalized(),
+                          previous = (sheet.point_mm(around[(k + 3) % 4]) - at_mm).normalized();
+    bisector = (next + previous).normalized();
+    sine = 0.5 * (next - previous).norm();
   }
-  Eigen::Vector2d at_mm, bisector;  ///< which points into the panel
-  double sine;                      ///< of half its angle
+  Eigen::Vector2d at_mm, bisector;  ///< bisector: a unit vector into the panel
+  double sine;                      ///< sine of half the corner's angle
 };
 
 }  // namespace misalign::schema

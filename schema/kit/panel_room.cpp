@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kClear_mm = 1;  // between words, and to edges and bores
+constexpr double kClear_mm = 1;  // least distance between words, and from edges and bores
 
 }  // namespace
 
@@ -37,7 +37,7 @@ bool PanelRoom::has_room_for(const Box& box) const {
   for (std::size_t k = 0; k < corners_.size(); ++k) {
     const Vector2d along = (corners_[(k + 1) % 4] - corners_[k]).normalized(),
                    inward(-along.y(), along.x());
-    // Of the box's corners the one farthest out.
+    // The depth of the box's farthest corner.
     const double depth = inward.dot(box.middle - corners_[k]) - inward.cwiseAbs().dot(box.half);
     if (depth < kClear_mm) return false;
   }

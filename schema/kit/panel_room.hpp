@@ -9,15 +9,15 @@
 
 namespace misalign::schema {
 
-/// How wide words are, in heights of a capital: a bound for common typefaces.
+/// Width of words, in heights of a capital: a bound for common typefaces.
 double text_width(const std::string& words);
 
 class PanelRoom {
  public:
-  /// A panel without what bores and tabs take of it.
+  /// The room of a panel outside its bores and tabs.
   PanelRoom(const solver::Sheet& sheet, int facet, const KitFittings& fittings);
 
-  /// Words with their middle at the first of the points where they fit; they take that room.
+  /// Places words with their middle at the first of the points where they fit, and takes the room.
   std::optional<DrawnText> place(const std::string& words, double height_mm,
                                  const std::vector<Eigen::Vector2d>& middles_mm);
 

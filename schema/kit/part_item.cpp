@@ -15,8 +15,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPanelNumber_mm = 5, kMark_mm = 2.5;  // heights, where panels are large enough
-constexpr double kPanelNumberPart = 0.09, kMarkPart = 0.045;  // of a panel's size, at most
+constexpr double kPanelNumber_mm = 5, kMark_mm = 2.5;  // largest heights
+constexpr double kPanelNumberPart = 0.09,
+                 kMarkPart = 0.045;  // largest heights, as shares of a panel's size
 
 // Points round a middle, the nearest first.
 std::vector<Vector2d> rings_round(const Vector2d& middle, double first_mm, double step_mm,
@@ -40,7 +41,7 @@ class Marks {
     for (const int f : part.facets) rooms_.emplace(f, PanelRoom(sheet, f, fittings));
   }
 
-  // In the middle, or as near as bores let it; smaller where there is no room.
+  // Numbers each panel in its middle, or as near as bores permit; smaller where there is no room.
   void add_panel_numbers() {
     constexpr double kSmaller = 0.8, kLeast_mm = 0.5;
     for (auto& [facet, room] : rooms_) {
@@ -55,7 +56,7 @@ class Marks {
       while (!text && (height_mm *= kSmaller) > kLeast_mm) {
         text = room.place(words, height_mm, middles);
       }
-      // Every panel has its number, over whatever there is.
+      // The number lies over bores where it has no room.
       engrave(text ? *text : DrawnText{room.middle_mm(), words, height_mm, true});
     }
   }
@@ -70,10 +71,10 @@ class Marks {
     }
   }
 
-  // Each vertex once, in the panel in which its label is nearest to it.
+  // Labels each vertex once, in the panel with room nearest to it.
   void add_vertex_labels() {
     constexpr int kSteps = 40;
-    constexpr double kFarthest = 0.4;  // of a panel's size
+    constexpr double kFarthest = 0.4;  // largest distance, as a share of a panel's size
     std::map<int, std::vector<int>> panels_at;
     for (const auto& [facet, room] : rooms_) {
       for (const int v : sheet_.base().sheet.facets[static_cast<std::size_t>(facet)]) {
@@ -112,7 +113,7 @@ class Marks {
   std::map<int, PanelRoom> rooms_;
 };
 
-// Up to what is cut away round tabs.
+// Adds the part's creases, which end at the clearances of tabs.
 void add_creases(const solver::Sheet& sheet, const KitPart& part, const KitFittings& fittings,
                  const KitOptions& options, KitItem& item) {
   const auto end_mm = [&](int at, int other) {
@@ -164,7 +165,7 @@ KitItem part_item(const solver::Sheet& sheet, const KitPart& part, const KitFitt
 
 std::vector<DrawnPath> perforation(const Vector2d& from_mm, const Vector2d& to_mm,
                                    const KitOptions& options) {
-  constexpr double kRounding = 1e-9;  // of a count: a crease that a whole number fits exactly
+  constexpr double kRounding = 1e-9;  // of the count, where a whole number fits exactly
   const double length_mm = (to_mm - from_mm).norm();
   const double count = std::floor(
       (length_mm - options.bridge_mm) / (options.dash_mm + options.bridge_mm) + kRounding);
@@ -181,7 +182,7 @@ std::vector<DrawnPath> perforation(const Vector2d& from_mm, const Vector2d& to_m
 }
 
 std::vector<DrawnPath> hatching(const Ring& ring) {
-  constexpr double kPitch_mm = 5, kClear_mm = 1;  // between lines, and to the contour
+  constexpr double kPitch_mm = 5, kClear_mm = 1;  // distance of lines, and from the contour
   const Vector2d along = Vector2d(1, 1).normalized(), across(-along.y(), along.x());
   double least = INFINITY, most = -INFINITY;
   for (const Vector2d& point : ring) {
@@ -190,7 +191,7 @@ std::vector<DrawnPath> hatching(const Ring& ring) {
   }
   std::vector<DrawnPath> lines;
   for (double at = std::ceil(least / kPitch_mm) * kPitch_mm; at < most; at += kPitch_mm) {
-    std::vector<std::array<double, 2>> ends;  // where it enters and leaves, how much to keep off
+    std::vector<std::array<double, 2>> ends;  // places on the contour, and clearances there
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vector2d &p = ring[i], &q = ring[(i + 1) % ring.size()];
       const double u = across.dot(p) - at, v = across.dot(q) - at;
@@ -201,7 +202,7 @@ std::vector<DrawnPath> hatching(const Ring& ring) {
     std::sort(ends.begin(), ends.end());
     for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
       const double from = ends[k][0] + ends[k][1], to = ends[k + 1][0] - ends[k + 1][1];
-      if (to - from < kClear_mm) continue;  // a dot
+      if (to - from < kClear_mm) continue;  // too short
       lines.push_back({{at * across + from * along, at * across + to * along}, false});
     }
   }

@@ -1,4 +1,4 @@
-// A part as it is cut, scored, bored and engraved.
+// Draws a part: its cuts, scores, bores and engraved labels.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace misalign::schema {
 
-/// Where the sheet has it; its page is the box round its outer contour.
+/// A part in the sheet's coordinates; its page is the box round its outer contour.
 KitItem part_item(const solver::Sheet& sheet, const KitPart& part, const KitFittings& fittings,
                   const KitOptions& options);
 
-/// The cuts of a perforation between two points, as they are drawn: as many of the length that is
-/// asked for, less the kerf, as there is room for with bridges of at least theirs. It begins and
-/// ends with a bridge; all bridges are equal.
+/// The cuts of a perforation between two points: as many dashes, shortened by the kerf, as have
+/// room between bridges of at least the requested length. It begins and ends with a bridge; all
+/// bridges are equal.
 std::vector<DrawnPath> perforation(const Eigen::Vector2d& from_mm, const Eigen::Vector2d& to_mm,
                                    const KitOptions& options);
 

@@ -33,13 +33,13 @@ std::string exploded_picture(const solver::Sheet& sheet) {
       0.5 * (sheet.vertices_mm().rowwise().minCoeff() + sheet.vertices_mm().rowwise().maxCoeff());
   for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
     std::vector<Vector2d> corners = corners_mm(sheet, p);
-    const Vector2d by = kApart * (middle(corners) - centre);
-    for (Vector2d& at : corners) at += by;
+    const Vector2d offset = kApart * (middle(corners) - centre);
+    for (Vector2d& at : corners) at += offset;
     picture.polygon(corners, "fill:#eef;stroke:#333;stroke-width:.6");
     picture.text(middle(corners), panel_label(sheet, sheet.panels().facets[p]),
                  0.18 * sheet.mechanism().panel_width_mm);
   }
-  return picture.svg("All panels, taken apart", true);
+  return picture.svg("Exploded view of the panels", true);
 }
 
 std::string assembled_picture(const solver::Sheet& sheet) {
@@ -64,11 +64,11 @@ std::string assembled_picture(const solver::Sheet& sheet) {
     picture.text(sheet.point_mm(ball.vertex) + Vector2d(0, 0.08 * mechanism.panel_width_mm),
                  solver::vertex_label(ball.vertex), 0.14 * mechanism.panel_width_mm);
   }
-  return picture.svg("Mountains red, valleys blue and dashed, springs green, ball joints dots",
+  return picture.svg("Mountains: red; valleys: blue, dashed; springs: green; ball joints: dots",
                      true);
 }
 
-// The farthest panels first.
+// Draws the farthest panels first.
 std::string folded_picture(const solver::Sheet& sheet, const Eigen::Matrix3Xd& shape_mm,
                            double pilot_deg) {
   struct Seen {
@@ -84,9 +84,9 @@ std::string folded_picture(const solver::Sheet& sheet, const Eigen::Matrix3Xd& s
       panel.corners.push_back(at.head<2>());
       panel.near += at.z();
     }
-    const Vector2d one = panel.corners[2] - panel.corners[0],
-                   other = panel.corners[3] - panel.corners[1];
-    panel.from_above = one.x() * other.y() - one.y() * other.x() > 0;
+    const Vector2d first = panel.corners[2] - panel.corners[0],
+                   second = panel.corners[3] - panel.corners[1];
+    panel.from_above = first.x() * second.y() - first.y() * second.x() > 0;
     panels.push_back(std::move(panel));
   }
   std::ranges::stable_sort(panels, {}, &Seen::near);
@@ -95,7 +95,7 @@ std::string folded_picture(const solver::Sheet& sheet, const Eigen::Matrix3Xd& s
     picture.polygon(panel.corners, panel.from_above ? "fill:#dde;stroke:#333;stroke-width:.6"
                                                     : "fill:#fe9;stroke:#333;stroke-width:.6");
   }
-  return picture.svg(fmt::format("Pilot at {:.10g}°", pilot_deg), false);
+  return picture.svg(fmt::format("Pilot angle {:.10g}°", pilot_deg), false);
 }
 
 }  // namespace misalign::schema

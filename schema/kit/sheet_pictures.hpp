@@ -1,4 +1,4 @@
-// Pictures of a sheet for pages that are printed: taken apart, put together, folded.
+// Draws a sheet for printed pages: exploded, assembled and folded.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace misalign::schema {
 
-/// All panels, each as far from the middle as a quarter more than it lies, with their numbers.
+/// All panels with their numbers, their distances from the middle enlarged by a quarter.
 std::string exploded_picture(const solver::Sheet& sheet);
-/// Flat, with mountains and valleys, springs and ball joints.
+/// The flat sheet with mountains and valleys, springs and ball joints.
 std::string assembled_picture(const solver::Sheet& sheet);
-/// In this shape, where the pilot is at that angle.
+/// The sheet in a folded shape, captioned with its pilot angle.
 std::string folded_picture(const solver::Sheet& sheet, const Eigen::Matrix3Xd& shape_mm,
                            double pilot_deg);
 

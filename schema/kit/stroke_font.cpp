@@ -11,9 +11,9 @@
 namespace misalign::schema {
 namespace {
 
-constexpr double kCapital = 6, kWide = 4, kApart = 1.2;  // of letters, in steps of their grid
+constexpr double kCapital = 6, kWide = 4, kApart = 1.2;  // sizes in steps of the letters' grid
 
-// Strokes in corners of that grid, x and y, from the base line's left end.
+// Strokes by points of that grid, x and y, from the base line's left end.
 std::string_view strokes_of(char letter) {
   switch (letter) {
     case '0':

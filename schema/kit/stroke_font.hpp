@@ -1,4 +1,4 @@
-// Words as lines that a machine follows: many programs for laser cutters read no text.
+// Writes words as lines to engrave: many programs for laser cutters read no text.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace misalign::schema {
 
-/// In the order of its letters; of the digits and of the letters A, c, r and s alone, which numbers
-/// on a kit have.
+/// Strokes in the order of the letters. It has only digits and the letters A, c, r and s, of which
+/// labels on a kit consist.
 std::vector<DrawnPath> strokes_of(const DrawnText& text);
 
 }  // namespace misalign::schema

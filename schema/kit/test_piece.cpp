@@ -41,7 +41,7 @@ class TestPiece {
     bore(third, 1);
     const std::string words[] = {
         title,
-        fmt::format("test piece, mm; kerf {:g}: squares of {:g}", options_.kerf_mm, side_mm_),
+        fmt::format("test piece (mm); kerf {:g}; squares of {:g}", options_.kerf_mm, side_mm_),
         "fold the crease; tie the corners"};
     double below_mm = 0;
     for (const std::string& line : words) {
@@ -59,8 +59,8 @@ class TestPiece {
 
  private:
   void cut(const Vector2d& least, const Vector2d& most) {
-    const Vector2d by = Vector2d::Constant(0.5 * options_.kerf_mm), from = least - by,
-                   to = most + by;
+    const Vector2d offset = Vector2d::Constant(0.5 * options_.kerf_mm), from = least - offset,
+                   to = most + offset;
     item_.on(KitLayer::cut)
         .paths.push_back({{from, {to.x(), from.y()}, to, {from.x(), to.y()}}, true});
   }
@@ -71,7 +71,7 @@ class TestPiece {
       item_.on(KitLayer::dash_valley).paths = perforation(from, to, options_);
     }
   }
-  // On the diagonal of a square, which lies to that side of its corner.
+  // Adds a bore on a square's diagonal; the square lies on `side` of its corner.
   void bore(const Vector2d& corner, double side) {
     if (!options_.joint_bore_mm) return;
     const Vector2d at = corner + side * from_corner_mm_ / std::numbers::sqrt2 * Vector2d(1, 1);

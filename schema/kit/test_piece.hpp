@@ -1,4 +1,4 @@
-// What to cut before a kit: one hinge and one ball joint, made as the kit's are.
+// Draws a test piece to cut before a kit: one hinge and one ball joint, made like the kit's.
 #pragma once
 
 #include "schema/exchange/line_drawing.hpp"
@@ -6,9 +6,8 @@
 
 namespace misalign::schema {
 
-/// Two squares that a crease joins (two parts where creases are cut), and a third to be tied to a
-/// corner of them: with the crease, kerf, bores and edges of a kit. Layers without a line are left
-/// out.
+/// Two squares that a crease joins (two parts if creases are cut), and a third to tie to a corner
+/// of them: with the crease, kerf, bores and edges of a kit. Empty layers are left out.
 LineDrawing kit_test_piece(const KitOptions& options, const std::string& title);
 
 }  // namespace misalign::schema

@@ -22,8 +22,8 @@ bool is_mesh_of(const Pattern& pattern, const Json& fold) {
   const Eigen::Matrix2Xd vertices_mm = pattern.vertices_mm();
   std::vector<Eigen::Vector2d> places_mm(vertices_mm.colwise().begin(),
                                          vertices_mm.colwise().end());
-  for (const MeshFiller& one : *fillers) {
-    places_mm.push_back(solver::flat_apex_mm(one.filler, vertices_mm));
+  for (const MeshFiller& mesh_filler : *fillers) {
+    places_mm.push_back(solver::flat_apex_mm(mesh_filler.filler, vertices_mm));
   }
   const Json points = fold.value("vertices_coords", Json());
   if (!points.is_array() || points.size() != places_mm.size()) return false;
@@ -33,7 +33,7 @@ bool is_mesh_of(const Pattern& pattern, const Json& fold) {
   Json mesh = perforated_mesh_json(pattern);
   add_fillers(pattern, *fillers, mesh);
   for (const auto& [key, value] : mesh.items()) {
-    // Faces follow from the edges, so that they may be left out.
+    // Faces follow from the edges and may be left out.
     if (key == "faces_vertices" && !fold.contains(key)) continue;
     if (fold.value(key, Json()) != value) return false;
   }

@@ -9,7 +9,7 @@
 namespace misalign::schema {
 namespace {
 
-// Stiffness, stroke and friction as `actuators` and `deploy` had them.
+// Bounds of stiffness, stroke and friction as in `actuators` and `deploy`.
 constexpr DesignNumber kNumbers[] = {
     {"", "from_deg", &Design::from_deg, 0.01, 180, std::nullopt,
      "try 140, or null for each sheet's D"},
@@ -18,9 +18,9 @@ constexpr DesignNumber kNumbers[] = {
     {"springs", "stroke_limit", &Design::stroke_limit, 1e-6, 1, std::nullopt,
      "write a share of the flat length, 0.08 for Ti-Ni wires, or null for no limit"},
     {"springs", "preload_n", &Design::preload_n, 0, 1e6, 0,
-     "try 3: what each pulls or pushes with at flat"},
+     "try 3: the force of each spring at flat"},
     {"springs", "largest_force_n", &Design::largest_force_n, 1e-6, 1e9, std::nullopt,
-     "write what the spring bears, or null for no limit"},
+     "write the spring's limit load, or null for no limit"},
     {"hinges", "friction_n_mm_per_mm", &Design::friction_n_mm_per_mm, 0, 1e9, 0,
      "try 0.02, or 0 for none"},
     {"hinges", "stiffness_n_mm_per_mm", &Design::hinge_stiffness_n_mm_per_mm, 0, 1e9, 0,
@@ -28,7 +28,7 @@ constexpr DesignNumber kNumbers[] = {
     {"hinges", "pin_friction_mm", &Design::pin_friction_mm, 0, 1e6, std::nullopt,
      "write the radius of the pins times their friction coefficient, such as 0.075, or null"},
     {"", "thickness_mm", &Design::thickness_mm, 1e-3, 100, std::nullopt,
-     "try 1, or null for what studies take by themselves"},
+     "try 1, or null for the studies' defaults"},
     {"", "miscut_mm", &Design::miscut_mm, 0, 1e6, std::nullopt,
      "try 0.05, or null where none is known"},
     {"", "play_mm", &Design::play_mm, 1e-9, 1e6, std::nullopt,
@@ -36,13 +36,13 @@ constexpr DesignNumber kNumbers[] = {
     {"wanted", "static_margin", &Design::static_margin, 0, 1e9, solver::kWantedMargin,
      "write 1, as AIAA S-114 asks at every position"},
     {"wanted", "margin_to_deg", &Design::margin_to_deg, 0.1, 180, solver::kMarginTo_deg,
-     "try 1: margins are asked from from_deg down to this angle"},
+     "try 1: margins are required from from_deg down to this angle"},
     {"wanted", "energy_margin", &Design::energy_margin, 0, 1e9, solver::kWantedMargin,
-     "write 1: twice the friction that is there"},
+     "write 1: a critical friction twice that of the hinges"},
     {"wanted", "yield", &Design::yield, 0, 1, solver::kWantedShare,
      "write a share of miscut copies, such as 0.95"},
     {"wanted", "landing_deg_per_s", &Design::landing_deg_per_s, 0, 1e9, std::nullopt,
-     "write how fast it may be when it is flat, or null for no limit"}};
+     "write the largest landing rate, or null for no limit"}};
 
 }  // namespace
 
@@ -51,7 +51,7 @@ Design Design::merged_over(Design other) const {
     if (this->*member) other.*member = this->*member;
   };
   if (preload_n || !other_preloads.empty()) other.other_preloads = other_preloads;
-  for (const DesignNumber& one : kNumbers) take(one.number);
+  for (const DesignNumber& row : kNumbers) take(row.number);
   take(&Design::hinge_kind);
   take(&Design::film);
   take(&Design::material);
@@ -83,9 +83,9 @@ solver::Plates Design::plates() const {
 std::span<const DesignNumber> design_numbers() { return kNumbers; }
 
 DesignLimits design_limits(std::string_view key) {
-  const auto* const entry = std::ranges::find_if(kNumbers, [&](const DesignNumber& one) {
-    const std::string name = (one.block.empty() ? "" : std::string(one.block) + ".");
-    return name + std::string(one.key) == key;
+  const auto* const entry = std::ranges::find_if(kNumbers, [&](const DesignNumber& row) {
+    const std::string name = (row.block.empty() ? "" : std::string(row.block) + ".");
+    return name + std::string(row.key) == key;
   });
   assert(entry != std::end(kNumbers));
   return {entry->least, entry->most};

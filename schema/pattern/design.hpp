@@ -1,4 +1,5 @@
-// What a sheet is built of and used for: the `design` block of campaign and pattern files.
+// Defines the `design` block of campaign and pattern files: properties and requirements of a sheet
+// as built.
 #pragma once
 
 #include <array>
@@ -14,9 +15,9 @@
 
 namespace misalign::schema {
 
-/// What is made of a crease.
+/// Making of a crease in a kit.
 enum class CreaseCut {
-  cut,    ///< every panel is a part of its own, to be hinged by tape or textile
+  cut,    ///< every panel is a separate part, hinged by tape or textile
   score,  ///< a line
   dash,   ///< a perforation: cuts with bridges between
 };
@@ -27,52 +28,52 @@ struct CreaseCutName {
 inline constexpr CreaseCutName kCreaseCuts[] = {
     {"cut", CreaseCut::cut}, {"score", CreaseCut::score}, {"dash", CreaseCut::dash}};
 
-/// Outside the identity of a campaign: it says what is asked of sheets, and changes no draw and no
-/// verdict. What is absent is not said; studies then take their own defaults. Options of a command
-/// are a design too, which goes before a file's (`merged_over`). A number is a member here, a line
-/// of the table in design.cpp, and a key in campaign.schema.json.
+/// A design, outside the identity of a campaign: it changes no draw and no verdict. Studies have
+/// their own defaults for absent values. Options of a command form a design, too, which overrides a
+/// file's (`merged_over`). A number is a member here, a line of the table in design.cpp, and a key
+/// in campaign.schema.json.
 struct Design {
-  std::optional<double> from_deg;  ///< the sheet is used between this pilot angle and flat
-  /// "springs", on every diagonal: also what is left in each at flat, and the most each bears.
+  std::optional<double> from_deg;  ///< angle of use: the sheet is used from here to flat
+  /// "springs" on all diagonals; the last two are preload and limit load of each.
   std::optional<double> stiffness_n_per_mm, stroke_limit, preload_n, largest_force_n;
-  /// "springs.preloads_n": of those that have another one; goes with `preload_n`.
+  /// "springs.preloads_n": preloads of single springs; the others have `preload_n`.
   std::vector<solver::Preload::OfOne> other_preloads;
-  /// "hinges": dry friction per length of crease, and stiffness for each rad.
+  /// "hinges": dry friction and stiffness per rad, both per length of crease.
   std::optional<double> friction_n_mm_per_mm, hinge_stiffness_n_mm_per_mm;
   std::optional<double> pin_friction_mm;  ///< mu r of hinges' pins and ball joints
-  std::optional<solver::FilmHinge> film;  ///< stiffness and friction, where these are not said
+  std::optional<solver::FilmHinge> film;  ///< gives stiffness and friction where they are not given
   std::optional<CreaseCut> hinge_kind;
-  std::optional<double> thickness_mm;  ///< of panels
-  std::optional<Material> material;    ///< of panels
-  std::optional<double> miscut_mm;     ///< vertices are cut this much off their places at most
+  std::optional<double> thickness_mm;  ///< panel thickness
+  std::optional<Material> material;    ///< material of the panels
+  std::optional<double> miscut_mm;     ///< largest cutting error of vertices
   std::optional<double> play_mm;  ///< radius of the ball in which each joint settles (backlash)
-  std::optional<std::array<int, 2>> hold;        ///< row and column of the panel that is held
+  std::optional<std::array<int, 2>> hold;        ///< row and column of the held panel
   std::optional<std::array<double, 3>> gravity;  ///< x, y, z in standard gravities
-  /// "wanted" of a card: margins of moment and energy over friction, down to which angle; a share
-  /// of miscut copies; how fast it may land.
+  /// "wanted" of a card: margins of moment and energy over friction, the angle down to which; yield
+  /// of miscut copies; landing rate.
   std::optional<double> static_margin, margin_to_deg, energy_margin, yield, landing_deg_per_s;
 
-  /// What this says, and otherwise what `other` says.
+  /// Returns this design, completed by `other`.
   Design merged_over(Design other) const;
 
   solver::Actuators actuators() const;
-  /// As said, or that of the film.
+  /// Returns the hinges' stiffness, otherwise that of the film.
   double hinge_elastic_n_mm_per_mm() const;
   solver::Plates plates() const;
 };
 
-/// The bounds of its numbers, here and on the command line.
+/// Bounds of a design's numbers, also on the command line.
 struct DesignLimits {
   double least, most;
 };
-/// Of "springs.stroke_limit", say, as the table has it.
+/// Returns the bounds of a key, such as "springs.stroke_limit", by the table.
 DesignLimits design_limits(std::string_view key);
 
 struct DesignNumber {
-  std::string_view block, key;  ///< of "springs" "stiffness_n_per_mm"; of the block itself ""
+  std::string_view block, key;  ///< "springs", "stiffness_n_per_mm"; "" for the design itself
   std::optional<double> Design::*number;
   double least, most;
-  std::optional<double> standard;  ///< what holds where it is not said; none: null
+  std::optional<double> standard;  ///< default; none: null
   const char* suggestion;
 };
 std::span<const DesignNumber> design_numbers();

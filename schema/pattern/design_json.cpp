@@ -22,16 +22,16 @@ const Json& part_of(ObjectReader& reader, const char* key) {
   return found ? *found : kEmpty;
 }
 
-// Null says nothing where there is no standard.
+// Reads numbers; null means absent unless there is a default.
 void read_numbers(ObjectReader& reader, std::string_view block, Design& design) {
-  for (const DesignNumber& one : design_numbers()) {
-    if (one.block != block) continue;
-    const std::string key(one.key);
+  for (const DesignNumber& row : design_numbers()) {
+    if (row.block != block) continue;
+    const std::string key(row.key);
     const Json* value = reader.find(key);
-    if (!value || (value->is_null() && !one.standard)) continue;
-    double number = one.standard.value_or(one.least);
-    reader.number(key, number, one.least, one.most, one.suggestion);
-    design.*one.number = number;
+    if (!value || (value->is_null() && !row.standard)) continue;
+    double number = row.standard.value_or(row.least);
+    reader.number(key, number, row.least, row.most, row.suggestion);
+    design.*row.number = number;
   }
 }
 
@@ -39,10 +39,10 @@ void read_hinge_kind(ObjectReader& reader, std::optional<CreaseCut>& kind) {
   const Json* value = reader.said("kind");
   if (!value) return;
   const auto* const named = std::ranges::find_if(
-      kCreaseCuts, [&](const CreaseCutName& one) { return *value == one.name; });
+      kCreaseCuts, [&](const CreaseCutName& row) { return *value == row.name; });
   if (named == std::end(kCreaseCuts)) {
     reader.faults().add(reader.shown("kind"), "is no way to make a crease",
-                        "write \"cut\", \"score\" or \"dash\", or null for what a kit has");
+                        "write \"cut\", \"score\" or \"dash\", or null for a kit's default");
   } else {
     kind = named->cut;
   }
@@ -59,7 +59,7 @@ void read_film(ObjectReader& reader, std::optional<solver::FilmHinge>& film) {
   }
   part.number("thickness_mm", read.thickness_mm, 1e-6, kMost, "try 0.05");
   part.number("e_gpa", read.e_gpa, 1e-6, kMost, "give Young's modulus in GPa, 2.5 of polyimide");
-  part.number("length_mm", read.length_mm, 1e-6, kMost, "write how much of it is free, such as 1");
+  part.number("length_mm", read.length_mm, 1e-6, kMost, "write the film's free length, such as 1");
   part.number("loss", read.loss, 0, 1, "write the loss factor, such as 0.01, or 0");
   part.refuse_unknown_keys();
   film = read;
@@ -72,7 +72,7 @@ Json film_json(const solver::FilmHinge& film) {
           {"loss", film.loss}};
 }
 
-// So many of them; nothing where it is null.
+// Reads an array of the size of `into`; none if it is null.
 template <class Array>
 void read_array(ObjectReader& reader, const char* key, std::optional<Array>& into,
                 const auto& is_one, const char* why, const char* suggestion) {
@@ -85,15 +85,15 @@ void read_array(ObjectReader& reader, const char* key, std::optional<Array>& int
   }
 }
 
-// The form alone is checked here; what holds a sheet says whether there is such a panel.
-bool is_place(const Json& one) {
-  constexpr int kMostPlace = 1000;  // of a row or column
-  return one.is_number_integer() && one >= 0 && one < kMostPlace;
+// Checks only the form; a reader with a sheet checks that there is such a panel.
+bool is_place(const Json& number) {
+  constexpr int kMostPlace = 1000;  // largest row or column
+  return number.is_number_integer() && number >= 0 && number < kMostPlace;
 }
 
-bool is_gravity(const Json& one) {
+bool is_gravity(const Json& number) {
   constexpr double kMostGravities = 1e3;
-  return one.is_number() && std::abs(one.get<double>()) <= kMostGravities;
+  return number.is_number() && std::abs(number.get<double>()) <= kMostGravities;
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
     design.material = read_material(*material, reader.name("material"), "the design's", faults);
   }
   read_array(reader, "hold", design.hold, is_place, "is no panel, row and column counted from 0",
-             "write [0, 0], or null to let the sheet go free in space");
+             "write [0, 0], or null for a sheet that is free in space");
   read_array(reader, "gravity", design.gravity, is_gravity,
              "must be three numbers of standard gravities, from -1000 to 1000",
              "write [0, 0, -1], or null for no weight");
@@ -135,15 +135,15 @@ Design read_springs(const Json& value, const std::string& where, InputFaults& fa
 
 Json design_json(const Design& design) {
   Json json = Json::object();
-  for (const DesignNumber& one : design_numbers()) {
-    const std::optional<double>& said = design.*one.number;
-    Json& block = one.block.empty() ? json : json[std::string(one.block)];
-    block[std::string(one.key)] = or_null(said ? said : one.standard);
+  for (const DesignNumber& row : design_numbers()) {
+    const std::optional<double>& value = design.*row.number;
+    Json& block = row.block.empty() ? json : json[std::string(row.block)];
+    block[std::string(row.key)] = or_null(value ? value : row.standard);
   }
   json["springs"]["preloads_n"] = preloads_json(design.other_preloads);
   json["hinges"]["kind"] = nullptr;
-  for (const CreaseCutName& one : kCreaseCuts) {
-    if (design.hinge_kind == one.cut) json["hinges"]["kind"] = one.name;
+  for (const CreaseCutName& row : kCreaseCuts) {
+    if (design.hinge_kind == row.cut) json["hinges"]["kind"] = row.name;
   }
   json["hinges"]["film"] = design.film ? film_json(*design.film) : Json();
   json["material"] = design.material ? material_json(*design.material) : Json();

@@ -9,19 +9,19 @@
 
 namespace misalign::schema {
 
-/// Reads "design" at `where`; what is wrong is a fault.
+/// Reads "design" at `where`; wrong values are faults.
 Design read_design(const Json& value, const std::string& where, InputFaults& faults);
 
-/// The same of "springs" alone, which older files call "actuators".
+/// Reads "springs" alone, which older files call "actuators".
 Design read_springs(const Json& value, const std::string& where, InputFaults& faults);
 
-/// Every key; null what is not said and has no number that holds instead.
+/// Returns every key; null for absent values without a default.
 Json design_json(const Design& design);
-/// The design as JSON without the parts that are as by default.
+/// Returns the design as JSON without defaults.
 Json explicit_design_json(const Design& design);
 
 /// Checks that a design names diagonals and panels of its sheet. UserError (bad_input) about
-/// `source`: a preload of no diagonal, a hold that is no panel.
+/// `source`: a preload of no diagonal, or a held panel that does not exist.
 void check_names(const Design& design, const solver::PerforatedSheet& base,
                  const std::string& source);
 

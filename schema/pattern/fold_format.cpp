@@ -15,8 +15,8 @@ namespace misalign::schema {
 namespace {
 
 constexpr double kMostCoordinate_mm = 1e6;
-// The largest distance from the plane, in median edges: coordinates of 80 mm panels in steps of 0.1
-// mm keep to it, and laid flat no such edge gets shorter by more than 8e-6 of itself.
+// Largest distance from the plane, in median edges. Coordinates of 80 mm panels in steps of 0.1 mm
+// keep to it, and laying such an edge flat shortens it by at most 8e-6 of its length.
 constexpr double kOffPlane = 2e-3;
 // A sheet no larger than the unit square with room for its zigzags has no scale.
 constexpr double kUnitSheet = 2;
@@ -68,7 +68,7 @@ class Reader {
     return nullptr;
   }
 
-  // A list of vertices of the file, as many as `count`; none if it is something else.
+  // Reads a list of `count` vertices of the file; none if it is something else.
   std::optional<std::vector<int>> vertex_list(const Json& value, std::size_t count) const {
     if (!value.is_array() || value.size() != count) return std::nullopt;
     std::vector<int> vertices;
@@ -147,14 +147,14 @@ class Reader {
       const auto key = std::minmax((*ends)[0], (*ends)[1]);
       if (!mesh_.edges.try_emplace(key, assignment.is_string() ? assignment.get<std::string>() : "")
                .second) {
-        add("edge " + solver::line_label(key.first, key.second), "is there twice", "name it once");
+        add("edge " + solver::line_label(key.first, key.second), "occurs twice", "name it once");
       }
     }
   }
 
   void read_faces() {
     mesh_.has_faces = value_.contains("faces_vertices");
-    if (!mesh_.has_faces) return;  // they follow from the edges
+    if (!mesh_.has_faces) return;  // faces follow from the edges
     const Json* faces = list("faces_vertices");
     if (!faces) return;
     if (faces->size() > kMostFaces) {
@@ -184,7 +184,7 @@ class Reader {
     return median(std::move(lengths_mm));
   }
 
-  // In its own plane. A sheet that lies across z keeps its x and y: where its faces are seen from
+  // Lays the sheet in its plane. A sheet across z keeps its x and y; if its faces are seen from
   // below, so are its mountains and valleys.
   void lay_flat() {
     const double edge_mm = median_edge_mm(), within_mm = kOffPlane * edge_mm;
@@ -219,8 +219,9 @@ class Reader {
     if (off_mm > kRounding * edge_mm) say("{} is laid flat by {:.3g} mm", name, off_mm);
   }
 
-  // Whether all faces do, in the plane. Mountains and valleys are those of one side: faults where
-  // some faces run one way and some the other. What is not convex runs in neither.
+  // Returns whether all faces run clockwise in the plane. Mountains and valleys are those of one
+  // side: faults if some faces run one way and some the other. A face that is not convex counts as
+  // neither.
   bool run_clockwise() {
     std::vector<std::size_t> clockwise, others;
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
@@ -251,12 +252,12 @@ class Reader {
     const Eigen::Vector2d size = most - least;
     if (size.maxCoeff() > kUnitSheet) return;
     add(fmt::format("the mesh is {:.4g} by {:.4g} units", size.x(), size.y()),
-        "nothing says how long a unit is",
+        "its unit of length is unknown",
         "write frame_unit, such as \"cm\", into the FOLD file, or name the file in a pattern that "
         "says mm_per_unit: {\"family\": \"fold\", \"file\": ..., \"mm_per_unit\": 500}");
   }
 
-  // With the mountains and valleys of its creases.
+  // Returns the mesh with the mountains and valleys of its creases.
   FoldMesh assigned(solver::CreasePattern sheet) {
     const int faces = static_cast<int>(mesh_.faces.size());
     FoldMesh mesh{std::move(sheet), {}, {}, std::move(reading_)};
@@ -286,7 +287,7 @@ class Reader {
   MeshFaults faults_;
   SpacePoints points_mm_;
   PlaneMesh mesh_;
-  int letters_side_ = 1;  // -1: mountains and valleys are those seen from -z of the sheet
+  int letters_side_ = 1;  // -1: mountains and valleys are seen from -z of the sheet
   std::vector<std::string> reading_;
 };
 

@@ -9,7 +9,7 @@ namespace misalign::schema {
 namespace {
 
 constexpr const char* kCoordinates = "vertices_coords";
-constexpr std::size_t kLongestLine = 32;  // of parents; a circle of them is longer
+constexpr std::size_t kLongestLine = 32;  // parents in a line; a circle of them is longer
 
 bool is_of_class(const Json& frame, const char* name) {
   const auto classes = frame.find("frame_classes");
@@ -24,7 +24,7 @@ class Frames {
     if (frames != fold.end() && frames->is_array()) frames_ = &*frames;
   }
 
-  // The number of the first frame that is such a one and has coordinates; none: 0.
+  // Returns the number of the first frame that `is` accepts and that has coordinates; 0: none.
   template <class Is>
   std::size_t first(const Is& is) const {
     for (std::size_t k = 1; k <= count(); ++k) {
@@ -52,7 +52,7 @@ class Frames {
   std::size_t count() const { return frames_ ? frames_->size() : 0; }
   const Json& at(std::size_t k) const { return k == 0 ? fold_ : (*frames_)[k - 1]; }
 
-  // A frame and those that it inherits from, the oldest first.
+  // Returns a frame and the frames that it inherits from, the oldest first.
   std::vector<const Json*> line_of(std::size_t k) const {
     std::vector<const Json*> line;
     for (std::optional<std::size_t> next = k; next && line.size() < kLongestLine;) {

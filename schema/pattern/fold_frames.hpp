@@ -7,18 +7,18 @@
 
 namespace misalign::schema {
 
-/// Whether a document is a FOLD object, if only one of metadata.
+/// Returns whether a document is a FOLD object, even one with only metadata.
 bool is_fold(const Json& document);
 
-/// One of a file's frames, with what it inherits.
+/// A frame of a file, with its inherited keys.
 struct FoldFrame {
   Json frame;
-  std::size_t number;  ///< in file_frames, from 1
+  std::size_t number;  ///< number in file_frames, from 1
 };
 
-/// None: the crease pattern is the key frame. Where that has no coordinates or is a folded form, it
-/// is the first frame of class creasePattern; without coordinates, and where there is none such,
-/// the first with coordinates that is no folded form.
+/// Finds the frame of the crease pattern; none: the key frame. If that has no coordinates or is a
+/// folded form, it is the first frame of class creasePattern; if that has no coordinates or does
+/// not exist, the first frame with coordinates that is no folded form.
 std::optional<FoldFrame> crease_pattern_frame(const Json& fold);
 
 }  // namespace misalign::schema

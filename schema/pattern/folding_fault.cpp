@@ -14,7 +14,7 @@ std::string edge_label(const solver::CreasePattern& sheet, int e) {
 
 const char* word_of(int sign) { return sign > 0 ? "valley" : sign < 0 ? "mountain" : "not known"; }
 
-// "A8-A9 mountain, A9-A10 valley, ...": of those that follow from others it is said.
+// Returns "A8-A9 mountain, A9-A10 valley, ...", and notes creases that follow from others.
 std::string creases_text(const solver::CreasePattern& sheet, const std::vector<int>& assignment,
                          const solver::NoBaseFolding::Creases& creases) {
   std::string text;
@@ -26,7 +26,7 @@ std::string creases_text(const solver::CreasePattern& sheet, const std::vector<i
   return text;
 }
 
-// What is to be changed, as far as the sector angles tell.
+// Suggests a change, as far as the sector angles tell.
 std::string advice(const solver::CreasePattern& sheet,
                    const solver::NoBaseFolding::Creases& creases) {
   if (creases.odd.empty()) {
@@ -42,7 +42,7 @@ std::string advice(const solver::CreasePattern& sheet,
   int sum = 0;
   for (const int sign : creases.signs) sum += sign;
   std::string instead;
-  for (int k = 0; k < 4; ++k) {  // three of a kind and one of the other
+  for (int k = 0; k < 4; ++k) {  // three creases of a kind and one of the other
     if (std::abs(sum) == 2 && creases.signs[k] * sum < 0) {
       instead = ", not " + edge_label(sheet, creases.edges[k]);
     }
@@ -51,7 +51,7 @@ std::string advice(const solver::CreasePattern& sheet,
                      fmt::join(ones, " or "), instead);
 }
 
-// What the file must say so that one way is left.
+// Suggests assignments that leave one way to fold.
 std::string ambiguity_advice(const solver::CreasePattern& sheet, const std::vector<int>& assignment,
                              int edge) {
   if (std::ranges::all_of(assignment, [](int sign) { return sign == 0; })) {
@@ -96,7 +96,7 @@ void add_folding_fault(const std::string& place, const solver::CreasePattern& sh
       break;
     case solver::NoBaseFolding::Cause::unconnected:
       faults.add(where, vertex + " is not reached from the pilot over inner creases",
-                 "give a sheet whose inner vertices hang together");
+                 "give a sheet with connected inner vertices");
   }
 }
 

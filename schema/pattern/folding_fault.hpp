@@ -10,8 +10,7 @@
 namespace misalign::schema {
 
 /// Adds the fault of a sheet with these mountains and valleys (per edge: +1 valley, -1 mountain, 0
-/// not given) to `faults`; `place` is what a sentence calls the mesh, empty for the document
-/// itself.
+/// not given) to `faults`; `place` is the mesh's name in a sentence, empty for the document itself.
 void add_folding_fault(const std::string& place, const solver::CreasePattern& sheet,
                        const std::vector<int>& assignment, const solver::NoBaseFolding& none,
                        InputFaults& faults);

@@ -12,7 +12,7 @@
 namespace misalign::schema {
 namespace {
 
-// The creases of a base whose mountains and valleys follow from others, or from the pilot.
+// Creases of a base whose assignment follows from others, or from the pilot.
 struct Unassigned {
   int creases = 0;
   bool are_all = true;
@@ -31,8 +31,8 @@ Unassigned unassigned(const solver::CreasePattern& sheet, const std::vector<int>
   return found;
 }
 
-// The folding of a pilot that is unassigned: where none is assigned, a valley; otherwise what the
-// others let it be.
+// The folding with an unassigned pilot: a valley if no crease is assigned; otherwise as the others
+// allow.
 using Folded = std::variant<solver::BaseFolding, solver::NoBaseFolding>;
 Folded fold_unassigned(const solver::CreasePattern& sheet, std::vector<int> assignment, int pilot) {
   const bool none = std::ranges::all_of(assignment, [](int sign) { return sign == 0; });
@@ -47,7 +47,7 @@ Folded fold_unassigned(const solver::CreasePattern& sheet, std::vector<int> assi
                                pilot};
 }
 
-// Mountains and valleys that the file leaves open.
+// Adds sentences about mountains and valleys that the file leaves open.
 void say_what_follows(const std::vector<int>& assignment, int pilot, Pattern& pattern) {
   const solver::CreasePattern& sheet = pattern.base.sheet;
   const auto [creases, are_all] = unassigned(sheet, pattern.base.holes, assignment);
@@ -60,8 +60,8 @@ void say_what_follows(const std::vector<int>& assignment, int pilot, Pattern& pa
                     "; whether mountain or valley follows from the others");
 }
 
-// A sheet near the mesh as its base, and the mesh as a shifted sheet. Campaigns draw around the
-// base, which has to stand for the mesh.
+// Takes a sheet near the mesh as its base, and the mesh as a shifted sheet. Campaigns draw around
+// the base, which must represent the mesh.
 void take_near_base(const std::string& where, solver::NearestBase near, Displacements displacements,
                     Pattern& pattern, InputFaults& faults) {
   solver::CreasePattern& sheet = pattern.base.sheet;
@@ -82,7 +82,7 @@ void take_near_base(const std::string& where, solver::NearestBase near, Displace
   }
   sheet = std::move(near.sheet);
   pattern.base.folding = std::move(near.folding);
-  if (const auto none = place_faces(sheet)) {  // as when it is read again
+  if (const auto none = place_faces(sheet)) {  // as in a second reading
     faults.add(where.empty() ? none->problem : where + ": " + none->problem, none->why,
                none->suggestion);
   }

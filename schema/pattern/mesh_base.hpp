@@ -1,5 +1,5 @@
-// How the base of a mesh folds: as its mountains and valleys say, as far as these follow from one
-// another, or as that of a sheet near it.
+// Finds the base of a mesh and its folding, by its mountains and valleys as far as these are given
+// or follow from one another; otherwise that of a sheet near it.
 #pragma once
 
 #include "schema/pattern/mesh_family.hpp"
@@ -7,10 +7,10 @@
 
 namespace misalign::schema {
 
-/// The folding of `pattern`, which has the mesh's sheet and holes and no shifts yet. A mesh that
-/// does not fold rigidly gets the nearest sheet found that does as its base, and its own vertices
-/// as shifts of that; a campaign draws its own and is refused unless the base is as near as to
-/// stand for the mesh. A sentence names the vertex where there is neither.
+/// Folds the base of `pattern`, which has the mesh's sheet and holes and no shifts yet. The base of
+/// a mesh that does not fold rigidly is the nearest sheet found that does, and the mesh's vertices
+/// are shifts of it. A campaign draws its own shifts and is refused unless the base is near enough
+/// to represent the mesh. A fault names the vertex if there is no base.
 void fold_base(const FamilyMesh& mesh, int pilot, Displacements displacements, Pattern& pattern,
                InputFaults& faults);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr int kMostSide = 40;  // 3,900 unknowns: a dense Jacobian of 120 MB
 constexpr double kLeastLength_mm = 1e-3, kMostLength_mm = 1e6;
 
-// A length for all panels of a row or column, or a list with one for each.
+// Reads a length for all panels of a row or column, or a list with one for each.
 void read_lengths(ObjectReader& reader, const char* key, double usual, int count,
                   const std::string& suggestion, std::vector<double>& lengths) {
   const Json* value = reader.find(key);
@@ -44,7 +44,7 @@ Json lengths_json(const std::vector<double>& lengths) {
   return equal ? Json(lengths.front()) : Json(lengths);
 }
 
-// How many panels of a sheet in rows and columns.
+// Reads the numbers of rows and columns.
 void read_sides(ObjectReader& reader, int& rows, int& columns) {
   const auto side = [&](const char* key, int& into) {
     reader.require(key, "write how many panels, for example 6");
@@ -90,7 +90,7 @@ FamilyMesh read_miura(ObjectReader& reader) {
   return mesh;
 }
 
-// A file in FOLD or OBJ, or its contents as "mesh": what a catalogue keeps.
+// Reads a file in FOLD or OBJ, or its contents as "mesh", as in a catalogue.
 FamilyMesh read_fold_mesh(ObjectReader& reader,
                           const std::optional<std::filesystem::path>& directory) {
   const Json* file = reader.find("file");
@@ -99,7 +99,7 @@ FamilyMesh read_fold_mesh(ObjectReader& reader,
   reader.number("mm_per_unit", mm_per_unit, 1e-6, 1e6, "write how many mm one unit is");
   if ((file == nullptr) == (inline_mesh == nullptr)) {
     reader.faults().add(file ? reader.name("mesh") : reader.name("file"),
-                        file ? "is there beside a file" : "is missing",
+                        file ? "is given beside a file" : "is missing",
                         "name the FOLD or OBJ file with the mesh in \"file\"");
     return {};
   }
@@ -109,8 +109,7 @@ FamilyMesh read_fold_mesh(ObjectReader& reader,
   }
   if (file && !directory) {
     reader.faults().add(reader.shown("file"),
-                        "what is kept or exported carries its mesh, and no "
-                        "other file is opened for it",
+                        "a catalogue or an export holds its mesh, and no other file is opened",
                         "export it again, or put a backup in its place");
     return {};
   }
@@ -140,7 +139,7 @@ FamilyMesh read_family(ObjectReader& reader,
   if (family == "miura") return read_miura(reader);
   if (family == "fold") return read_fold_mesh(reader, directory);
   reader.faults().add(reader.shown("family"), "is no pattern family", kForms);
-  // Not judged without a family, but known.
+  // Known keys, but not judged without a family.
   for (const char* key : {"rows", "columns", "panel_width_mm", "panel_height_mm",
                           "zigzag_offset_mm", "file", "mesh", "mm_per_unit"}) {
     reader.find(key);

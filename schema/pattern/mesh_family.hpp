@@ -1,4 +1,4 @@
-// The families of unperforated sheets that a pattern can name, each with keys of its own.
+// Reads the families of unperforated sheets that a pattern can name, each with its own keys.
 #pragma once
 
 #include <filesystem>
@@ -13,15 +13,15 @@ namespace misalign::schema {
 
 struct FamilyMesh {
   Json family;        ///< "family" and its keys, resolved
-  std::string place;  ///< what a sentence calls the mesh; empty: it is the document itself
+  std::string place;  ///< the mesh's name in a sentence; empty: the document itself
   solver::CreasePattern sheet;
   std::vector<int> assignment;         ///< per edge: +1 valley, -1 mountain, 0 unknown or border
-  std::vector<int> missing;            ///< facets that the family itself leaves out
-  std::vector<std::string> reading{};  ///< sentences: how a mesh was taken that leaves a choice
+  std::vector<int> missing;            ///< facets that the family leaves out
+  std::vector<std::string> reading{};  ///< sentences about the interpretation of the mesh
 };
 
-/// The sheet that a pattern object names. Only when it added no fault is the result usable. A
-/// mesh's file is looked for in `directory`; without one none may be named.
+/// Reads the sheet that a pattern object names; usable only without faults. A mesh's file is
+/// relative to `directory`; without one no file may be named.
 FamilyMesh read_family(ObjectReader& reader, const std::optional<std::filesystem::path>& directory);
 
 }  // namespace misalign::schema

@@ -17,7 +17,7 @@ using Words = std::vector<std::string_view>;
 
 constexpr std::string_view kBlank = " \t\r\f\v";
 
-// The words of a line, without its comment.
+// Returns the words of a line, without its comment.
 Words words_of(std::string_view line) {
   line = line.substr(0, line.find('#'));
   Words words;
@@ -29,7 +29,7 @@ Words words_of(std::string_view line) {
   return words;
 }
 
-// Calls `see` with the words of each line that has some, until it returns false.
+// Calls `see` with the words of each line that is not empty, until it returns false.
 template <class See>
 void each_line(std::string_view text, const See& see) {
   for (std::size_t begin = 0; begin < text.size();) {
@@ -40,7 +40,7 @@ void each_line(std::string_view text, const See& see) {
   }
 }
 
-// The number that a word is, otherwise the word.
+// Returns a word as a number if it is one, otherwise the word.
 template <class Number>
 Json number_or_text(std::string_view word) {
   Number number{};
@@ -66,14 +66,14 @@ class ObjReader {
     } else if (what == "g" || what == "o" || what == "usemtl") {
       letter_ = letter_of(words.size() > 1 ? words[1] : "");
     }
-    // One more than the reader of FOLD takes, so that it says so.
+    // One more than the FOLD reader accepts, which reports it.
     return points_.size() <= 4 * kMostFaces && faces_.size() <= kMostFaces &&
            lines_.size() <= 4 * kMostFaces;
   }
 
   Json fold() const {
     std::map<std::pair<int, int>, std::string> edges;
-    Json others = Json::array();  // ends that are no two vertices
+    Json others = Json::array();  // lines without two vertices
     const auto add = [&](const Json& a, const Json& b, const std::string& letter) {
       if (!a.is_number_integer() || !b.is_number_integer() || a == b) {
         others.push_back({a, b});
@@ -104,7 +104,7 @@ class ObjReader {
   }
 
  private:
-  // "7", "7/1/3" or "-1", counted from 1 or from the end.
+  // Reads "7", "7/1/3" or "-1", counted from 1 or from the end.
   Json corners(const Words& words) const {
     Json vertices = Json::array();
     for (std::size_t k = 1; k < words.size(); ++k) {

@@ -28,18 +28,19 @@ constexpr Parameter kParameters[] = {{"", "jobs", {1, 4096}},
 
 void check_within(std::string_view name, const DesignLimits& bounds, double value) {
   const auto [least, most] = bounds;
-  if (value >= least && value <= most) return;  // which NaN is not
+  if (value >= least && value <= most) return;  // false for NaN
   throw UserError(solver::OptionFault{
       std::string(name), fmt::format("{:g}", value),
       fmt::format("is not a number from {} to {}", shown_number(least), shown_number(most)),
-      "name one that is"});
+      "give one within these bounds"});
 }
 
 }  // namespace
 
 DesignLimits parameter_limits(std::string_view study, std::string_view name) {
-  const auto* const found = std::ranges::find_if(
-      kParameters, [&](const Parameter& one) { return one.study == study && one.name == name; });
+  const auto* const found = std::ranges::find_if(kParameters, [&](const Parameter& entry) {
+    return entry.study == study && entry.name == name;
+  });
   assert(found != std::end(kParameters));
   return found->bounds;
 }

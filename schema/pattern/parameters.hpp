@@ -1,5 +1,5 @@
-// The numbers that people give studies, on the command line and from Python alike, beside those of
-// a design.
+// Bounds the parameters of studies, on the command line and in Python alike, beside those of a
+// design.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,16 @@
 
 namespace misalign::schema {
 
-/// Trials with play are kept until all of them are counted: 64 bytes each.
+/// Largest number of trials with play, which are kept until all are counted: 64 bytes each.
 inline constexpr std::uint64_t kMostBacklashTrials = 1000000;
 
-/// Of a study's "amplitude_mm", say, as the table has it; no study: of all.
+/// Returns the bounds of a study's parameter, such as "amplitude_mm", by the table; an empty study:
+/// of all studies.
 DesignLimits parameter_limits(std::string_view study, std::string_view name);
 
-/// UserError (bad_request) unless it lies within these.
+/// Throws a UserError (bad_request) unless a parameter lies within its bounds.
 void check_parameter(std::string_view study, std::string_view name, double value);
-/// The same of a number that is a design's by another name.
+/// Does the same for a number of a design under another name.
 void check_design(std::string_view name, std::string_view design_key, double value);
 
 }  // namespace misalign::schema

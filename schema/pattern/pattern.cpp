@@ -8,7 +8,8 @@ Json facet_json(const Pattern& pattern, int facet) { return pattern.base.sheet.p
 
 int facet_of_json(const Pattern& pattern, const Json& place) {
   const auto& places = pattern.base.sheet.places;
-  const auto at = std::ranges::find_if(places, [&](const auto& own) { return place == Json(own); });
+  const auto at =
+      std::ranges::find_if(places, [&](const auto& other) { return place == Json(other); });
   return at == places.end() ? -1 : static_cast<int>(at - places.begin());
 }
 

@@ -1,4 +1,4 @@
-// Reads a file that holds a pattern, in whichever of the formats that are known.
+// Reads a file that holds a pattern, in any known format.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace misalign::schema {
 
-/// What a file of JSON holds, FOLD being that, too, or an OBJ file as a FOLD object. UserError
-/// (bad_input) names the formats where it is none of them, and whatever read_json_file does.
+/// Returns the document of a JSON file, FOLD included, or an OBJ file as a FOLD object. UserError
+/// (bad_input) names the formats if it is none of them; else as read_json_file.
 Json read_pattern_document(const std::string& path, FileKind kind = FileKind::any);
 
 }  // namespace misalign::schema

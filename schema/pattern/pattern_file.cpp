@@ -58,8 +58,8 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
 Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
                        const Sampling& sampling, const Design& design) {
   Json json = {{"pattern", pattern_json(base, shifts_mm)}, {"sampling", sampling_json(sampling)}};
-  const Json said = explicit_design_json(design);
-  if (!said.empty()) json["design"] = said;
+  const Json explicit_json = explicit_design_json(design);
+  if (!explicit_json.empty()) json["design"] = explicit_json;
   return json;
 }
 

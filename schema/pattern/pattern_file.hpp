@@ -1,4 +1,4 @@
-// Files of patterns as people write them, and exported candidates.
+// Reads and writes pattern files, and reads exported candidates.
 #pragma once
 
 #include <filesystem>
@@ -10,32 +10,32 @@
 
 namespace misalign::schema {
 
-/// Whether a document is a campaign: its "pattern" stands beside nothing that an export says.
+/// Returns whether a document is a campaign: it has a "pattern" and no keys of an export.
 bool is_campaign(const Json& document);
 
 struct PatternFile {
   Pattern pattern;
-  Sampling sampling;  ///< an exported candidate's is its campaign's
-  Design design;      ///< "design" beside the pattern; nothing where there is none
-  Json exported;  ///< what an export says of it (candidate.schema.json); null for other patterns
+  Sampling sampling;  ///< an exported candidate has its campaign's
+  Design design;      ///< "design" beside the pattern; empty without one
+  Json exported;      ///< its results (candidate.schema.json); null for other patterns
 };
 
-/// A pattern file; an exported candidate, JSON or FOLD; or a FOLD mesh without shifts. UserError
-/// (3) with every fault.
+/// Reads a pattern file; an exported candidate, JSON or FOLD; or a FOLD mesh without shifts.
+/// UserError (3) with every fault.
 PatternFile read_sampled_pattern_file(const std::string& path,
                                       Perforations perforations = Perforations::of_one_freedom);
 
-/// The same of what it holds; sentences name `source`. A FOLD file that it names is looked for in
-/// `directory`.
+/// Reads the document of such a file; sentences name `source`. A FOLD file that it names is
+/// relative to `directory`.
 PatternFile read_sampled_pattern(const Json& document, const std::string& source,
                                  const std::filesystem::path& directory,
                                  Perforations perforations = Perforations::of_one_freedom);
 
-/// A pattern as such a file, with what of sampling and design is no default.
+/// Writes a pattern as such a file, with sampling and design where they differ from defaults.
 Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
                        const Sampling& sampling, const Design& design);
 
-/// The pattern of such a file.
+/// Reads the pattern of such a file.
 Pattern read_pattern_file(const std::string& path,
                           Perforations perforations = Perforations::of_one_freedom);
 

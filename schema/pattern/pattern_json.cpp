@@ -60,7 +60,7 @@ std::vector<int> read_holes(ObjectReader& reader, const FamilyMesh& mesh) {
   return holes;
 }
 
-// Edge of the pilot that is asked for; -1 after a fault.
+// Reads the pilot's edge; -1 after a fault.
 int read_pilot(ObjectReader& reader, const solver::CreasePattern& sheet,
                const std::vector<int>& holes) {
   const int usual = solver::default_pilot(sheet, holes);
@@ -163,7 +163,7 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
     faults.add(reader.name("displacements_mm"), "a campaign draws its own displacements",
                "take it out, or give the pattern to `misalign fold`");
   }
-  // Not judged on a sheet that is refused, but known.
+  // Known keys, but not judged on a refused sheet.
   for (const char* key : {"holes", "pilot", "springs", "displacements_mm"}) {
     if (!good()) reader.find(key);
   }

@@ -1,4 +1,4 @@
-// Patterns as objects of JSON.
+// Reads and writes patterns as objects of JSON.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,18 @@
 
 namespace misalign::schema {
 
-/// Reads and checks a pattern object at `where`. Only when it added no fault is the result usable.
-/// A FOLD file that it names is looked for in `directory`; what a catalogue or an exported
-/// candidate holds comes without one, and may name none: its mesh is with it.
+/// Reads and checks a pattern object at `where`; usable only without faults. A FOLD file that it
+/// names is relative to `directory`. A catalogue or an exported candidate has no directory, and may
+/// name no file: it holds its mesh.
 Pattern read_pattern(const Json& value, const std::string& where, Displacements displacements,
                      const std::optional<std::filesystem::path>& directory, InputFaults& faults,
                      Perforations perforations = Perforations::of_one_freedom);
 
-/// The base with these shifts, in the contract's names; displacements only where there are some.
-/// Reading it again gives the same pattern.
+/// Returns the base with these shifts; displacements only if there are any. Reading it again gives
+/// the same pattern.
 Json pattern_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm);
 
-/// {"A10": [0.4, 0.0], ...}: the vertices that are shifted, exactly.
+/// Returns {"A10": [0.4, 0.0], ...}: the shifted vertices, exactly.
 Json displacements_json(const Eigen::Matrix2Xd& shifts_mm);
 
 }  // namespace misalign::schema

@@ -7,16 +7,15 @@
 namespace misalign::schema {
 namespace {
 
-// Checks that an overconstrained sheet folds all the same: `constraints` says that they are.
+// Checks that an overconstrained sheet folds nevertheless; `constraints` says that it is
+// overconstrained.
 void check_member(const std::string& where, const std::string& constraints, const Pattern& pattern,
                   InputFaults& faults) {
   const solver::CreasePattern& sheet = pattern.base.sheet;
   const auto family = solver::ParallelFamily::of(pattern.base, solver::all_vertices(sheet));
   if (const auto* none = std::get_if<solver::NoParallelFamily>(&family)) {
-    faults.add(
-        where,
-        constraints + "; nor has the base sheets that fold all the same: " + none->why(sheet),
-        "`misalign perforations` lists those that leave one");
+    faults.add(where, constraints + "; nor has the base a parallel family: " + none->why(sheet),
+               "`misalign perforations` lists those that leave one");
     return;
   }
   const solver::ParallelMisfit misfit = solver::parallel_misfit(pattern.base, pattern.shifts_mm);
@@ -25,13 +24,13 @@ void check_member(const std::string& where, const std::string& constraints, cons
   for (const int v : misfit.vertices) place += (place.empty() ? "" : "-") + solver::vertex_label(v);
   faults.add(where,
              constraints +
-                 "; with so few holes creases must keep their directions and holes stay "
+                 "; in an overconstrained sheet creases must keep their directions and holes stay "
                  "parallelograms, and the shifts take " +
                  place + " off by " + shown_number(misfit.mm) + " mm",
              "`misalign construct` shifts vertices so that the sheet folds");
 }
 
-// What to do about a sheet without a hole.
+// Suggests a remedy for a sheet without holes.
 std::string hole_advice(const solver::CreasePattern& sheet) {
   const int count = solver::holes_that_count_to_one(sheet);
   const auto inner = static_cast<int>(solver::inner_facets(sheet).size());
@@ -62,7 +61,7 @@ bool closes_at_180(const solver::PerforatedSheet& base, const Eigen::Matrix2Xd& 
              solver::base_holes(base, misfit_rad));
 }
 
-// Counting first, then the rank of the Jacobian, which has the last word.
+// Checks by counting, then by the rank of the Jacobian, which decides.
 void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,
                        InputFaults& faults) {
   const solver::PerforatedSheet& base = pattern.base;
@@ -99,7 +98,7 @@ void check_perforation(const std::string& where, const Pattern& pattern, Perfora
     } else {
       faults.add(where, constraints,
                  suggestion +
-                     "; members of the base's parallel family fold all the same: of a campaign "
+                     "; members of the base's parallel family fold nevertheless: in a campaign "
                      "with \"kind\": \"parallel\", or by `misalign construct`");
     }
   } else {

@@ -1,4 +1,4 @@
-// Whether the holes of a pattern leave its sheet one way to fold.
+// Checks that the holes of a pattern leave its sheet one way to fold.
 #pragma once
 
 #include <string>
@@ -7,26 +7,26 @@
 
 namespace misalign::schema {
 
-/// Which perforations are no fault.
+/// Perforations without a fault.
 enum class Perforations {
-  of_one_freedom,  ///< whatever the shifts
-  /// Also overconstrained ones, where the shifts keep to the base's parallel family: the sheet
-  /// folds in one way all the same.
+  of_one_freedom,  ///< any shifts
+  /// Also overconstrained ones with shifts in the base's parallel family: the sheet folds in one
+  /// way nevertheless.
   of_one_path,
   any
 };
 
-/// Whether it has more equations than unknowns, by fewer holes than count to one degree of freedom:
-/// only members of its parallel family fold.
+/// Returns whether a base is overconstrained, with fewer holes than one degree of freedom requires
+/// by counting: only members of its parallel family fold.
 bool is_overconstrained(const solver::PerforatedSheet& base);
 
-/// Whether these shifts, of which one is not zero, make a member of the parallel family of a base
-/// that folds flat, on a path that has to be followed: all its creases come to 180 degrees at once,
-/// where rounding decides what happens first. Verdicts end at the sample before.
+/// Returns whether these shifts, at least one not zero, make a member of the parallel family of a
+/// base that folds flat, on a path that must be followed: all its creases reach 180 degrees at
+/// once, where rounding decides the first fault. Verdicts end at the sample before.
 bool closes_at_180(const solver::PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm);
 
-/// Adds a fault at `where` if they leave another number of degrees of freedom than one; the
-/// pattern's shifts matter where it is overconstrained.
+/// Adds a fault at `where` unless the holes leave one degree of freedom; the pattern's shifts
+/// matter if it is overconstrained.
 void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,
                        InputFaults& faults);
 

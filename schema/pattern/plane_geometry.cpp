@@ -6,10 +6,10 @@
 namespace misalign::schema {
 namespace {
 
-// Whether two different edges, a to b and c to d, have a point in common that is not a common end.
+// Returns whether two different edges, a to b and c to d, share a point that is not a common end.
 bool meet(const PlanePoints& points, int a, int b, int c, int d) {
-  const auto side = [&](int from, int to, int of) {
-    return cross(points[to] - points[from], points[of] - points[from]);
+  const auto side = [&](int from, int to, int point) {
+    return cross(points[to] - points[from], points[point] - points[from]);
   };
   if (b == c || b == d) std::swap(a, b);
   if (a == d) std::swap(c, d);
@@ -63,12 +63,12 @@ std::vector<std::pair<std::pair<int, int>, std::pair<int, int>>> crossing(const 
   std::sort(boxes.begin(), boxes.end(), [](const Box& i, const Box& k) { return i.left < k.left; });
   std::vector<std::pair<std::pair<int, int>, std::pair<int, int>>> pairs;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Box& one = boxes[i];
-    for (std::size_t k = i + 1; k < boxes.size() && boxes[k].left <= one.right; ++k) {
+    const Box& box = boxes[i];
+    for (std::size_t k = i + 1; k < boxes.size() && boxes[k].left <= box.right; ++k) {
       const Box& other = boxes[k];
-      if (other.low > one.high || one.low > other.high) continue;
-      if (!meet(points, one.a, one.b, other.a, other.b)) continue;
-      pairs.push_back({{one.a, one.b}, {other.a, other.b}});
+      if (other.low > box.high || box.low > other.high) continue;
+      if (!meet(points, box.a, box.b, other.a, other.b)) continue;
+      pairs.push_back({{box.a, box.b}, {other.a, other.b}});
       if (pairs.size() == most) return pairs;
     }
   }

@@ -1,4 +1,4 @@
-// Points and straight edges in the plane: which coincide, which cross, what is convex.
+// Computes with points and straight edges in the plane: coincidence, crossings, convexity.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,25 +14,26 @@ using PlanePoints = std::vector<Eigen::Vector2d>;
 /// Ends in order -> assignment.
 using PlaneEdges = std::map<std::pair<int, int>, std::string>;
 
-/// The z component of the cross product of two vectors in the plane.
+/// Returns the z component of the cross product of two vectors in the plane.
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Whether the way round goes left at every corner: convex, counterclockwise, no three on a line.
+/// Returns whether a loop turns left at every corner: convex, counter-clockwise, no three on a
+/// line.
 bool is_convex(const PlanePoints& points, std::span<const int> loop);
 
-/// Pairs of points, each with the lesser number first, that are no farther apart than `within` in x
-/// and in y; no more than `most` of them.
+/// Returns pairs of points, each with the lesser number first, that are no farther apart than
+/// `within` in x and in y; at most `most` of them.
 std::vector<std::pair<int, int>> coinciding(const PlanePoints& points, double within,
                                             std::size_t most);
 
-/// Pairs of edges that have a point in common which is not a common end; no more than `most`.
+/// Returns pairs of edges that share a point which is not a common end; at most `most`.
 std::vector<std::pair<std::pair<int, int>, std::pair<int, int>>> crossing(const PlanePoints& points,
                                                                           const PlaneEdges& edges,
                                                                           std::size_t most);
 
-/// The middle one by size, the upper of two; there is one at least.
+/// Returns the median of at least one value, the upper of two.
 double median(std::vector<double> values);
 
 }  // namespace misalign::schema

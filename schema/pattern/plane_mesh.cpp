@@ -7,14 +7,14 @@
 namespace misalign::schema {
 namespace {
 
-constexpr double kLeastSize_mm = 1e-3;  // far above what products of coordinates underflow at
+constexpr double kLeastSize_mm = 1e-3;  // far above an underflow of products of coordinates
 // Vertices closer than this part of the sheet's size are the same point.
 constexpr double kSamePoint = 1e-7;
 
 using Quad = std::array<int, 4>;
 using Point = Eigen::Vector2d;
 
-// Looks in stages; a stage that finds faults is the last.
+// Checks in stages; a stage that finds faults is the last.
 class MeshReader {
  public:
   MeshReader(const PlaneMesh& mesh, MeshFaults& faults)
@@ -39,8 +39,8 @@ class MeshReader {
  private:
   using Stage = void (MeshReader::*)();
 
-  // Crossings are looked for before faces are. A file that has faces may have any number of edges:
-  // there it waits until all of them are sides of faces.
+  // Stages of the check. Crossings are searched before faces. In a file with faces, which may have
+  // any number of edges, crossings wait until all edges are sides of faces.
   std::vector<Stage> stages() const {
     std::vector<Stage> all{&MeshReader::check_points};
     const auto append = [&](std::initializer_list<Stage> more) { all.insert(all.end(), more); };
@@ -83,7 +83,7 @@ class MeshReader {
     }
   }
 
-  // Where the file has none.
+  // Finds the faces of a file without faces.
   void find_faces() {
     FacesOfRegions found = faces_of_edges(points_, edges_);
     for (const auto& [a, b] : found.contradictions) {
@@ -126,7 +126,8 @@ class MeshReader {
     }
   }
 
-  // Every side of a face is an edge of the file, with one face at most on each of its sides.
+  // Checks that every side of a face is an edge of the file, with at most one face on each of its
+  // sides.
   void pair_edges() {
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
       for (int k = 0; k < 4; ++k) {
@@ -150,17 +151,17 @@ class MeshReader {
     }
   }
 
-  // Edges may meet at their common vertex only.
+  // Checks that edges meet only at common vertices.
   void check_crossings() {
-    for (const auto& [one, other] : crossing(points_, edges_, MeshFaults::kMostOfAKind)) {
-      add("edges " + solver::line_label(one.first, one.second) + " and " +
+    for (const auto& [edge, other] : crossing(points_, edges_, MeshFaults::kMostOfAKind)) {
+      add("edges " + solver::line_label(edge.first, edge.second) + " and " +
               solver::line_label(other.first, other.second),
           "cross or touch", "edges may meet at vertices only");
     }
   }
 
-  // Walks round every region of the plane that the edges enclose, each on its left: a face of the
-  // file, one that is missing, or the outside.
+  // Walks round every region of the plane that edges enclose, on its left: a face of the file, a
+  // missing one, or the outside.
   void find_gaps() {
     int outsides = 0;
     for (const PlaneRegion& region : regions_of(
@@ -214,7 +215,7 @@ class MeshReader {
   const bool has_faces_;
   MeshFaults& faults_;
   std::vector<Quad> faces_, missing_;
-  std::map<std::pair<int, int>, int> face_left_of_;  // of a side walked from first to second
+  std::map<std::pair<int, int>, int> face_left_of_;  // left of a side from first to second
   solver::CreasePattern sheet_;
 };
 

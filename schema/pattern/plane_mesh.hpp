@@ -1,5 +1,5 @@
-// Points, edges and faces in the plane, and whether they are a sheet: a disk of convex
-// quadrilaterals whose inner vertices join four of them, in rows and columns.
+// Checks that points, edges and faces in the plane form a sheet: a disk of convex quadrilaterals,
+// four at each inner vertex, in rows and columns.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@
 
 namespace misalign::schema {
 
-inline constexpr std::size_t kMostFaces = 1600;  ///< as many as a 40 x 40 Miura-ori has
+inline constexpr std::size_t kMostFaces = 1600;  ///< faces of a 40 x 40 Miura-ori
 
 /// Faults of a mesh, a few of each kind.
 class MeshFaults {
  public:
-  static constexpr int kMostOfAKind = 5;  ///< no more are told
+  static constexpr int kMostOfAKind = 5;  ///< largest number of listed faults
 
-  /// `where` names the mesh; may be empty.
+  /// Collects faults; `where` names the mesh, or is empty.
   MeshFaults(std::string where, InputFaults& faults) : where_(std::move(where)), faults_(faults) {}
 
-  /// What is added from now on is of another kind.
+  /// Begins another kind of faults.
   void next_kind() { told_ = 0; }
   bool any() const { return told_ > 0; }
   void add(const std::string& problem, const std::string& why, const std::string& suggestion);
@@ -37,13 +37,13 @@ class MeshFaults {
 struct PlaneMesh {
   PlanePoints points_mm;
   PlaneEdges edges;
-  bool has_faces = true;  ///< false: they follow from the edges, see faces_of_edges
+  bool has_faces = true;  ///< false: faces follow from the edges, see faces_of_edges
   std::vector<std::array<int, 4>> faces;
 };
 
-/// The sheet: the mesh's faces in its order (or in that of their least vertices), then the single
-/// quadrilaterals that are missing among them. The median length of the faces' first sides is its
-/// panel width. Faults name the vertex, edge or face; nothing after a fault.
+/// Returns the sheet: the mesh's faces in its order (or in that of their least vertices), then the
+/// single missing quadrilaterals. Its panel width is the median length of the faces' first sides.
+/// Faults name the vertex, edge or face; none after a fault.
 std::optional<solver::CreasePattern> fill_sheet(PlaneMesh& mesh, MeshFaults& faults);
 
 }  // namespace misalign::schema

@@ -8,7 +8,7 @@ namespace {
 
 using Side = std::pair<int, int>;
 
-// Neighbours of each vertex, counter-clockwise.
+// Returns the neighbours of each vertex, counter-clockwise.
 std::vector<std::vector<int>> rings_of(const PlanePoints& points, const PlaneEdges& edges) {
   std::vector<std::vector<int>> around(points.size());
   for (const auto& [ends, assignment] : edges) {
@@ -28,11 +28,11 @@ std::vector<std::vector<int>> rings_of(const PlanePoints& points, const PlaneEdg
 
 enum class Kind { unknown, face, hole };
 
-// Border or cut: one of its sides is no face.
+// Returns whether an edge is a border or cut: one of its sides is no face.
 bool is_open(const std::string& assignment) { return assignment == "B" || assignment == "C"; }
 
-// Tells faces from holes: first over the edges that are no borders, then over one border, and so
-// on. One letter that is wrong is then at odds with the rest, and not the rest with it.
+// Tells faces from holes: first across edges that are no borders, then across one border, and so
+// on. A wrong letter then contradicts the rest, and not the rest it.
 class Telling {
  public:
   Telling(const std::vector<PlaneRegion>& regions, const PlaneEdges& edges)
@@ -62,7 +62,7 @@ class Telling {
 
   Kind kind(std::size_t r) const { return kinds_[r]; }
 
-  // Edges whose letter is at odds with what lies on their sides.
+  // Returns the edges whose letter contradicts the regions on their sides.
   std::vector<Side> contradictions() const {
     std::vector<Side> found;
     for (const auto& [ends, assignment] : edges_) {

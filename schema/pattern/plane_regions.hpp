@@ -1,4 +1,5 @@
-// The regions of the plane that straight edges enclose, and which of them are faces of a sheet.
+// Finds the regions of the plane that straight edges enclose, and which of them are faces of a
+// sheet.
 #pragma once
 
 #include <array>
@@ -10,26 +11,26 @@
 
 namespace misalign::schema {
 
-/// Vertices round a region, which lies on the left of the way from each to the next.
+/// A region by its vertices, which go round it with the region on the left.
 struct PlaneRegion {
   std::vector<int> loop;
-  double twice_area;  ///< positive; for what lies outside of all edges that hang together, not
+  double twice_area;  ///< positive, except for the outside of connected edges
   bool bounded() const { return twice_area > 0; }
 };
 
-/// Regions by walking round each of them from the sides (first to second vertex) that `starts`
-/// lets through, in the order of the edges. Edges must not cross.
+/// Returns regions by walking round each of them from the sides (first to second vertex) that
+/// `starts` accepts, in the order of the edges. Edges must not cross.
 std::vector<PlaneRegion> regions_of(const PlanePoints& points, const PlaneEdges& edges,
                                     const std::function<bool(const std::pair<int, int>&)>& starts);
 
-/// Which regions of a FOLD file without faces are faces. An edge "B" is a border, "C" a cut: one of
+/// Faces among the regions of a FOLD file without faces. An edge "B" is a border, "C" a cut: one of
 /// its sides is a face, the other a hole or the outside. Any other edge has faces on both sides, or
-/// holes; what touches the outside is a face.
+/// holes. A region that touches the outside is a face.
 struct FacesOfRegions {
-  std::vector<std::array<int, 4>> faces;  ///< from their least vertex on, in order
+  std::vector<std::array<int, 4>> faces;  ///< in order, each from its least vertex on
   std::vector<std::vector<int>> not_four_sided;
-  /// Edges "B" or "C" with faces on both sides by what the others say, or holes; others with one of
-  /// each.
+  /// Edges "B" or "C" between two faces or two holes by the other edges, and other edges between a
+  /// face and a hole.
   std::vector<std::pair<int, int>> contradictions;
 };
 FacesOfRegions faces_of_edges(const PlanePoints& points, const PlaneEdges& edges);

@@ -17,16 +17,16 @@ using solver::Preload;
 constexpr char kKey[] = "preloads_n";
 constexpr char kSuggestion[] = R"(write {"A9-A15": 2}: a diagonal's vertices, and a force in N)";
 
-std::optional<Preload::OfOne> read_one(const std::string& label, const Json& force) {
-  constexpr int kAnyVertex = 1 << 24;  // which are there says the sheet
+std::optional<Preload::OfOne> read_preload(const std::string& label, const Json& force) {
+  constexpr int kAnyVertex = 1 << 24;  // the sheet knows which exist
   const auto [least, most] = design_limits("springs.preload_n");
   const auto dash = label.find('-');
   if (dash == std::string::npos || !force.is_number()) return {};
-  const Preload::OfOne one{vertex_of_label(label.substr(0, dash), kAnyVertex),
-                           vertex_of_label(label.substr(dash + 1), kAnyVertex),
-                           force.get<double>()};
-  if (one.from < 0 || one.to < 0 || !(one.n >= least && one.n <= most)) return {};
-  return one;
+  const Preload::OfOne preload{vertex_of_label(label.substr(0, dash), kAnyVertex),
+                               vertex_of_label(label.substr(dash + 1), kAnyVertex),
+                               force.get<double>()};
+  if (preload.from < 0 || preload.to < 0 || !(preload.n >= least && preload.n <= most)) return {};
+  return preload;
 }
 
 }  // namespace
@@ -38,8 +38,8 @@ void read_preloads(ObjectReader& reader, std::vector<Preload::OfOne>& preloads) 
     return reader.faults().add(reader.shown(kKey), "is no object of forces", kSuggestion);
   }
   for (const auto& [label, force] : value->items()) {
-    if (const auto one = read_one(label, force)) {
-      preloads.push_back(*one);
+    if (const auto preload = read_preload(label, force)) {
+      preloads.push_back(*preload);
     } else {
       reader.faults().add(reader.name(kKey) + "." + printable(label) + " = " + force.dump(),
                           "is no force of a spring, from 0 to 1e+06 N", kSuggestion);
@@ -50,15 +50,16 @@ void read_preloads(ObjectReader& reader, std::vector<Preload::OfOne>& preloads) 
 Json preloads_json(const std::vector<Preload::OfOne>& preloads) {
   if (preloads.empty()) return nullptr;
   Json json = Json::object();
-  for (const Preload::OfOne& one : preloads) json[solver::line_label(one.from, one.to)] = one.n;
+  for (const Preload::OfOne& preload : preloads)
+    json[solver::line_label(preload.from, preload.to)] = preload.n;
   return json;
 }
 
 void find_preload_faults(const std::vector<Preload::OfOne>& preloads,
                          const solver::Mechanism& mechanism, InputFaults& faults) {
-  for (const Preload::OfOne& one : preloads) {
-    const std::string name = "springs.preloads_n." + solver::line_label(one.from, one.to);
-    const auto on_one = [&](const auto& diagonal) { return one.is_on(diagonal); };
+  for (const Preload::OfOne& preload : preloads) {
+    const std::string name = "springs.preloads_n." + solver::line_label(preload.from, preload.to);
+    const auto on_one = [&](const auto& diagonal) { return preload.is_on(diagonal); };
     const auto at = std::ranges::find_if(mechanism.diagonals, on_one);
     if (at == mechanism.diagonals.end()) {
       const solver::Diagonal& first = mechanism.diagonals.front();

@@ -10,17 +10,18 @@ void read_between_samples(ObjectReader& reader, const Pattern& pattern, solver::
   const Json* value = reader.find("between_samples");
   if (!value) return;
   if (*value == "exact" && !pattern.base.springs.in_mid_plane()) {
-    reader.faults().add(reader.shown("between_samples"),
-                        "lengths of springs off the mid-plane are not even in the pilot's angle, "
-                        "which is counted on next to flat",
-                        "write true, which looks by cubics");
+    reader.faults().add(
+        reader.shown("between_samples"),
+        "it needs lengths that are even functions of the pilot angle near flat, and "
+        "those of springs off the mid-plane are not",
+        "write true, which uses cubics");
   } else if (*value == "exact") {
     rule = solver::BumpRule::exact;
   } else if (value->is_boolean()) {
     rule = value->get<bool>() ? solver::BumpRule::by_cubic : solver::BumpRule::ignored;
   } else {
     reader.faults().add(reader.shown("between_samples"), "must be false, true or \"exact\"",
-                        "write \"exact\" for what the path itself does between the samples");
+                        "write \"exact\" to judge the path itself between samples");
   }
 }
 

@@ -24,7 +24,7 @@ void turn_to_the_right(const solver::CreasePattern& sheet, Corners& face) {
   std::rotate(face.begin(), face.begin() + turn, face.end());
 }
 
-// Goes from the first face across all sides; `placed`: whether each face was reached.
+// Places faces from the first across all sides; `placed` tells which were reached.
 std::optional<NoPlaces> place_from_the_first(solver::CreasePattern& sheet,
                                              std::vector<bool>& placed) {
   placed[0] = true;
@@ -38,7 +38,7 @@ std::optional<NoPlaces> place_from_the_first(solver::CreasePattern& sheet,
           sheet.edges[solver::find_edge(sheet, from, sheet.facets[f][(k + 1) % 4])];
       const int g = edge.left == f ? edge.right : edge.left;
       if (g < 0) continue;
-      // Over there the side is the opposite one, and ends where it begins here.
+      // The side is the opposite one on face g, and ends where it begins on this face.
       Corners& corners = sheet.facets[g];
       const auto at = std::find(corners.begin(), corners.end(), from) - corners.begin();
       const auto shift = (at - (k + 3) + 8) % 4;

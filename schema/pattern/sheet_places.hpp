@@ -1,4 +1,4 @@
-// Rows and columns of a sheet's faces.
+// Finds rows and columns of a sheet's faces.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace misalign::schema {
 
-/// "the face A0-A1-A5-A4"
+/// Returns "the face A0-A1-A5-A4".
 std::string face_label(const std::array<int, 4>& corners);
 
 /// The reason why a sheet's faces have no rows and columns.
@@ -18,13 +18,13 @@ struct NoPlaces {
   const char* suggestion;
 };
 
-/// Rows and columns from the first face on, its corners turned so that its first side points most
-/// to the right; every face begins at the corner of least row and column, and the least of both is
-/// 0. `sheet` has vertices, facets (convex, turning left) and edges, its inner vertices join four
-/// faces. A sheet in two pieces, or one that winds round itself, has none.
+/// Sets rows and columns from the first face on, with its corners turned so that its first side
+/// points most to the right. Every face begins at the corner of least row and column; the least of
+/// both is 0. `sheet` has vertices, facets (convex, turning left) and edges; its inner vertices
+/// join four faces. Fails for a sheet in two pieces, or one that winds round itself.
 std::optional<NoPlaces> place_faces(solver::CreasePattern& sheet);
 
-/// The median length of the faces' first sides.
+/// Returns the median length of the faces' first sides.
 double median_width_mm(const solver::CreasePattern& sheet);
 
 }  // namespace misalign::schema

@@ -14,7 +14,7 @@ constexpr int kX = 0, kY = 1, kZ = 2;
 
 Eigen::Vector3d axis(int k) { return Eigen::Vector3d::Unit(k); }
 
-// "x", or "(0.5, 0, 0.866025)": an axis of the sheet in those of the file.
+// Returns "x", or "(0.5, 0, 0.866025)": an axis of the sheet in those of the file.
 std::string direction_text(const Eigen::Vector3d& direction) {
   for (const int k : {kX, kY, kZ}) {
     if (direction[k] == 1) return {"xyz"[static_cast<std::size_t>(k)]};
@@ -23,7 +23,7 @@ std::string direction_text(const Eigen::Vector3d& direction) {
   return fmt::format("({}, {}, {})", shown(kX), shown(kY), shown(kZ));
 }
 
-// By least squares, its x horizontal.
+// Fits a plane by least squares, with a horizontal x.
 SheetPlane fitted(const SpacePoints& points) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : points) centre += p / static_cast<double>(points.size());
@@ -31,7 +31,7 @@ SheetPlane fitted(const SpacePoints& points) {
   for (const Eigen::Vector3d& p : points) moments += (p - centre) * (p - centre).transpose();
   Eigen::Vector3d normal =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().col(0);
-  constexpr double kUpright = 1e-6;  // a plane that stands is not turned over by rounding
+  constexpr double kUpright = 1e-6;  // rounding must not turn over an upright plane
   const int last = std::abs(normal.z()) > kUpright ? kZ : std::abs(normal.y()) > kUpright ? kY : kX;
   if (normal[last] < 0) normal = -normal;
   const Eigen::Vector3d x_axis = axis(kZ).cross(normal).normalized();
@@ -47,7 +47,7 @@ PlanePoints SheetPlane::flat(const SpacePoints& points) const {
 }
 
 std::string SheetPlane::name() const {
-  const double sign = normal.minCoeff() == -1 ? -1 : 1;  // y = 2 is no -y = -2
+  const double sign = normal.minCoeff() == -1 ? -1 : 1;  // y = 2, not -y = -2
   return fmt::format("the plane {} = {:.6g} mm: x and y of the sheet are {} and {} of the file",
                      direction_text(sign * normal), sign * at + 0.0, direction_text(x_axis),
                      direction_text(y_axis));

@@ -17,7 +17,7 @@ constexpr double kMost_mm = 1e6;
 constexpr const char* kPointForm =
     R"({"hole": [1, 2], "vertex": "A10", "panel": [0, 1], "from_vertex_mm": [8, 0, 0]})";
 
-// Whether a panel has the point within its edges.
+// Returns whether a panel has the point within its edges.
 bool contains(const solver::PerforatedSheet& base, int facet, const solver::Vec3<double>& point,
               const solver::SheetGeometry<double>& geometry) {
   const std::array<int, 4>& corners = base.sheet.facets[static_cast<std::size_t>(facet)];
@@ -29,7 +29,7 @@ bool contains(const solver::PerforatedSheet& base, int facet, const solver::Vec3
   return true;
 }
 
-// The first carrier of an end beyond its panel's edges; a vertex is within them.
+// Returns the first carrier of an end beyond its panel's edges; a vertex is within them.
 std::optional<solver::Loop::Carrier> carrier_too_small(const solver::PerforatedSheet& base) {
   const solver::Mechanism mechanism = solver::build_mechanism(base);
   solver::SheetGeometry<double> geometry;
@@ -47,7 +47,7 @@ std::optional<solver::Loop::Carrier> carrier_too_small(const solver::PerforatedS
   return std::nullopt;
 }
 
-// A point of one's own; what is wrong is a fault of `where`.
+// Reads a point at another place; wrong values are faults of `where`.
 std::optional<solver::SpringEnds::Own> read_point(const Json& value, const std::string& where,
                                                   const Pattern& pattern, InputFaults& faults) {
   const solver::PerforatedSheet& base = pattern.base;
@@ -112,16 +112,16 @@ void read_points(ObjectReader& attach, Pattern& pattern) {
     faults.add(attach.shown("points"), "must be a list", "write [" + std::string(kPointForm) + "]");
     return;
   }
-  std::vector<solver::SpringEnds::Own>& own = pattern.base.springs.own;
+  std::vector<solver::SpringEnds::Own>& ends = pattern.base.springs.own;
   for (std::size_t i = 0; i < list->size(); ++i) {
     const std::string where = fmt::format("{}[{}]", attach.name("points"), i);
     const auto end = read_point((*list)[i], where, pattern, faults);
     if (!end) continue;
-    const bool is_known = std::ranges::any_of(own, [&](const solver::SpringEnds::Own& other) {
+    const bool is_known = std::ranges::any_of(ends, [&](const solver::SpringEnds::Own& other) {
       return other.hole == end->hole && other.vertex == end->vertex;
     });
-    if (is_known) faults.add(where, "is a spring's end that stands above", "name each once");
-    own.push_back(*end);
+    if (is_known) faults.add(where, "repeats a spring's end", "name each once");
+    ends.push_back(*end);
   }
 }
 
@@ -136,14 +136,14 @@ void read_spring_ends(ObjectReader& reader, Pattern& pattern) {
   springs.refuse_unknown_keys();
   if (!attach || *attach == "vertices") return;
   if (!attach->is_object()) {
-    reader.faults().add(springs.shown("attach"), "is no place where springs end",
+    reader.faults().add(springs.shown("attach"), "is no place of springs' ends",
                         "write \"vertices\", or {\"inset_mm\": 6} for bores inside the panels");
     return;
   }
   solver::SpringEnds& ends = pattern.base.springs;
   ObjectReader place(*attach, springs.name("attach"), reader.faults());
   place.number("inset_mm", ends.inset_mm, 0, kMost_mm,
-               "try 6: so far from the vertex, on the bisector of the panel's corner");
+               "try 6: mm from the vertex, on the bisector of the panel's corner");
   place.number("offset_mm", ends.offset_mm, -kMost_mm, kMost_mm,
                "try 0 for the panels' mid-plane, or 1.5 above it");
   read_points(place, pattern);
@@ -151,7 +151,7 @@ void read_spring_ends(ObjectReader& reader, Pattern& pattern) {
   if (reader.faults().count() > before || ends.at_vertices()) return;
   if (is_overconstrained(pattern.base)) {
     reader.faults().add(springs.name("attach"),
-                        "sheets with so few holes are judged by closed forms of their vertices",
+                        "overconstrained sheets are judged by closed forms of their vertices",
                         "write \"vertices\", or take more holes");
   }
   if (const auto carrier = carrier_too_small(pattern.base)) {

@@ -1,2 +1,2 @@
--- How many draws were made, and what became of them.
+-- Numbers of draws: all, accepted, rejected and undecided, with the acceptance rate.
 SELECT * FROM acceptance;

@@ -1,6 +1,6 @@
--- The candidates that deploy from the deepest fold, the more tolerant first among equals; those whose
--- diagonals go back on the last degree before D, or between two samples, after all others. This is the
--- order of `export --best`, of the report and of whatever else says "best".
+-- Candidates by D, the largest first, then by miscut margin; those with a diagonal that reverses in the
+-- last degree before D, or between two samples, come after all others. `export --best` and the report
+-- have the same order.
 SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_per_deg,
        slope_between_min_mm_per_deg, stroke_min, stroke_max, shifted_vertices
 FROM candidates

@@ -1,5 +1,5 @@
--- Where the draws of an optimising search ended, the best twenty sheets: how many draws came there, from
--- what the first of them was worth to what it is worth, and the angle up to which it is certified.
+-- The best twenty optima of an optimising search: number of starts, value of the first start and of the
+-- optimum, and certified angle.
 SELECT draw, starts, start_value, end_value, steps, ended, deploys_from_deg,
        (SELECT certified_deg FROM certificate WHERE certificate.draw = ends.draw) AS certified_deg,
        stroke_max, miscut_margin_mm, shifted_vertices

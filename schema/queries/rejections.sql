@@ -1,5 +1,5 @@
--- Where along the folding draws fail first, in steps of 10 degrees, from the exact sample: about how
--- many draws its rows stand for.
+-- First faults of the rejected draws by pilot angle, in steps of 10 degrees, from the fault sample; `draws`
+-- estimates their number.
 WITH rejected AS (
   SELECT first_fault, fault_deg, stands_for
   FROM fault_sample

@@ -1,4 +1,4 @@
-// How a candidate of an optimising search came from its draw.
+// Records the ascent from a draw to the candidate of an optimising search.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace misalign::schema {
 
-/// Why one ended, as the table has it.
+/// Reasons why an ascent ended, as in the table.
 inline constexpr std::string_view kAscentEnds[] = {"no_step_is_better", "most_steps",
                                                    "breaks_a_limit", "has_no_value"};
 
-/// A row of table `ascent` in the making; values as the campaign's goal.
+/// A row for table `ascent`; values of the campaign's objective.
 struct AscentRecord {
   std::optional<double> start_value, end_value;
   int steps = 0, sheets_folded = 0;

@@ -1,4 +1,4 @@
-// Records of what became of draws, on their way into a catalogue.
+// Records the results of draws for a catalogue.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace misalign::schema {
 
-/// A fault_sample or undecided row in the making.
+/// A row for table fault_sample or undecided.
 struct DrawVerdict {
   std::uint64_t draw;
   solver::Verdict verdict;
@@ -26,24 +26,24 @@ struct Candidate {
   solver::Metrics metrics;
   Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
   std::optional<CertificateRecord> certificate = {};
-  std::optional<AscentRecord> ascent = {};  ///< of an optimising search: its sheet is the end's
+  std::optional<AscentRecord> ascent = {};  ///< of an optimising search: the sheet is the optimum
 };
 
-/// What became of a range of draws: a unit of the ledger with everything that belongs to it.
+/// Results of a range of draws: a unit of the ledger with all its rows.
 struct UnitRecord {
   DrawRange range;
-  int worker = 0;  ///< the rank that worked it off
+  int worker = 0;  ///< rank that computed it
   std::uint64_t accepted = 0, rejected = 0;
   double seconds = 0;
-  double tables_deg = 0;                  ///< column tables_deg of a run; 0: there were none
+  double tables_deg = 0;                  ///< column tables_deg of a run; 0: no tables
   std::vector<Candidate> candidates;      ///< ascending
   std::vector<DrawVerdict> undecided;     ///< ascending
   std::vector<DrawVerdict> fault_sample;  ///< ascending; see FaultSampleRule
   std::map<std::pair<int, int>, std::uint64_t> screened;  ///< (Fault, sample) -> draws
-  std::vector<LevelCount> levels;                         ///< of a population, from 0 on
+  std::vector<LevelCount> levels;                         ///< levels of a population, from 0 on
 
   std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
-  /// Adds what became of the range behind it.
+  /// Adds the results of the range behind this one.
   void add(UnitRecord&& next);
 };
 

@@ -1,4 +1,4 @@
-// The overview of a plain search: its acceptance, and the charts of where draws fail.
+// Shows the overview of a plain search: its acceptance, and charts of the first faults.
 import { show_when_wide } from "./chart.js";
 import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
 import { fault_bins, faults_chart, survival_chart } from "./faults.js";
@@ -26,7 +26,7 @@ function show_figures(report) {
     tile(
       "Acceptance rate",
       known ? percent(rate) : "–",
-      known ? `95 %: ${percent(rate_low)} – ${percent(rate_high)}` : "nothing drawn yet",
+      known ? `95 %: ${percent(rate_low)} – ${percent(rate_high)}` : "no draw yet",
       "Accepted draws per draw, with the 95 % interval of a binomial share",
     ),
     tile(
@@ -34,10 +34,10 @@ function show_figures(report) {
       rate > 0 ? count(Math.round(1 / rate)) : "–",
       rate > 0 ? "draws is accepted" : "no draw accepted yet",
     ),
-    tile("Undecided", count(state.undecided), "numerical failures, counted apart"),
+    tile("Undecided", count(state.undecided), "numerical failures, counted separately"),
     ...beyond_tiles(
       state.draws_in_ledger - state.draws,
-      "draws that the figures before do not count, but table and charts do",
+      "draws in table and charts, but not in the figures above",
     ),
     ...live_tiles(report),
     ...shown_tiles(candidates),
@@ -99,8 +99,8 @@ function show_along_the_folding(report, total) {
     (fault) => fault !== "none" && rows.some((row) => row.first_fault === fault),
   );
   by_id("faults-caption").replaceChildren(
-    `Without any fault to ${degrees(configuration.path.end_deg)}: ${plural(none, "sampled draw")}.` +
-      (nowhere ? ` Without an angle: ${plural(nowhere, "sampled draw")}.` : ""),
+    `No fault up to ${degrees(configuration.path.end_deg)}: ${plural(none, "sampled draw")}.` +
+      (nowhere ? ` Fault without an angle: ${plural(nowhere, "sampled draw")}.` : ""),
     legend(present),
   );
   const points = survival_points(rows, configuration);
@@ -110,7 +110,7 @@ function show_along_the_folding(report, total) {
   add_saving_once(by_id("survival"), `${name}-survival`, () => survival_csv(report));
 }
 
-/** The same faults by the diagonal or crease that shows them. */
+/** The charts of first faults by diagonal and crease. */
 function show_places(report) {
   const { list, total } = places(report.faults.rows, report.sheet),
     { name } = report.campaign;
@@ -118,7 +118,9 @@ function show_places(report) {
   if (list.length === 0) return;
   by_id("where-caption").replaceChildren(
     `${plural(total, "sampled draw")} failed at one diagonal or crease` +
-      (list.length > kMostBars ? `; the ${kMostBars} commonest of ${list.length} places.` : "."),
+      (list.length > kMostBars
+        ? `; the ${kMostBars} most frequent of ${list.length} places.`
+        : "."),
     legend(fault_order.filter((fault) => list.some((entry) => entry.faults.has(fault)))),
   );
   show_when_wide(by_id("where"), (width) => where_chart(list, width));
@@ -127,7 +129,7 @@ function show_places(report) {
   add_saving_once(by_id("map"), `${name}-map`, () => places_csv(report));
 }
 
-/** Figures and charts, again whenever the report has changed. */
+/** Shows figures and charts; called again whenever the report has changed. */
 export function show_acceptance(report) {
   const { faults } = report,
     total = sum(faults.rows),
@@ -135,15 +137,15 @@ export function show_acceptance(report) {
   show_figures(report);
   by_id("acceptance-charts").hidden = total === 0;
   if (total === 0) {
-    note.textContent = `First faults are known exactly for one draw in ${count(faults.every)}; there is none in this catalogue yet.`;
+    note.textContent = `The fault sample is empty so far: it takes one draw in ${count(faults.every)}.`;
     return;
   }
   note.textContent =
-    `From an unbiased sample: of one draw in ${count(faults.every)} (${plural(total, "draw")}) the exact first fault is known` +
+    `Exact first faults of an unbiased sample: one draw in ${count(faults.every)} (${plural(total, "draw")})` +
     (faults.every_at_most > faults.every
-      ? `; of later ones up to one in ${count(faults.every_at_most)}, each weighed by the draws that it stands for: shares are known as well as from ${plural(Math.round(effective(faults.rows)), "draw")} of one weight. `
+      ? `, later up to one in ${count(faults.every_at_most)}, weighted by the draws that each represents. Effective sample size: ${plural(Math.round(effective(faults.rows)), "draw")}. `
       : ". ") +
-    "All other draws are rejected at whatever angle first shows anything certain against them, which says nothing about where they fail first.";
+    "All other draws are rejected at the first proof against them, which need not be at their first fault.";
   show_along_the_folding(report, total);
   show_places(report);
 }

@@ -1,5 +1,5 @@
-// Charts of what springs on the diagonals do during the folding (energy, moment about the pilot
-// crease, mechanical advantage), and the conclusions in words.
+// Charts the springs' energy, their moment about the pilot crease and the mechanical advantage, and
+// says the conclusions.
 import * as Plot from "@observablehq/plot";
 import { folding_chart, deployment, path_of, range } from "./chart.js";
 import { degrees, fixed, h, number, percent, plural, power, powers } from "./format.js";
@@ -8,11 +8,11 @@ import { is_pattern } from "./page_kind.js";
 
 const kHeight = 270;
 
-const kHeadroom = 3, // above the largest value on a logarithmic scale: words stand there
-  kNoise = 0.01, // share of the range below which negative values are no reason for room
-  kDecades = 100; // from that ratio on a linear scale hides the least values
+const kHeadroom = 3, // factor above the largest value on a logarithmic scale, for words
+  kNoise = 0.01, // share of the range below which negative values get no room
+  kDecades = 100; // ratio from which a linear scale hides the least values
 
-/** Up to D or most of the way: towards the fold limit values may run away. */
+/** The last sample that sets a scale: near the fold limit values may diverge. */
 const last_looked_at = (decoded) => Math.max(decoded.depth, 0.9 * (decoded.samples - 1));
 
 function domain_of(values, decoded) {
@@ -27,7 +27,7 @@ function domain_of(values, decoded) {
   return [least < -kNoise * (most - least) ? least - spare : 0, most + spare];
 }
 
-/** The same on a logarithmic scale: from the least positive value between 5 degrees and D. */
+/** The domain of a logarithmic scale: from the least positive value between 5 degrees and D. */
 function log_domain_of(values, decoded, from_deg = 5) {
   let least = Infinity,
     most = 0;
@@ -40,7 +40,7 @@ function log_domain_of(values, decoded, from_deg = 5) {
   return least < most ? [least / 2, most * kHeadroom] : null;
 }
 
-/** Whether a linear scale would begin with nothing to see: positive from 5 degrees to D, over decades. */
+/** Returns whether values are positive from 5 degrees to D and span too much for a linear scale. */
 function wants_log(values, decoded, from_deg = 5) {
   const domain = log_domain_of(values, decoded);
   const positive = decoded.pilot_deg.every(
@@ -66,7 +66,7 @@ function value_chart({ folding, values, label, unit, marks, log }) {
     marks: [log ? null : Plot.ruleY([0], { stroke: "var(--ink-soft)" }), ...(marks ?? [])],
     lines(svg, x_scale, y_scale) {
       [x, y] = [x_scale, y_scale];
-      // What leaves the frame beyond D is cut off there.
+      // Values outside the domain are not drawn.
       const point = (k) => [
         x.apply(decoded.deployment[k]),
         values[k] >= y.domain[0] && values[k] <= y.domain[1] ? y.apply(values[k]) : NaN,
@@ -125,9 +125,9 @@ function weakest_marks(weakest, log) {
 const at_flat = ({ diagonals }) => {
   const preloads_n = diagonals.map(({ preload_n }) => preload_n);
   const [least_n, most_n] = [Math.min(...preloads_n), Math.max(...preloads_n)];
-  if (!most_n) return "relaxed on the flat sheet";
-  const each = least_n === most_n ? `${number(most_n)} N each` : `up to ${number(most_n)} N`;
-  return `with ${each} on the flat sheet`;
+  if (!most_n) return "relaxed when flat";
+  const each = least_n === most_n ? `${number(most_n)} N` : `up to ${number(most_n)} N`;
+  return `preload ${each}`;
 };
 
 const quantities = (decoded) => [
@@ -136,22 +136,22 @@ const quantities = (decoded) => [
   {
     id: "advantage",
     values: decoded.mechanical_advantage,
-    label: "mechanical advantage (N per N)",
+    label: "mechanical advantage (N/N)",
     unit: "",
   },
 ];
 
 /**
- * Charts with their boxes. The moment is drawn on a logarithmic scale where the weakest point could
- * not be seen otherwise, unless the reader said which; `change` is called when one is to be drawn anew.
+ * Charts with their boxes. The moment has a logarithmic scale where a linear one would hide the
+ * weakest point, unless the reader chose; `change` is called with a chart that must be drawn again.
  */
 export function make_actuation(report, folding, change) {
   const { detail, decoded } = folding,
     box_of = (id) => document.getElementById(id);
   box_of("energy-caption").textContent =
-    `Springs of ${number(report.actuators.stiffness_n_per_mm)} N/mm on all diagonals, ${at_flat(report)}: ½ k Σ (L − L₀)². 1 N mm = 1 mJ.`;
+    `E = ½ k Σ (L − L₀)² of springs on all diagonals: k = ${number(report.actuators.stiffness_n_per_mm)} N/mm, ${at_flat(report)}. 1 N mm = 1 mJ.`;
   box_of("moment-caption").textContent =
-    "dE/d(pilot angle). Positive: the springs unfold the sheet; at zero they could not.";
+    "M = dE/dφ, φ the pilot angle. Where it is positive, the springs unfold the sheet.";
   return quantities(decoded).map(({ id, values, label, unit, log }) => {
     const toggle = log && box_of(log);
     if (toggle && toggle.dataset.said === undefined)
@@ -182,7 +182,7 @@ const kColumns = {
   advantage: "mechanical_advantage",
 };
 
-/** The chart's data, a row for each sample. */
+/** A chart's data, one row for each sample. */
 export const actuation_rows = (id, decoded) => ({
   heads: ["pilot_deg", "deployment_ratio", kColumns[id]],
   rows: decoded.pilot_deg.map((pilot_deg, k) => [
@@ -201,21 +201,23 @@ function weakest_words({ weakest }) {
   if (!weakest) return null;
   return bold(
     "Weakest point: ",
-    `at a pilot angle of ${degrees(weakest.pilot_deg)} they give the least moment between 5° and D, ${number(weakest.moment_n_mm)} N mm. ` +
-      "Friction and the creases’ own stiffness must stay below it.",
+    `least moment between 5° and D: ${number(weakest.moment_n_mm)} N mm at a pilot angle of ${degrees(weakest.pilot_deg)}. ` +
+      "Moments of friction and crease stiffness must stay below it.",
   );
 }
 
 function fewest_words({ few, weakest }, report) {
   if (!few)
-    return weakest ? "No set of fewest springs: the moment is not positive all the way." : null;
+    return weakest
+      ? "No set of fewest springs: the moment is not positive at all angles from 5° to D."
+      : null;
   const { diagonals, share, proven } = few;
   return bold(
     "Fewest springs: ",
-    `${plural(diagonals.length, "diagonal")} alone, ${names_of(report, diagonals)}, ${diagonals.length === 1 ? "keeps" : "keep"} ${percent(share, 2)} of the least moment. ` +
+    `${plural(diagonals.length, "spring")} on ${names_of(report, diagonals)} alone ${diagonals.length === 1 ? "keeps" : "keep"} ${percent(share, 2)} of the least moment. ` +
       (proven
         ? "No smaller set keeps half of it."
-        : "A smaller set that keeps half of it was not found, but is not ruled out."),
+        : "No smaller set that keeps half of it is known, but none is ruled out."),
   );
 }
 
@@ -225,14 +227,14 @@ function stroke_words({ over_stroke }, report) {
     const ways = is_pattern(report)
       ? "--stroke-limit sets one."
       : "“design.springs.stroke_limit” in the campaign file, or --stroke-limit, sets one.";
-    return `No stroke limit was given; ${ways}`;
+    return `No stroke limit; ${ways}`;
   }
   const limit = `±${percent(stroke_limit, 2)}`;
-  if (!over_stroke) return `Stroke limit of ${limit}: kept by every diagonal.`;
+  if (!over_stroke) return `Stroke limit of ${limit}: no diagonal exceeds it.`;
   return bold(
     "Stroke limit ",
     `of ${limit}: first exceeded at ${degrees(over_stroke.from_deg)}, and up to D by ${plural(over_stroke.diagonals.length, "diagonal")}: ` +
-      `${names_of(report, over_stroke.diagonals)}. With actuators of that stroke it deploys from the sample before, not from D.`,
+      `${names_of(report, over_stroke.diagonals)}. With actuators of this stroke the sheet deploys from the sample before, not from D.`,
   );
 }
 
@@ -240,14 +242,12 @@ export function show_actuation_words(box, report, detail, decoded) {
   const { stiffness_n_per_mm } = report.actuators,
     at_D = decoded.mechanical_advantage[decoded.depth];
   const items = [
-    `Folded to D = ${degrees(detail.verdict.deploys_from_deg)}, springs of ${number(stiffness_n_per_mm)} N/mm on all ` +
-      `${plural(report.diagonals.length, "diagonal")} store ${number(decoded.energy_n_mm[decoded.depth])} N mm (mJ).`,
+    `Strain energy at D = ${degrees(detail.verdict.deploys_from_deg)}: ${number(decoded.energy_n_mm[decoded.depth])} N mm (mJ) in ` +
+      `${plural(report.diagonals.length, "spring")} of ${number(stiffness_n_per_mm)} N/mm, one on each diagonal.`,
     weakest_words(detail),
     fewest_words(detail, report),
     stroke_words(detail, report),
-    Number.isFinite(at_D)
-      ? `At D one newton in every diagonal gives ${fixed(at_D, 3)} N on the sheet’s span.`
-      : null,
+    Number.isFinite(at_D) ? `Mechanical advantage at D: ${fixed(at_D, 3)} N/N.` : null,
   ];
   const list = items.filter((item) => item !== null).map((item) => h("li", {}, item));
   box.replaceChildren(h("ul", { class: "words" }, list));

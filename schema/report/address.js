@@ -1,7 +1,7 @@
 // Keeps the selected draw, filter, order and columns in the page's address, after the #. So a link,
 // a reload or the back button shows them again, also on a page opened from a file.
 
-const kQuiet_ms = 300; // what changes faster than that is one step of the back button
+const kQuiet_ms = 300; // faster changes are one step of the back button
 const kNames = {
   draw: "picked",
   filter: "filter",
@@ -12,7 +12,7 @@ const kNames = {
   beside: "beside",
 };
 
-/** The hash of what differs from how the page begins. */
+/** The hash of all values that differ from the page's first. */
 function hash_of(state, beginning) {
   const words = new URLSearchParams();
   for (const [key, name] of Object.entries(kNames)) {
@@ -22,14 +22,14 @@ function hash_of(state, beginning) {
   return String(words);
 }
 
-/** null where the hash names a section, or nothing that is known here. */
+/** The hash's parameters; null where it names a section. */
 function read_hash() {
   const text = location.hash.slice(1);
   if (text !== "" && !text.includes("=")) return null;
   return new URLSearchParams(text);
 }
 
-/** Links to sections scroll there, and leave the address to what is picked. */
+/** Makes links to sections scroll without changing the address. */
 function keep_anchors_out() {
   for (const link of document.querySelectorAll('a[href^="#"]')) {
     link.addEventListener("click", (event) => {
@@ -45,8 +45,8 @@ function keep_anchors_out() {
 
 /**
  * Sets the state from the address, now and whenever it changes, and the address from the state.
- * `knows(name, value)` says whether the page has that; `complain(words)` about what it has not,
- * complain("") when all is well; `restored()` is called after each setting.
+ * `knows(name, value)` returns whether the page has it; `complain(words)` shows what it lacks,
+ * complain("") nothing; `restored()` is called after each setting.
  */
 export function follow_address(state, { knows, complain, restored }) {
   const names = Object.values(kNames);
@@ -66,7 +66,7 @@ export function follow_address(state, { knows, complain, restored }) {
     }
     complain(
       strangers.length
-        ? `The address asks for what is not in this report: ${strangers.join(", ")}.`
+        ? `The address names what this report does not have: ${strangers.join(", ")}.`
         : "",
     );
     restored();
@@ -78,7 +78,7 @@ export function follow_address(state, { knows, complain, restored }) {
   function write() {
     const text = hash_of(state, beginning);
     if (text === written) return;
-    // Another draw is a step that the back button goes back; a filter or an order goes with it.
+    // Only another draw is a step of the back button; a filter or an order is not.
     const way = state.get("picked") === picked ? "replaceState" : "pushState";
     history[way](null, "", location.href.split("#")[0] + (text ? `#${text}` : ""));
     [written, picked] = [text, state.get("picked")];

@@ -1,16 +1,15 @@
-// The number of candidates that deploy from each angle or beyond: it grows while a campaign is
-// watched.
+// Charts the number of candidates that deploy from each angle or beyond.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room, show_when_wide } from "./chart.js";
 import { by_id, count, degrees, plural, power, powers } from "./format.js";
 import { add_saving_once } from "./save.js";
 
-/** Of [[angle, how many deploy from there and no farther]…], ascending: from there or farther. */
+/** Cumulative counts of [[angle, count of candidates whose D it is]…], ascending. */
 export function at_least(angles) {
   let beyond = 0;
   return [...angles]
     .reverse()
-    .map(([angle, here]) => ({ angle, here, beyond: (beyond += here) }))
+    .map(([angle, reached]) => ({ angle, reached, beyond: (beyond += reached) }))
     .reverse();
 }
 
@@ -30,14 +29,14 @@ function angles_chart(points, { path, accept }, width) {
     ariaLabel: "Candidates that deploy from each angle or beyond",
     ariaDescription: `${plural(points[0].beyond, "candidate")} from ${degrees(from_deg)} on, ${count(best.beyond)} from ${degrees(best.angle)}`,
     x: {
-      label: "pilot angle (deg)",
+      label: "pilot angle (°)",
       domain: [from_deg, Math.max(path.end_deg, from_deg + path.sample_deg)],
       labelAnchor: "center",
       labelArrow: "none",
     },
     y: {
       type: "log",
-      label: "candidates that deploy from there or beyond (log scale)",
+      label: "candidates with D at this angle or beyond (log scale)",
       grid: true,
       labelArrow: "none",
       domain: [0.7, most],
@@ -59,15 +58,15 @@ function angles_chart(points, { path, accept }, width) {
         Plot.pointerX({
           x: "angle",
           y: "beyond",
-          title: ({ angle, here, beyond }) =>
-            `${degrees(angle)} or more: ${plural(beyond, "candidate")}\n${count(here)} of them no farther`,
+          title: ({ angle, reached, beyond }) =>
+            `${degrees(angle)} or more: ${plural(beyond, "candidate")}\n${count(reached)} with D = ${degrees(angle)}`,
         }),
       ),
     ],
   });
 }
 
-/** Nothing where nobody is asked how many there are, or there are none. */
+/** Hides the card where the report has no such counts. */
 export function show_angles(report) {
   const points = at_least(report.live?.angles ?? []),
     box = by_id("angles"),
@@ -80,6 +79,10 @@ export function show_angles(report) {
   show_when_wide(box, (width) => angles_chart(points, configuration, width));
   add_saving_once(box, `${name}-angles`, () => ({
     heads: ["deploys_from_deg", "candidates", "candidates_from_there_on"],
-    rows: at_least(report.live.angles).map(({ angle, here, beyond }) => [angle, here, beyond]),
+    rows: at_least(report.live.angles).map(({ angle, reached, beyond }) => [
+      angle,
+      reached,
+      beyond,
+    ]),
   }));
 }

@@ -1,5 +1,5 @@
-// Two sheets side by side: the one that is picked, and one that is held. State "beside" is its draw,
-// or "start": the draw from which an optimising search made the one that is picked.
+// Compares the picked sheet with a held sheet. State "beside" is the held draw, or "start": the
+// draw from which an optimising search made the picked sheet.
 import { show_when_wide } from "./chart.js";
 import { decode_lengths, last_sample_up_to, values_of } from "./data.js";
 import { by_id, h } from "./format.js";
@@ -8,7 +8,7 @@ import { metrics, with_unit } from "./metrics.js";
 import { end_of_path, heading, is_pattern } from "./page_kind.js";
 import { make_state } from "./state.js";
 
-/** -1 where the first is better, 1 where the second is, 0 where none is or nobody knows. */
+/** -1 where the first is better, 1 where the second is, 0 where they are equal or unknown. */
 function which_is_better({ better, none_is_best }, first, second) {
   if (first === second || first === undefined || second === undefined) return 0;
   if (first === null || second === null) return none_is_best ? (first === null ? -1 : 1) : 0;
@@ -17,8 +17,8 @@ function which_is_better({ better, none_is_best }, first, second) {
 
 const kStart = "start";
 
-/** The one that is held, of the one that is picked: { name, values, detail }; nothing if there is none. */
-function held_one(report, candidates, held, picked) {
+/** The held sheet, { name, values, detail }; null if the picked one has no such start. */
+function held_sheet(report, candidates, held, picked) {
   const detail_of = (draw) => report.details.find((entry) => entry.draw === draw);
   if (held !== kStart) {
     return {
@@ -29,7 +29,7 @@ function held_one(report, candidates, held, picked) {
   }
   const ascent = detail_of(picked)?.ascent;
   if (!ascent?.start) return null;
-  const name = `${heading(report, picked)} as drawn`;
+  const name = `${heading(report, picked)}, start`;
   return {
     name,
     values: { ...ascent.start.metrics, end_value: ascent.start_value },
@@ -38,8 +38,8 @@ function held_one(report, candidates, held, picked) {
 }
 
 function comparison(report, candidates, held, picked) {
-  const one = held.values;
-  const other = values_of(report, candidates, picked);
+  const theirs = held.values;
+  const ours = values_of(report, candidates, picked);
   const cell = (metric, values, is_better) =>
     h(
       "td",
@@ -47,15 +47,15 @@ function comparison(report, candidates, held, picked) {
       with_unit(metric, values[metric.name]),
     );
   const lines = metrics
-    .filter(({ name }) => one[name] !== undefined && other[name] !== undefined)
+    .filter(({ name }) => theirs[name] !== undefined && ours[name] !== undefined)
     .map((metric) => {
-      const which = which_is_better(metric, one[metric.name], other[metric.name]);
+      const which = which_is_better(metric, theirs[metric.name], ours[metric.name]);
       return h(
         "tr",
         { "data-metric": metric.name },
         h("th", { scope: "row", title: metric.about }, metric.label),
-        cell(metric, one, which < 0),
-        cell(metric, other, which > 0),
+        cell(metric, theirs, which < 0),
+        cell(metric, ours, which > 0),
       );
     });
   const heads = ["", held.name, heading(report, picked)];
@@ -100,31 +100,31 @@ class Beside {
   show() {
     const held = this.#state.get("beside"),
       picked = this.#state.get("picked"),
-      one =
+      sheet =
         held !== "" && held !== picked && picked !== null
-          ? held_one(this.#report, this.#candidates, held, picked)
+          ? held_sheet(this.#report, this.#candidates, held, picked)
           : null;
     by_id("hold").hidden = held === picked;
     by_id("hold-start").hidden =
-      held === kStart || !held_one(this.#report, this.#candidates, kStart, picked);
+      held === kStart || !held_sheet(this.#report, this.#candidates, kStart, picked);
     by_id("release").hidden = held === "";
     by_id("beside-words").textContent =
       held === ""
-        ? "Hold this one, and pick another: their numbers and their diagonals stand side by side."
-        : one
-          ? "In bold the better of each two."
+        ? "Compares the metrics and diagonals of two sheets. Press the button, then pick another sheet."
+        : sheet
+          ? "Bold: the better value."
           : held === kStart
-            ? "The draw that a sheet was made of is held. Pick one with all details."
-            : `${heading(this.#report, held)} is held. Pick another one.`;
+            ? "Compares each sheet with the start of its ascent. Pick a sheet with all details."
+            : `Compares with ${heading(this.#report, held).toLowerCase()}. Pick another sheet.`;
     by_id("beside").replaceChildren(
-      ...(one ? [comparison(this.#report, this.#candidates, one, picked)] : []),
+      ...(sheet ? [comparison(this.#report, this.#candidates, sheet, picked)] : []),
     );
-    this.#show_histories(one);
+    this.#show_histories(sheet);
   }
 
-  #show_histories(one) {
+  #show_histories(sheet) {
     const report = this.#report,
-      detail = one?.detail;
+      detail = sheet?.detail;
     by_id("beside-figure").hidden = !detail;
     this.#histories = null;
     if (!detail) {
@@ -132,7 +132,7 @@ class Beside {
       return;
     }
     const decoded = decode_lengths(detail, report);
-    by_id("beside-title").textContent = `Lengths of the diagonals of ${one.name.toLowerCase()}`;
+    by_id("beside-title").textContent = `Lengths of the diagonals of ${sheet.name.toLowerCase()}`;
     const along = { state: this.#held_state, detail, decoded, end_deg: end_of_path(report) };
     this.#histories = { decoded, chart: make_histories(h("p"), report, along) };
     this.#follow();
@@ -142,7 +142,7 @@ class Beside {
     this.#redraw();
   }
 
-  // At the same pilot angle as the picked one.
+  // Shows the held sheet at the pilot angle of the picked one.
   #follow() {
     const pilot_deg = this.#state.get("pilot_deg");
     if (!this.#histories || pilot_deg === null) return;

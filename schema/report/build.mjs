@@ -1,6 +1,6 @@
-// One self-contained page: main.js and all it imports, bundled, and page.css put into page.html.
+// Builds one self-contained page: bundles main.js, and puts it and page.css into page.html.
 //
-//   node build.mjs OUTPUT.html [DIRECTORY]      DIRECTORY holds node_modules; this one if left out
+//   node build.mjs OUTPUT.html [DIRECTORY]      DIRECTORY holds node_modules; default: this one
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -26,7 +26,7 @@ const options = {
 const bundled = (file, extra) =>
   esbuild.build({ ...options, ...extra, entryPoints: [join(here, file)] });
 
-/** The licences of the packages in the bundle: their authors ask that copies carry them. */
+/** The licences of the packages in the bundle, which copies must carry. */
 function licences(inputs) {
   const packages = new Set();
   for (const input of Object.keys(inputs)) {
@@ -44,7 +44,7 @@ function licences(inputs) {
     .join("\n----\n\n");
 }
 
-// Inside the page's own tags nothing may end them early.
+// Escapes what would end the page's tags early.
 const code = await bundled("main.js", { format: "iife", charset: "utf8", metafile: true });
 const script = code.outputFiles[0].text
   .trim()
@@ -55,7 +55,7 @@ const style = (await bundled("page.css", {})).outputFiles[0].text
   .replaceAll(/<\/(style)/gi, "<\\/$1");
 const notices = licences(code.metafile.inputs).replaceAll("<", "&lt;");
 
-// No other script runs in the page, wherever it comes from.
+// The hash lets no other script run in the page.
 const hash = `sha256-${createHash("sha256").update(script).digest("base64")}`;
 
 const page = readFileSync(join(here, "page.html"), "utf8")

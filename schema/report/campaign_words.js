@@ -1,13 +1,13 @@
-// A campaign's configuration in words.
+// Describes a campaign's configuration.
 import { degrees, number, plural } from "./format.js";
 import { is_splitting } from "./page_kind.js";
 
-// What is asked of the way from one sample to the next.
+// Conditions between two samples.
 const kBetween = {
-  exact: ", and no diagonal may go back between two of these angles either",
-  true: ", and no diagonal may go back between two of these angles either, as far as cubics through them tell",
+  exact: "; every diagonal must be monotone between samples",
+  true: "; every diagonal must be monotone between samples, by cubic interpolation",
 };
-const kMostNamed = 12; // levels whose angles are all told
+const kMostNamed = 12; // levels whose angles are all named
 
 const values_of = (value) => (Array.isArray(value) ? value.join(", ") : String(value));
 
@@ -36,19 +36,19 @@ function shift_words(misalignment) {
   const levels =
     misalignment.levels === "ternary"
       ? `−${misalignment.amplitude_mm}, 0 or +${misalignment.amplitude_mm} mm`
-      : `anything up to ${misalignment.amplitude_mm} mm either way`;
+      : `a uniform value within ±${misalignment.amplitude_mm} mm`;
   return `${which}, in x and in y, by ${levels}`;
 }
 
 function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n_per_mm }) {
   if (!stops_at_deg) return "";
   return (
-    `, and springs of ${number(stiffness_n_per_mm)} N/mm that are relaxed at ${degrees(stops_at_deg)} hold it there ` +
-    `with at least ${number(stop_stiffness_mm2_per_rad2 * stiffness_n_per_mm)} N mm/rad`
+    `, and springs of ${number(stiffness_n_per_mm)} N/mm that are relaxed at ${degrees(stops_at_deg)} hold it there: ` +
+    `rotational stiffness at least ${number(stop_stiffness_mm2_per_rad2 * stiffness_n_per_mm)} N mm/rad`
   );
 }
 
-/** Named levels, or those that a level finder has found (`known`: how many) or will find. */
+/** The levels: named ones, or those of a level finder, which has found `known` of them. */
 function level_words(levels_deg, known) {
   if (!Array.isArray(levels_deg))
     return known > 0
@@ -62,15 +62,15 @@ function level_words(levels_deg, known) {
 
 const search_words = ({ levels_deg, particles, sweeps, first_draws }, known) =>
   ` Searched by splitting: each population begins with ${plural(first_draws, "first draw")} and climbs ${level_words(levels_deg, known)}. ` +
-  `At each level the sheets that came there are copied until there are ${plural(particles, "particle")}, ` +
-  `and all of them are moved at random within the level, in ${plural(sweeps, "sweep")}.`;
+  `At each level the sheets that reach it are copied to ${plural(particles, "particle")}, ` +
+  `which random moves within the level separate, in ${plural(sweeps, "sweep")}.`;
 
 const kGoals = {
-  critical_friction_n_mm_per_mm: "it overcomes the most friction",
-  miscut_margin_mm: "it has the largest margin against miscuts",
+  critical_friction_n_mm_per_mm: "critical friction",
+  miscut_margin_mm: "margin against miscuts",
 };
 
-/** What becomes of accepted draws, or sheets, in an optimising search. */
+/** The ascents of an optimising search. */
 const ascent_words = ({
   method,
   starts,
@@ -82,10 +82,10 @@ const ascent_words = ({
   grid_mm,
 }) =>
   method === "optimise"
-    ? ` From ${starts === "splitting" ? `the first ${plural(starts_of_population, "sheet")} that each population meets` : "each accepted draw"} it goes on in steps to sheets near it, until ${kGoals[maximise] ?? maximise}` +
-      `${from_deg === null ? "" : ` from ${degrees(from_deg)}`}${subject_to.length ? `, with ${subject_to.join(" and ")}` : ""}; ` +
-      `ends are shifted ${shifts === "ternary" ? "as draws are" : grid_mm === null ? "freely within the amplitude" : `in steps of ${grid_mm} mm`}. ` +
-      "A candidate is the sheet at the end."
+    ? ` An ascent starts from ${starts === "splitting" ? `each of the first ${plural(starts_of_population, "sheet")} of a population` : "each accepted draw"} and maximises the ${kGoals[maximise] ?? maximise}` +
+      `${from_deg === null ? "" : ` from ${degrees(from_deg)}`}${subject_to.length ? `, subject to ${subject_to.join(" and ")}` : ""}. ` +
+      `Shifts of the optimum are ${shifts === "ternary" ? "ternary" : grid_mm === null ? "any within the amplitude" : `multiples of ${grid_mm} mm`}. ` +
+      "Candidates are the optima."
     : "";
 
 export function asked(report) {
@@ -93,8 +93,8 @@ export function asked(report) {
     { between_samples } = accept;
   return (
     `${sheet_words(pattern)}. Each draw shifts ${shift_words(misalignment)}. A draw is accepted when every diagonal ` +
-    `of every hole only grows or only shrinks from flat to a pilot fold angle of ${degrees(accept.deploys_from_deg)} or more` +
-    `${stop_words(accept, report.actuators)}. It is measured every ${degrees(path.sample_deg)} up to ` +
+    `of every hole is monotone from flat to a pilot angle of ${degrees(accept.deploys_from_deg)} or more` +
+    `${stop_words(accept, report.actuators)}. Samples: every ${degrees(path.sample_deg)} up to ` +
     `${degrees(path.end_deg)}${kBetween[between_samples] ?? ""}.` +
     (is_splitting(report) ? search_words(search, report.state.ladder.levels.length - 1) : "") +
     ascent_words(search)

@@ -1,4 +1,4 @@
-// The selected draw's metrics, in numbers and words, and the commands that continue from it.
+// Shows the selected draw's metrics and verdict, and the commands that continue from it.
 import { ends_of } from "./data.js";
 import { certified, count, dashed, degrees, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
@@ -10,7 +10,7 @@ async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
-    // Pages opened from a file may be denied the clipboard: the old way needs a selected field.
+    // Pages opened from a file may be denied the clipboard: execCommand needs a selected field.
     const field = h("textarea", { class: "sr" });
     field.value = text;
     document.body.append(field);
@@ -33,7 +33,7 @@ const copy_button = (text, state, words = "Copy") => {
   return button;
 };
 
-/** Lines break between words only, and not behind a hyphen, which would read as the end of a word. */
+/** Words in elements of their own: lines break between them, and not behind a hyphen. */
 const unbroken = (text) =>
   text.split(" ").flatMap((word, i) => [i > 0 ? " " : null, h("span", {}, word)]);
 
@@ -70,7 +70,7 @@ export function show_commands(box, report, draw, state) {
   box.replaceChildren(
     ...[
       command(
-        `The path of this ${noun(report)} again, degree by degree:`,
+        `Path of this ${noun(report)}, degree by degree:`,
         `${misalign} replay ${catalogue} ${draw}`,
         state,
         "command-replay",
@@ -84,13 +84,13 @@ export function show_commands(box, report, draw, state) {
         ),
       ),
       command(
-        "Springs on its diagonals, in numbers:",
+        "Springs on its diagonals:",
         `${misalign} actuators ${catalogue} ${draw}${springs}`,
         state,
         "command-actuators",
       ),
       command(
-        "What the design asks of it, what was found, and the springs to buy, on a page to print:",
+        "Card to print: requirements of the design, results, and the springs to buy:",
         `${misalign} card ${catalogue} ${draw}${springs} --output card-${draw}.html`,
         state,
         "command-card",
@@ -98,7 +98,7 @@ export function show_commands(box, report, draw, state) {
       ...(accepted
         ? [
             command(
-              "How many copies, cut up to 0.05 mm off, still deploy (with --vertices also: which vertices matter most); this report then shows it:",
+              "Yield: share of copies with cutting errors up to 0.05 mm that deploy, which this report then shows (--vertices: the most sensitive vertices):",
               `${misalign} tolerance ${catalogue} ${draw} --amplitude 0.05`,
               state,
               "command-tolerance",
@@ -106,7 +106,7 @@ export function show_commands(box, report, draw, state) {
           ]
         : []),
       command(
-        `This report with this ${noun(report)} first:`,
+        `This report, with this ${noun(report)} first:`,
         report_command(report, draw),
         state,
         "command-again",
@@ -115,15 +115,15 @@ export function show_commands(box, report, draw, state) {
   );
 }
 
-/** What the page lacks of a draw: a button for it where a program serves the page, else the command. */
+/** Offers a draw's missing details: a button where a program serves the page, else the command. */
 export function show_no_details(box, report, draw, state, compute) {
   const lacks = `This page has the metrics of this ${noun(report)}, but not its folding.`;
   if (report.watch) {
     const words = h("p", { role: "status", "data-testid": "compute-says" }, lacks);
-    const button = h("button", { type: "button", "data-testid": "compute" }, "Fold it now");
+    const button = h("button", { type: "button", "data-testid": "compute" }, "Compute its folding");
     button.addEventListener("click", async () => {
       button.disabled = true;
-      words.textContent = "It is being folded …";
+      words.textContent = "Computing …";
       words.textContent = (await compute(draw)) ?? "";
       button.disabled = false;
     });
@@ -134,7 +134,7 @@ export function show_no_details(box, report, draw, state, compute) {
     h(
       "p",
       {},
-      `${lacks} To see its crease pattern, folding, histories and actuation, write the report again with it:`,
+      `${lacks} To add its crease pattern, folding, histories and actuation, write the report again:`,
     ),
     h(
       "div",
@@ -149,8 +149,8 @@ export function show_no_details(box, report, draw, state, compute) {
 export function verdict_words({ verdict, accepted, fold_limit_deg }) {
   const from =
     verdict.deploys_from_deg > 0
-      ? `Deploys from ${degrees(verdict.deploys_from_deg)}: up to there every diagonal only grows or only shrinks.`
-      : "Deploys from nowhere.";
+      ? `Deploys from ${degrees(verdict.deploys_from_deg)}: up to this angle every diagonal is monotone.`
+      : "Does not deploy from any angle.";
   const fault =
     verdict.first_fault === "none"
       ? "No fault up to the end of the path."
@@ -163,7 +163,7 @@ export function verdict_words({ verdict, accepted, fold_limit_deg }) {
   );
 }
 
-/** The share of the candidates in the table that lie below a value, equals counted half. */
+/** The share of a column's values below `value`; equal ones count half. */
 function share_below(column, value) {
   let below = 0,
     equal = 0,
@@ -196,7 +196,7 @@ export function show_metrics(box, values, candidates, report) {
       h(
         "p",
         { class: "note" },
-        "No metrics: they are taken up to D, and this sheet deploys from nowhere.",
+        "No metrics: they are measured up to D, and this sheet does not deploy from any angle.",
       ),
     );
     return;
@@ -222,13 +222,13 @@ export function show_metrics(box, values, candidates, report) {
       ? h(
           "p",
           { class: "note" },
-          `The small scale shows where this ${noun(report)} lies among the candidates in the table, least to the left.`,
+          `Scales: rank of this ${noun(report)} among the candidates in the table, the least value on the left.`,
         )
       : "",
   );
 }
 
-/** What `misalign tolerance` found of it, for each amplitude that was tried. */
+/** Shows the yields of `misalign tolerance`, one for each amplitude. */
 export function show_yields(box, report, draw) {
   const tried = (report.yields ?? []).filter((entry) => entry.draw === draw);
   const words = ({ amplitude_mm, from_deg, trials, survivors, undecided, share_low, share_high }) =>
@@ -239,7 +239,7 @@ export function show_yields(box, report, draw) {
   box.replaceChildren(...tried.map((entry) => h("p", {}, words(entry))));
 }
 
-/** What `misalign certify` has proven of it. */
+/** Shows the certificate of `misalign certify`. */
 export function show_certificate(box, report, draw) {
   const found = (report.certificates ?? []).find((entry) => entry.draw === draw);
   box.hidden = !found;
@@ -248,7 +248,7 @@ export function show_certificate(box, report, draw) {
   const parts = [
     where ? `${end} at ${dashed(where)}` : end,
     plural(intervals, "interval"),
-    ...(contact ? ["no panels meet"] : []),
+    ...(contact ? ["no contact of panels"] : []),
   ];
   box.replaceChildren(h("p", {}, `Certified to ${certified(certified_deg)} (${parts.join(", ")})`));
 }
@@ -267,7 +267,7 @@ export function show_shifts(box, detail, state) {
     h(
       "p",
       { class: "note" },
-      `${plural(entries.length, "vertex", "vertices")} shifted from the correct pattern; all others stay. In mm, x to the right, y up.`,
+      `${plural(entries.length, "shifted vertex", "shifted vertices")}. Shifts in mm, x to the right, y up.`,
     ),
     h(
       "ul",

@@ -1,4 +1,4 @@
-// Charts that fill their place and are drawn again when its width changes. Charts over the pilot
+// Charts that fill their box and are drawn again when its width changes. Charts over the pilot
 // angle share an axis, and a rule that moves with the slider.
 import * as Plot from "@observablehq/plot";
 import { degrees, h } from "./format.js";
@@ -10,9 +10,11 @@ const kLetter_px = 12, // of .plot in page.css
   kTitle_px = 20,
   kLeft_px = 66,
   kRight_px = 14,
-  kBeside_px = 22; // of a word that is turned upright
+  kBeside_px = 22; // width of a rotated word
 
-/** Calls draw(width) whenever the box gets another width, on paper too; the answer draws it anew. */
+/**
+ * Calls draw(width) when the box's width changes, also on paper; returns a function that redraws.
+ */
 export function when_wide(box, draw) {
   let width = Math.floor(box.clientWidth),
     share = null; // of that width, on paper
@@ -33,11 +35,11 @@ export function when_wide(box, draw) {
   return redraw;
 }
 
-const charts = new WeakMap(); // what boxes show
+const charts = new WeakMap(); // by box
 
 /**
- * Shows draw(width) in the box, in the place of what it showed, once nobody points at that; the answer
- * draws it anew.
+ * Shows draw(width) in the box instead of its earlier chart, once no pointer is over that; returns
+ * a function that redraws.
  */
 export function show_when_wide(box, draw) {
   const chart = charts.get(box);
@@ -89,10 +91,10 @@ const rule_at = (angle_deg, style) => Plot.ruleX([deployment(angle_deg)], style)
 
 const contact_marks = (angle_deg, line) => [
   rule_at(angle_deg, { stroke: "var(--contact)", strokeDasharray: "4 3", strokeWidth: 1.5 }),
-  word(angle_deg, `panels meet ${degrees(angle_deg)}`, line),
+  word(angle_deg, `contact ${degrees(angle_deg)}`, line),
 ];
 
-/** Words along the left edge of what lies beyond the fold limit: there no line is hidden. */
+/** Words along the left edge of the band beyond the fold limit, where they hide no line. */
 const word_beyond = (words, edge) =>
   Plot.text([words], {
     x: () => edge,
@@ -106,8 +108,9 @@ const word_beyond = (words, edge) =>
   });
 
 /**
- * D, the fold limit and the stroke limit along the way, and what lies beyond them, below the lines.
- * `room` is kept left of the last sample; a word beside it needs `letter` more, parts of the axis.
+ * Marks of D, the fold limit, the stroke limit and the contact, and bands beyond D and the fold
+ * limit. `room` is free left of the last sample; a word beside it needs `letter` more, as shares of
+ * the axis.
  */
 function limit_marks(detail, end_deg, room, letter) {
   const D = detail.verdict.deploys_from_deg,
@@ -119,7 +122,7 @@ function limit_marks(detail, end_deg, room, letter) {
     aside = limited && deployment(limit_deg) - deployment(end_deg) >= letter,
     limit_words = limited ? `fold limit ${degrees(limit_deg)}` : "";
   return {
-    // No state beyond the fold limit; between D and it the sheet folds, but some diagonal reverses.
+    // There is no state beyond the fold limit; between D and it the sheet folds, with a fault.
     below: [
       limited ? band(end_deg + 180 * room, last_deg, "var(--nothing)") : null,
       D < last_deg ? band(last_deg, D, "var(--beyond)") : null,
@@ -149,7 +152,7 @@ const folding_axes = (end_deg) => [
   Plot.axisX(
     kRatioTicks.filter((ratio) => ratio >= deployment(end_deg)),
     {
-      label: "deployment ratio D* = (180° − pilot)/180°   (0 folded, 1 flat)",
+      label: "deployment ratio D* = (180° − pilot angle)/180°   (0 folded, 1 flat)",
       labelAnchor: "center",
       labelArrow: "none",
       tickFormat: (ratio) => ratio.toFixed(1),
@@ -157,7 +160,7 @@ const folding_axes = (end_deg) => [
   ),
   Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), {
     anchor: "top",
-    label: "pilot fold angle",
+    label: "pilot angle",
     labelArrow: "none",
     labelAnchor: "center",
     labelOffset: 34,
@@ -191,8 +194,8 @@ function seek_on(plot, width, x, state, decoded) {
 
 /**
  * A chart over the deployment ratio with the pilot angle above, D and the fold limit marked.
- * `lines(svg, x, y)` adds what it shows; the rule follows the state's sample, and a press on the
- * chart moves the sample there.
+ * `lines(svg, x, y)` adds its lines; the rule follows the state's sample, and a press on the chart
+ * moves the sample there.
  */
 export function folding_chart({
   state,
@@ -215,7 +218,7 @@ export function folding_chart({
     rule.setAttribute("x2", at);
   };
   const draw = (width) => {
-    // Room left of the last sample, as a part of the axis.
+    // Room left of the last sample, as a share of the axis.
     const px = (1 - deployment(end_deg)) / (width - kLeft_px - kRight_px - room_px),
       room = room_px * px;
     const limits = limit_marks(detail, end_deg, room, kBeside_px * px);

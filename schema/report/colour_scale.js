@@ -1,4 +1,4 @@
-// A scale of colours through stops, mixed in OKLab as CSS does: equal steps look equally far apart.
+// A colour scale through stops, interpolated in OKLab as CSS does, which is perceptually uniform.
 
 const linear = (share) => (share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4);
 const encoded = (share) =>
@@ -44,7 +44,7 @@ function hex_of(lab) {
   return `#${rgb.map((share) => byte(share).toString(16).padStart(2, "0")).join("")}`;
 }
 
-/** The colour at a share of the way through the stops ("#rrggbb"), which stand equally far apart. */
+/** The colour at a share, 0 to 1, of equidistant stops ("#rrggbb"). */
 export function colour_scale(stops) {
   const labs = stops.map((stop) => oklab_of(light_of(stop))),
     last = labs.length - 1;

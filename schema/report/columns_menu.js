@@ -1,4 +1,4 @@
-// Which columns the table has: a box for each of them. State "columns" is the choice.
+// Shows a box for each column of the table. State "columns" is the choice.
 import { by_id, h } from "./format.js";
 import { chosen_columns, columns_of, is_fixed, words_of } from "./table_columns.js";
 
@@ -19,14 +19,14 @@ export function make_columns_menu(candidates, state) {
     const count = all.filter(is_shown).length;
     for (const [k, column] of all.entries()) {
       boxes[k].checked = is_shown(column);
-      boxes[k].disabled = boxes[k].checked && count === 1; // one is needed
+      boxes[k].disabled = boxes[k].checked && count === 1; // at least one stays
     }
   };
   by_id("columns-menu").append(
     h(
       "p",
       {},
-      "Drag a heading to move its column, or press Alt and an arrow key on it. The page’s address keeps the choice. ",
+      "To move a column, drag its heading, or press Alt and an arrow key on it. The page’s address keeps the choice. ",
       h(
         "button",
         { type: "button", "data-testid": "all-columns", onclick: () => state.set("columns", "") },

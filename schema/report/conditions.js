@@ -1,11 +1,11 @@
-// Conditions on single columns within the filter's text: "stroke_max >= 0.02 stroke_max <= 0.06".
+// Reads and writes conditions in the filter's text: "stroke_max >= 0.02 stroke_max <= 0.06".
 
 const kNumber = "[+\\-]?[0-9.]+(?:e[+\\-]?[0-9]+)?";
 const kBounds = { least: ">=", most: "<=" };
 
 const pattern_of = (name, sign) => new RegExp(`(^|\\s)${name} ${sign} (${kNumber})(?=\\s|$)`, "g");
 
-/** The filter with these bounds on that column in place of its own; null or nothing: no bound. */
+/** The filter with these bounds of a column instead of its present ones; null: no bound. */
 export function with_bounds(filter, name, bounds) {
   let text = filter;
   for (const [bound, sign] of Object.entries(kBounds)) {
@@ -16,7 +16,7 @@ export function with_bounds(filter, name, bounds) {
   return text.replace(/\s+/g, " ").trim();
 }
 
-/** { least, most } of those conditions; null where there is none. */
+/** { least, most } of a column's conditions; null where there is none. */
 export function bounds_in(filter, name) {
   const found = Object.entries(kBounds).map(([bound, sign]) => {
     const value = pattern_of(name, sign).exec(filter)?.[2];
@@ -25,7 +25,7 @@ export function bounds_in(filter, name) {
   return Object.fromEntries(found);
 }
 
-/** All of them as `--where` takes them; empty where there is none. */
+/** All conditions as the option `--where` takes them; empty where there is none. */
 export const as_sql = (filter) =>
   [...filter.matchAll(new RegExp(`(?:^|\\s)([a-z]\\w*) (>=|<=) (${kNumber})(?=\\s|$)`, "g"))]
     .map(([, name, sign, value]) => `${name} ${sign} ${value}`)

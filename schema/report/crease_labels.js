@@ -1,15 +1,15 @@
-// Places the numbers and names on a crease pattern at any zoom: large enough to read, and none over
-// another. Labels without room appear when zooming in.
+// Places the labels of a crease pattern at any zoom, without overlaps. Labels without room appear
+// when zooming in.
 import { clamp } from "./format.js";
 import { text_width } from "./text_size.js";
 
 const kGap_px = 2;
 
-/** Height of the letters, px, where a panel's side is that long. */
+/** Height of the letters, px, by a panel's side. */
 export const label_px = (panel_px) => clamp(0.135 * panel_px, 10.5, 14);
 export const number_px = (panel_px) => clamp(0.15 * panel_px, 11, 17);
 
-// Where else a label may stand, turned from where it would be best.
+// Other directions of a label, from its best one.
 const kTurns_deg = [0, 50, -50, 95, -95, 140, -140];
 
 function turned([x, y], deg) {
@@ -17,13 +17,13 @@ function turned([x, y], deg) {
   return [c * x - s * y, s * x + c * y];
 }
 
-/** Standing off a place in a direction, so far that the letters do not cover it, in px. */
+/** Offset in px of a label's middle from a place that its letters must not cover. */
 const stand_off = ([x, y], [half_width, half_height]) => {
   const reach = Math.abs(x) * (half_width + 5) + Math.abs(y) * (half_height + 6);
   return [x * reach, y * reach];
 };
 
-/** Where a label may stand: places, each with what it stands off there in px. */
+/** Possible places of a label, each with its offset in px. */
 function spots({ places, away }, half) {
   if (!away) return places.map((at) => ({ at, offset: [0, 0] }));
   return places.flatMap((at) =>
@@ -32,9 +32,9 @@ function spots({ places, away }, half) {
 }
 
 /**
- * Shows those labels that find room, the first ones first. A label: { node, places: [[x, y]…] in
- * the drawing's units, the best first, away: the direction that it best stands off in, or null,
- * size_px, bold }.
+ * Shows the labels that have room, in their order. A label: { node, places: [[x, y]…] in the
+ * drawing's units, the best first, away: its best direction off the place, or null, size_px, bold
+ * }.
  */
 export function place_labels(labels, view, scale) {
   const taken = [];
@@ -47,7 +47,7 @@ export function place_labels(labels, view, scale) {
         [wide, high] = half.map((side) => side + kGap_px);
       return [x - wide, y - high, x + wide, y + high];
     };
-    const spot = spots(label, half).find((one) => !meets(box_at(one)));
+    const spot = spots(label, half).find((place) => !meets(box_at(place)));
     node.style.display = spot ? "" : "none";
     if (!spot) continue;
     taken.push(box_at(spot));

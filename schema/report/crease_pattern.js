@@ -1,5 +1,5 @@
-// The selected draw's crease pattern, as in figure 12b of the paper: mountains, valleys, holes,
-// their diagonals with numbers, and the shifts as arrows, much enlarged.
+// Draws the selected draw's crease pattern, as in figure 12b of the paper: mountains, valleys,
+// holes, numbered diagonals, and enlarged shifts as arrows.
 import { label_px, number_px, place_labels } from "./crease_labels.js";
 import { ends_of, label_of } from "./data.js";
 import { clamp, h } from "./format.js";
@@ -9,7 +9,7 @@ import { ZoomedView } from "./zoomed_view.js";
 
 const kMostWide_px = 1000,
   kPaper_px = 330, // height on paper, as page.css has it
-  kLeastPanel_px = 45; // where panels would be smaller, the drawing takes the whole width
+  kLeastPanel_px = 45; // smaller panels give the drawing the full width
 
 const kNumberAt = [0.27, 0.2, 0.35, 0.73, 0.8]; // along the diagonal
 
@@ -97,12 +97,12 @@ class CreasePattern {
   #svg;
   #view;
   #wide_button;
-  #wide = null; // null: nobody said
+  #wide = null; // the reader's choice, if any
   #width_px = 0;
   #share = null; // of the screen's width, on paper
   #diagonals = [];
   #labels = [];
-  #scaled_for = [null, 0]; // labels and scale that strokes and letters are made for
+  #scaled_for = [null, 0]; // labels and scale of the present strokes and letters
   #balls = [];
 
   constructor(box, caption, report, state) {
@@ -112,7 +112,7 @@ class CreasePattern {
     this.#svg = sheet_svg(
       sheet.vertices_mm,
       0.32 * this.#size_mm,
-      "Crease pattern: mountains dash-dotted red, valleys dashed blue, holes hatched, diagonals numbered, shifts as arrows. Plus and minus zoom, arrow keys move, 0 shows all of it.",
+      "Crease pattern: mountains dash-dotted red, valleys dashed blue, holes hatched, diagonals numbered, shifts as arrows. Keys: plus and minus zoom, arrows move, 0 shows the whole sheet.",
     );
     this.#svg.setAttribute("role", "application"); // it has keys, and its parts have names
     this.#svg.setAttribute("tabindex", 0);
@@ -160,8 +160,8 @@ class CreasePattern {
     this.#svg.append(...this.#balls);
     for (const [name, shift] of shifts) this.#add_shift(name, shift, at, scale);
     this.#caption.textContent =
-      `Flat sheet seen from above (+z). Shifts drawn ×${scale.toLocaleString("en")} (longest: ${longest.toFixed(2)} mm). ` +
-      "Numbers: diagonals, as in catalogue and exports. Circles: ball joints. Click, then the wheel zooms.";
+      `Flat sheet, top view (+z). Shifts enlarged ×${scale.toLocaleString("en")} (longest: ${longest.toFixed(2)} mm). ` +
+      "Numbers: diagonals, as in catalogue and exports. Circles: ball joints. To zoom, click, then turn the wheel.";
     this.#view.set_whole(sheet_extent(at, 0.32 * this.#size_mm));
   }
 
@@ -240,11 +240,11 @@ class CreasePattern {
     return this.#wide ?? this.#box.closest(".card").classList.contains("wide");
   }
 
-  /** Over the whole width, with the folding below it as wide; or side by side. */
+  /** Lays the card over the whole width, the folding's below it, or both side by side. */
   #set_wide(wide, asked = true) {
     if (asked) this.#wide = wide;
     for (const card of this.#box.closest(".grid").children) card.classList.toggle("wide", wide);
-    const words = wide ? "Half of the width" : "The whole width";
+    const words = wide ? "Half width" : "Full width";
     this.#wide_button.textContent = "⇔";
     this.#wide_button.title = words;
     this.#wide_button.setAttribute("aria-label", words);

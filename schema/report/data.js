@@ -1,4 +1,4 @@
-// Reads the data that the program wrote into the page, and decodes a draw's histories.
+// Reads the page's data, and decodes a draw's histories.
 import { metrics } from "./metrics.js";
 
 function bytes_of(base64) {
@@ -10,13 +10,13 @@ function bytes_of(base64) {
 
 const floats = (base64) => new Float32Array(bytes_of(base64));
 
-/** The report of this page; throws in words where there is none, or one of another format. */
+/** The report of this page; throws a sentence if there is none, or its format differs. */
 export function read_report() {
   let report;
   try {
     report = JSON.parse(document.getElementById("report-data").textContent);
   } catch {
-    throw new Error("This page holds no data: it is written by “misalign report CATALOGUE”.");
+    throw new Error("This page holds no data: “misalign report CATALOGUE” writes one with data.");
   }
   if (report.format !== 1) {
     throw new Error(
@@ -31,9 +31,8 @@ const kMayBeUnknown = new Set(
 );
 
 /**
- * The candidates' table as columns, each with one value a row, without those of what was not tried
- * or not yet known of; `row_of` finds a draw's row. Draws stay strings: they may exceed what a number
- * holds exactly.
+ * The candidates' table as columns, without those that have no value; `row_of` maps a draw to its
+ * row. Draws stay strings: they may exceed the integers that a number holds exactly.
  */
 export function read_candidates(report) {
   const columns = Object.fromEntries(
@@ -42,7 +41,7 @@ export function read_candidates(report) {
     ),
   );
   columns.draw ??= [];
-  // The springs of this report, folded to D: no column of the catalogue, which knows no stiffness.
+  // The springs' energy at D is no column of the catalogue, which has no stiffness.
   columns.energy_n_mm = columns.stretch_sq_mm2?.map((sum) =>
     sum === null ? null : (report.actuators.stiffness_n_per_mm / 2) * sum,
   );
@@ -71,14 +70,14 @@ export function decode_lengths(detail, report) {
     deployment: detail.pilot_deg.map((pilot) => (180 - pilot) / 180),
     flat_mm: length_mm.slice(0, diagonals),
     relative,
-    // The direction is that of the range it deploys from: beyond D a diagonal may reverse.
+    // The direction up to D: beyond it a diagonal may reverse.
     grows: report.diagonals.map(
       (_, d) => relative(Math.max(depth, Math.min(1, samples - 1)), d) >= 1,
     ),
   };
 }
 
-/** All of its histories. */
+/** All histories of a draw. */
 export function decode_detail(detail, report) {
   const packed = new Int16Array(bytes_of(detail.vertices_mm.data));
   return {
@@ -100,7 +99,7 @@ export function decode_detail(detail, report) {
   };
 }
 
-/** What is known of a draw by name: of its details, otherwise of its row. */
+/** A draw's values by name: those of its details, and of its row. */
 export function values_of(report, candidates, draw) {
   const row = candidates.row_of.get(draw),
     detail = report.details.find((entry) => entry.draw === draw),

@@ -1,5 +1,5 @@
-// The deployment of the sheet released at rest: its pilot angle over time, and the folding played
-// at that speed.
+// Draws the pilot angle of the sheet released at rest over time, and plays the folding at that
+// speed.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";
 import { by_id, degrees, h, number } from "./format.js";
@@ -9,25 +9,25 @@ const kHeight = 250,
 
 const kOutcomes = {
   passed_flat: (deployment) =>
-    `passes through flat after ${number(deployment.deploy_time_s)} s, with ${number(Math.abs(deployment.end_deg_per_s))} °/s`,
-  flat: (deployment) => `comes to rest flat after ${number(deployment.deploy_time_s)} s`,
-  stalled: () => "stays where it is, since nothing drives it",
-  turned_back: () => "turns round before it is flat",
-  fold_limit: () => "folds as far as it can",
+    `It passes through flat after ${number(deployment.deploy_time_s)} s, at ${number(Math.abs(deployment.end_deg_per_s))} °/s`,
+  flat: (deployment) => `It comes to rest flat after ${number(deployment.deploy_time_s)} s`,
+  stalled: () => "It stays at rest: no moment drives it",
+  turned_back: () => "It turns back before it is flat",
+  fold_limit: () => "It folds to its fold limit",
 };
 
 function caption(deployment, report) {
   const friction = deployment.critical_friction_n_mm_per_mm;
   return (
     `From ${degrees(deployment.from_deg)}, springs of ${number(report.actuators.stiffness_n_per_mm)} N/mm, panels of ${number(deployment.thickness_mm)} mm ` +
-    `(${number(deployment.mass_g)} g in all), free in space, no friction: it ${(kOutcomes[deployment.outcome] ?? (() => deployment.outcome))(deployment)}. ` +
+    `(total mass ${number(deployment.mass_g)} g), free in space, no friction. ${(kOutcomes[deployment.outcome] ?? (() => deployment.outcome))(deployment)}. ` +
     (friction === null
-      ? "It does not get to flat by itself."
-      : `It gets to flat with friction of up to ${number(friction)} N mm per mm of crease.`)
+      ? "It does not reach flat by itself."
+      : `Critical friction: ${number(friction)} N mm/mm.`)
   );
 }
 
-/** The angle at a time, on straight lines between the rows. */
+/** The pilot angle at a time, by linear interpolation between rows. */
 function angle_at({ time_s, pilot_deg }, time) {
   if (time_s.length === 1) return pilot_deg[0];
   let k = 1;
@@ -44,13 +44,13 @@ function nearest_sample(pilot_deg, angle_deg) {
   return best;
 }
 
-/** Moves the state's sample along; ends where anything else moves it, or the button is pressed again. */
+/** Plays the motion by the state's sample; stops when anything else moves it, or at the button. */
 function make_player(deployment, { state, decoded }, move) {
   let frame = 0,
     playing = false;
   const button = by_id("let-go-play"),
     end_s = deployment.time_s[deployment.time_s.length - 1];
-  const label = () => (button.textContent = playing ? "❚❚ Stop" : "▶ In real time");
+  const label = () => (button.textContent = playing ? "❚❚ Stop" : "▶ Real time");
   const stop = () => {
     cancelAnimationFrame(frame);
     playing = false;
@@ -81,7 +81,7 @@ function make_player(deployment, { state, decoded }, move) {
 
 let stop_last = () => {};
 
-/** The chart of the motion, or null where the sheet cannot be let go. */
+/** The chart of the motion, or null where the report has none. */
 export function make_deployment(report, folding) {
   const { detail, decoded } = folding,
     deployment = decoded.motion;
@@ -108,9 +108,9 @@ export function make_deployment(report, folding) {
       marginRight: 14,
       marginBottom: 40,
       className: "plot",
-      ariaLabel: "pilot fold angle against time",
+      ariaLabel: "pilot angle against time",
       x: { label: "time (s)", labelAnchor: "center", labelArrow: "none", grid: true },
-      y: { label: "pilot fold angle (°)", labelArrow: "none", grid: true, nice: true },
+      y: { label: "pilot angle (°)", labelArrow: "none", grid: true, nice: true },
       marks: [
         Plot.ruleY([0], { stroke: "var(--ink-soft)" }),
         Plot.line(points, { stroke: "var(--accent)", strokeWidth: 2 }),

@@ -5,7 +5,7 @@ import { history_rows } from "./histories.js";
 import { add_saving, single } from "./save.js";
 import { file_stem } from "./page_kind.js";
 
-/** Vertices of the flat sheet in mm, and what each is shifted by. */
+/** Vertices of the flat sheet and their shifts, mm. */
 function flat_rows({ sheet }, { displacements_mm }) {
   return {
     heads: ["vertex", "x_mm", "y_mm", "dx_mm", "dy_mm"],
@@ -29,7 +29,7 @@ function folded_rows(decoded, sample) {
   };
 }
 
-/** Buttons on every card of a picked draw that holds a picture. */
+/** Adds buttons to every card of the picked draw that has a picture. */
 export function save_details(report, detail, decoded, state, crease_drawing) {
   const stem = file_stem(report, detail.draw);
   const box_of = (id) => document.getElementById(id),

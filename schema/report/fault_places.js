@@ -1,4 +1,4 @@
-// The diagonals and creases that fail first, as bars and on the sheet.
+// Charts the first faults by diagonal and crease, as bars and on the sheet.
 import * as Plot from "@observablehq/plot";
 import { ends_of } from "./data.js";
 import { dashed, h, percent, plural } from "./format.js";
@@ -6,7 +6,7 @@ import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
 import { sum, weight } from "./shares.js";
 import { fault_colour, fault_name, fault_order } from "./words.js";
 
-/** Whether that names two vertices of the sheet: a catalogue may hold any text. */
+/** Returns whether a text names two vertices of the sheet: a catalogue may hold any text. */
 const is_place = (where, { vertices_mm }) =>
   /^A\d+-A\d+$/.test(where) && ends_of(where).every((vertex) => vertices_mm[vertex]);
 
@@ -48,7 +48,7 @@ export function where_chart(list, width) {
     className: "plot",
     ariaLabel: "Shares of the first faults by diagonal or crease",
     x: {
-      label: "share of the first faults that have a place (%)",
+      label: "share of located first faults (%)",
       percent: true,
       labelAnchor: "center",
       labelArrow: "none",

@@ -1,11 +1,11 @@
-// The pilot angles at which draws fail, from the exact first faults of the sample.
+// Charts the pilot angles of the first faults of the fault sample.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";
 import { count, degrees, percent, plural, powers } from "./format.js";
 import { effective, sum, weight } from "./shares.js";
 import { fault_colour, fault_name, fault_order } from "./words.js";
 
-/** The first faults that have an angle, in steps of the pilot's: a bin holds (from, to]. */
+/** Histogram of the first faults by pilot angle: a bin holds (from, to]. */
 export function fault_bins(rows, { path }) {
   const bin_deg = Math.max(5, path.sample_deg);
   const bins = new Map(),
@@ -13,7 +13,7 @@ export function fault_bins(rows, { path }) {
   for (const row of rows) {
     const { first_fault, fault_deg, sampled } = row;
     if (fault_deg === null || first_fault === "none") continue;
-    // Faults at 170° belong to those that fail up to 170°.
+    // A fault at 170° is in the bin that ends there.
     const to = Math.ceil(fault_deg / bin_deg) * bin_deg,
       key = `${first_fault} ${to}`;
     if (!bins.has(key))
@@ -48,9 +48,9 @@ export function faults_chart(rows, total, { path, accept }, width) {
     marginLeft: 52,
     marginBottom: 42,
     className: "plot",
-    ariaLabel: "First faults along the folding, stacked by kind",
+    ariaLabel: "First faults by pilot angle, stacked by kind",
     x: {
-      label: "pilot fold angle of the first fault (deg)",
+      label: "pilot angle of the first fault (°)",
       domain: [0, path.end_deg],
       labelAnchor: "center",
       labelArrow: "none",
@@ -79,7 +79,7 @@ export function faults_chart(rows, total, { path, accept }, width) {
   });
 }
 
-/** The acceptance rate of all draws, beside the sample's. */
+/** The acceptance rate of all draws, with its interval. */
 const overall_marks = (overall) => [
   Plot.ruleX(overall, {
     x: "angle",
@@ -136,16 +136,16 @@ export function survival_chart(points, total, report, width) {
     marginLeft: 62,
     marginBottom: 42,
     className: "plot",
-    ariaLabel: "Survival along the folding",
+    ariaLabel: "Survival by pilot angle",
     x: {
-      label: "pilot fold angle (deg)",
+      label: "pilot angle (°)",
       domain: [0, path.end_deg],
       labelAnchor: "center",
       labelArrow: "none",
     },
     y: {
       type: "log",
-      label: "share without a fault (log scale)",
+      label: "share without a fault (%, log scale)",
       grid: true,
       labelArrow: "none",
       domain: [least, 1],

@@ -1,4 +1,4 @@
-// The figures of the overview: a tile for each, and those that every campaign may have.
+// Shows the overview's figures as tiles.
 import { by_id, count, degrees, h, number, plural } from "./format.js";
 import { noun } from "./page_kind.js";
 
@@ -11,15 +11,15 @@ export function tile(term, value, more, title) {
   );
 }
 
-/** Whether work remains: of so many that are wanted so many are missing; null: without end. */
+/** Progress in words; `missing` is null in a campaign without end. */
 export const how_far = (complete, done, missing) =>
   complete
     ? "complete"
     : missing === null
-      ? "the campaign may go on"
+      ? "campaign without end"
       : `of ${count(done + missing)}, the last run's goal`;
 
-/** Of what the catalogue has beyond the goal, and what counts it; none if that is nothing. */
+/** The tile of what lies beyond the goal, if anything does. */
 export const beyond_tiles = (some, words) =>
   some > 0 ? [tile("Beyond the goal", count(some), words)] : [];
 
@@ -28,7 +28,7 @@ export const shown_tiles = ({ shown, total }) =>
     ? [tile("In this report", count(shown), `best of ${plural(total, "candidate")}`)]
     : [];
 
-/** What is known only while a server is asked: see watch.js. */
+/** The figures of a page that watch.js keeps up to date. */
 export function live_tiles(report) {
   const { live, state } = report;
   if (!live) return [];
@@ -39,17 +39,17 @@ export function live_tiles(report) {
   return [
     ...(state.ladder
       ? []
-      : [tile("Draws a second", count(Math.round(live.draws_per_s)), live.speed_words)]),
+      : [tile("Draws per second", count(Math.round(live.draws_per_s)), live.speed_words)]),
     tile(
       "Best so far",
       draw === undefined ? "–" : degrees(from_deg),
       draw === undefined ? "no candidate yet" : `${noun(report)} ${draw}${margin}`,
-      "The largest pilot angle that a candidate deploys from; the more tolerant first among equals",
+      "Largest D of a candidate; among equals that with the larger margin",
     ),
   ];
 }
 
-/** Those that have changed are put in the place of what they were: what is marked stays so. */
+/** Replaces only tiles that have changed, so that a reader's selection stays. */
 export function show_tiles(tiles) {
   const box = by_id("figures");
   tiles.forEach((node, k) => {

@@ -1,4 +1,4 @@
-// The filter of the table: plain conditions, all of which must hold.
+// Parses the table's filter: conditions, all of which must hold.
 //   stroke_max < 0.05 deploys_from_deg >= 172        bump_deg is none        draw = 1234        details
 import { metric_of, metrics, of_studies } from "./metrics.js";
 
@@ -25,7 +25,7 @@ export function parse_filter(typed, candidates) {
   while (kToken.lastIndex < text.trimEnd().length) {
     const start = kToken.lastIndex,
       match = kToken.exec(text);
-    if (!match) return { error: `“${text.slice(start).trim()[0]}” is not understood here.` };
+    if (!match) return { error: `“${text.slice(start).trim()[0]}” is not understood.` };
     if (match[1]) tokens.push({ sign: kSame[match[1]] ?? match[1] });
     else if (match[2] && match[2].toLowerCase() !== "and") tokens.push({ word: match[2] });
   }
@@ -43,7 +43,7 @@ export function parse_filter(typed, candidates) {
     }
     const is_value = number_of(first.word) !== null;
     if (is_value && /^\d+$/.test(first.word) && tokens.length === 1) {
-      const made = condition("draw", "=", first.word, candidates); // a number alone is a draw's
+      const made = condition("draw", "=", first.word, candidates); // a number alone names a draw
       return made.error ? made : { holds: made.test };
     }
     if (!is_value && !kNames.includes(first.word))
@@ -56,7 +56,7 @@ export function parse_filter(typed, candidates) {
       return {
         error: `After “${first.word} ${sign}” a ${is_value ? "name" : "number"} is missing.`,
       };
-    // 150 <= deploys_from_deg < 175: the name serves twice, so only two tokens are used up.
+    // 150 <= deploys_from_deg < 175: the name also begins the next condition.
     const [name, value, operator] = is_value
       ? [second, first.word, kMirror[sign]]
       : [first.word, second, sign];
@@ -75,7 +75,7 @@ kName_of.d = "deploys_from_deg"; // the manual's word; the paper's D is a ratio
 const kLabels = Object.keys(kName_of).sort((a, b) => b.length - a.length);
 const kLabel = new RegExp(`(?<!\\w)(?:${kLabels.join("|")})(?!\\w)`, "gi");
 
-/** The table's headings as the columns' names: “stroke max < 5%”. */
+/** Replaces headings by the columns' names: “largest stroke < 5%”. */
 const with_names = (text) =>
   text.replaceAll(/(\d)\s+%/g, "$1%").replaceAll(kLabel, (label) => kName_of[label.toLowerCase()]);
 
@@ -90,17 +90,17 @@ function condition(name, operator, word, { columns }) {
     holds = compare[operator];
   if (!values) return { error: without(name) };
   if (name === "draw") {
-    if (!/^\d+$/.test(word)) return { error: `“${word}” is no number of a draw.` };
+    if (!/^\d+$/.test(word)) return { error: `“${word}” is not a draw’s number.` };
     const draw = BigInt(word);
     return { test: (row) => holds(BigInt(values[row]), draw) };
   }
   if (kNone.has(word.toLowerCase())) {
     if (operator !== "=" && operator !== "!=")
-      return { error: `“${word}” can only be compared by = or !=.` };
+      return { error: `“${word}” can be compared only by = or !=.` };
     return { test: (row) => holds(values[row] ?? null, null) };
   }
   const value = number_of(word);
-  if (value === null) return { error: `“${word}” is no number.` };
+  if (value === null) return { error: `“${word}” is not a number.` };
   if (metric_of[name].axis === 100 && Math.abs(value) > 1 && !word.endsWith("%"))
     return { error: `“${name}” is a share: write ${word}%, or ${value / 100}.` };
   return {
@@ -108,26 +108,24 @@ function condition(name, operator, word, { columns }) {
   };
 }
 
-/** Of a metric that the page has not. */
+/** Says that the page lacks a metric. */
 const without = (name) =>
   of_studies.has(name)
     ? `This page has no column “${name}”; “misalign report --column ${name}” adds it.`
     : `This catalogue has no column “${name}”.`;
 
 function unknown_name(word, { columns }) {
-  const here = kNames.filter((name) => columns[name]);
-  const near = here.map((name) => [distance(word, name), name]).sort((a, b) => a[0] - b[0])[0];
+  const present = kNames.filter((name) => columns[name]);
+  const near = present.map((name) => [distance(word, name), name]).sort((a, b) => a[0] - b[0])[0];
   const has_part = (name) =>
     name.includes(word.toLowerCase()) || name.replaceAll("_", "").includes(word.toLowerCase());
-  const part = here.find(has_part);
+  const part = present.find(has_part);
   const guess = part ?? (near[0] <= 4 ? near[1] : null);
   const elsewhere = guess ? null : kNames.find((name) => of_studies.has(name) && has_part(name));
   if (elsewhere) return `“${word}” is no column of this page. ${without(elsewhere)}`;
   return (
     `“${word}” is no column` +
-    (guess
-      ? `: did you mean “${guess}”?`
-      : "; their names are in the list of columns below the field.")
+    (guess ? `: did you mean “${guess}”?` : "; the list below the field has all names.")
   );
 }
 

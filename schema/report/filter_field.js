@@ -1,4 +1,4 @@
-// The field above the table: reads conditions as they are typed, and says what is wrong with them.
+// The field above the table: parses conditions as they are typed, and shows their errors.
 import { parse_filter } from "./filter.js";
 import { count, h, plural } from "./format.js";
 import { metrics } from "./metrics.js";
@@ -26,8 +26,8 @@ function help(insert) {
     h(
       "p",
       {},
-      "Conditions side by side must all hold. A name, a comparison (< <= > >= = !=), a number; shares may be written as percentages. ",
-      "Click one to try it: ",
+      "All conditions must hold. A condition is a name, a comparison (< <= > >= = !=) and a number or percentage. ",
+      "Examples: ",
       kExamples.flatMap(example),
     ),
     h(
@@ -45,7 +45,7 @@ function help(insert) {
   ];
 }
 
-/** State "filter" is the text; what cannot be read changes nothing of what is shown. */
+/** State "filter" is the text; a text with errors leaves the table as it is. */
 export function make_filter_field(candidates, table, state) {
   const field = document.getElementById("filter"),
     says = document.getElementById("filter-says");
@@ -57,7 +57,7 @@ export function make_filter_field(candidates, table, state) {
     if (parsed.error) {
       says.textContent = parsed.error;
       says.className = "error";
-      return; // what was shown before stays, until the conditions can be read
+      return; // the table stays as it was
     }
     table.filter(text ? parsed.holds : null);
   };
@@ -73,7 +73,7 @@ export function make_filter_field(candidates, table, state) {
   document.getElementById("filter-help").append(...help(insert));
   state.on("filter", read);
   state.on("order", (order) => {
-    if (field.getAttribute("aria-invalid") === "true") return; // what is wrong stays said
+    if (field.getAttribute("aria-invalid") === "true") return; // the error stays
     says.className = "";
     says.textContent =
       order.length === candidates.count

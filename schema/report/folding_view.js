@@ -1,4 +1,4 @@
-// The sheet folding in space. Drawn by WebGL where it is available, else on a 2-D canvas from back
+// Shows the folding sheet in space: by WebGL where it is available, else on a 2-D canvas from back
 // to front, with the same camera and controls.
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -21,9 +21,9 @@ function has_webgl() {
   }
 }
 
-const kTones = "Two-toned: light is the side seen in the crease pattern. ",
-  kStress = "Coloured by stress, both sides alike. ";
-const kHelp = "Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.";
+const kTones = "Light: the side that the crease pattern shows. ",
+  kStress = "Colour: largest stress. ";
+const kHelp = "Drag to rotate, then the wheel zooms. Keys: arrows, + and −, 0.";
 
 const rad = (deg) => (deg * Math.PI) / 180;
 
@@ -34,7 +34,7 @@ function radius_of(values) {
   return most || 1;
 }
 
-/** How far off a point lies from a line between two points, on the screen. */
+/** Distance of a point from a segment, on the screen. */
 function away_from([x, y], [x1, y1], [x2, y2]) {
   const along =
       ((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / ((x2 - x1) ** 2 + (y2 - y1) ** 2 || 1),
@@ -42,7 +42,7 @@ function away_from([x, y], [x1, y1], [x2, y2]) {
   return Math.hypot(x - x1 - t * (x2 - x1), y - y1 - t * (y2 - y1));
 }
 
-/** Whether a point lies within a convex outline, gone round either way. */
+/** Returns whether a point lies within a convex outline. */
 function is_within([x, y], outline) {
   const sides = outline.map(([x1, y1], i) => {
     const [x2, y2] = outline[(i + 1) % outline.length];
@@ -65,7 +65,7 @@ class FoldingView {
     role: "application",
     "data-testid": "folding-canvas",
     "aria-label":
-      "The sheet folding in space. Arrow keys turn it, plus and minus zoom, 0 shows all of it again.",
+      "The folding sheet in space. Keys: arrows rotate, plus and minus zoom, 0 shows the whole sheet.",
   });
   #pen;
   #camera = new PerspectiveCamera(kFov_deg, 1, 1, 1e6);
@@ -138,9 +138,9 @@ class FoldingView {
 
   #buttons() {
     return [
-      ["Whole sheet", () => this.#whole(), "The scale of the flat sheet, seen obliquely"],
-      ["Fit", () => this.#fit(), "Fill the view with the present pose"],
-      ["From above", () => this.#look(-90, 89.9, this.#flat()), "As the crease pattern is seen"],
+      ["Whole sheet", () => this.#whole(), "Oblique view at the scale of the flat sheet"],
+      ["Fit", () => this.#fit(), "View filled with the present pose"],
+      ["Top view", () => this.#look(-90, 89.9, this.#flat()), "View of the crease pattern"],
     ].map(([words, onclick, title]) => h("button", { type: "button", title, onclick }, words));
   }
 
@@ -148,7 +148,7 @@ class FoldingView {
     this.#camera.up.set(0, 0, 1);
     this.#controls = new OrbitControls(this.#camera, this.#canvas);
     this.#controls.zoomSpeed = 0.6;
-    // The wheel scrolls the page, until the sheet was clicked on.
+    // The wheel scrolls the page until the sheet is clicked.
     this.#controls.enableZoom = false;
     this.#canvas.addEventListener("focus", () => (this.#controls.enableZoom = true));
     this.#canvas.addEventListener("blur", () => (this.#controls.enableZoom = false));
@@ -185,7 +185,7 @@ class FoldingView {
     event.preventDefault();
   }
 
-  // From that direction, as near as all the points leave room.
+  // Views all points from a direction, as near as they fit.
   #look(azimuth_deg, elevation_deg, values) {
     const [az, el] = [rad(azimuth_deg), rad(elevation_deg)],
       camera = this.#camera;
@@ -251,7 +251,7 @@ class FoldingView {
     this.#look(azimuth / rad(1), elevation / rad(1), this.#points);
   }
 
-  /** Where each vertex is seen in the window, px, and how far behind the screen. */
+  /** Position of each vertex in the window, px, and its depth. */
   #seen() {
     const frame = this.#canvas.getBoundingClientRect(),
       corner = new Vector3(),

@@ -2,7 +2,7 @@
 
 const kMinus = "\u2212";
 
-/** Three significant digits unless told otherwise; powers of ten where zeros would pile up. */
+/** A number with significant digits; powers of ten where it has many zeros. */
 export function number(value, digits = 3) {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   if (value === 0) return "0";
@@ -22,7 +22,7 @@ export function number(value, digits = 3) {
 
 const superscript = (exponent) => String(exponent).replace(/./g, (c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻");
 
-/** Powers of ten between two positive numbers, and how an axis writes them. */
+/** Powers of ten between two positive numbers, and their text on an axis. */
 export function powers(least, most) {
   const first = Math.ceil(Math.log10(least) - 1e-9),
     last = Math.floor(Math.log10(most) + 1e-9);
@@ -42,13 +42,13 @@ export const percent = (share, digits = 3) =>
   share === null || share === undefined ? "–" : `${number(100 * share, digits)} %`;
 export const signed_percent = (share, decimals = 2) =>
   `${share >= 0 ? "+" : kMinus}${(100 * Math.abs(share)).toFixed(decimals)} %`;
-/** Angles: whole where they are, else two decimals. */
+/** An angle with at most two decimals. */
 export const degrees = (value) =>
   value === null || value === undefined
     ? "–"
     : `${Number(value.toFixed(2)).toString().replace("-", kMinus)}°`;
 
-/** An angle up to which something is proven: never rounded up. */
+/** A certified angle: rounded down. */
 export const certified = (value) =>
   value === null || value === undefined ? "–" : degrees(Math.floor(100 * value) / 100);
 
@@ -59,7 +59,7 @@ export const clamp = (value, least, most) => Math.max(least, Math.min(most, valu
 
 export const by_id = (id) => document.getElementById(id);
 
-/** A key held with others is the browser's: Alt with an arrow goes back. */
+/** Keys with modifiers belong to the browser: Alt with an arrow goes back. */
 export const with_modifier = ({ altKey, ctrlKey, metaKey, shiftKey }) =>
   altKey || ctrlKey || metaKey || shiftKey;
 

@@ -1,8 +1,8 @@
-// The front of several goals: rows than which no other is at least as good in all and better in one.
+// The Pareto front of several objectives: rows that no other row dominates.
 
 const sign_of = ({ better }) => (better === "less" ? 1 : -1);
 
-/** Of `rows`, in any order; goals: [{ values, better: "more" | "less" }]. Equals stay together. */
+/** The front of `rows`; goals: [{ values, better: "more" | "less" }]. Equal rows all stay. */
 export function front_of(rows, goals) {
   const losses = new Map(
     rows.map((row) => [row, goals.map((goal) => sign_of(goal) * goal.values[row])]),
@@ -11,15 +11,15 @@ export function front_of(rows, goals) {
     const k = goals.findIndex((_, i) => losses.get(a)[i] !== losses.get(b)[i]);
     return k < 0 ? a - b : losses.get(a)[k] - losses.get(b)[k];
   });
-  // Whoever is better in all comes earlier, and one of the front is.
+  // A row that dominates another comes earlier, and so does one of the front that does.
   const front = [];
   for (const row of sorted) {
-    const own = losses.get(row);
-    const is_worse = front.some((other) => {
+    const ours = losses.get(row);
+    const is_dominated = front.some((other) => {
       const its = losses.get(other);
-      return its.every((loss, k) => loss <= own[k]) && its.some((loss, k) => loss < own[k]);
+      return its.every((loss, k) => loss <= ours[k]) && its.some((loss, k) => loss < ours[k]);
     });
-    if (!is_worse) front.push(row);
+    if (!is_dominated) front.push(row);
   }
   return front;
 }

@@ -1,5 +1,5 @@
-// Relative lengths of the diagonals during the folding, as in figure 13b-d of the paper, and their
-// list.
+// Charts the relative lengths of the diagonals during the folding, as figure 13b-d of the paper,
+// and lists the diagonals.
 import * as Plot from "@observablehq/plot";
 import { folding_chart, nearest_sample, path_of, range } from "./chart.js";
 import { fixed, h, signed_percent } from "./format.js";
@@ -7,7 +7,7 @@ import { single } from "./save.js";
 
 const kHeight = 400;
 
-/** Numbers at the lines' ends, pushed apart until they can be read. */
+/** Pushes numbers at the lines' ends apart until they do not overlap. */
 function spread(places, least_px) {
   const order = places.map((_, i) => i).sort((a, b) => places[a] - places[b]);
   const out = [...places];
@@ -25,7 +25,7 @@ function spread(places, least_px) {
 const kNumbered = 32, // more diagonals than that have no numbers at their lines' ends
   kReach_px = 12;
 
-/** Least and largest relative length, and the stroke limits that are worth their room. */
+/** The domain of the relative lengths, with the stroke limits that are near. */
 function range_of(decoded, diagonals, limit) {
   let least = 1,
     most = 1;
@@ -63,7 +63,7 @@ const limit_marks = (limits) => [
   }),
 ];
 
-/** A line for each diagonal, dashed by its style; its number stands where D is. */
+/** A line for each diagonal, with its number at D. */
 function history_lines(decoded, diagonals, x, y) {
   const last = decoded.samples - 1,
     end_x = x.apply(decoded.deployment[decoded.depth]);
@@ -132,12 +132,12 @@ export function make_histories(caption, report, folding) {
     },
   });
   caption.textContent =
-    "Solid: increasing as it folds; dashed: decreasing. Faint: beyond D. " +
-    "Up to D (deploys from), every diagonal only grows or only shrinks; past it at least one thing is wrong. Press on a chart to go there.";
+    "Solid: increasing as the sheet folds; dashed: decreasing; faint: beyond D. " +
+    "Up to D every diagonal is monotone; beyond it there is a fault. A click on a chart moves the slider.";
   return { ...chart, mark };
 }
 
-/** The chart's data: relative lengths of all diagonals, a row for each sample. */
+/** The chart's data: relative lengths of all diagonals, one row for each sample. */
 export function history_rows(report, decoded) {
   return {
     heads: [
@@ -154,12 +154,12 @@ export function history_rows(report, decoded) {
 }
 
 const kHeads = [
-  ["", "number in the drawings, in the catalogue and in exports"],
+  ["", "number in drawings, catalogue and exports"],
   ["diagonal", ""],
-  ["", "direction as the sheet folds"],
-  ["now", "elongation at the slider’s angle"],
+  ["", "change of length as the sheet folds"],
+  ["now", "elongation at the slider’s pilot angle"],
   ["at D", "elongation at D"],
-  ["force", "of its spring at the slider’s angle, N: positive where it pulls"],
+  ["force", "spring force at the slider’s pilot angle, N; positive: tension"],
   ["", ""],
 ];
 
@@ -189,10 +189,10 @@ function diagonal_row(diagonal, d, detail, decoded, state) {
       "td",
       {},
       detail.few?.diagonals.includes(d)
-        ? h("span", { title: "one of the smallest set that keeps half of the least moment" }, "★")
+        ? h("span", { title: "in the smallest set that keeps half of the least moment" }, "★")
         : null,
       detail.over_stroke?.diagonals.includes(d)
-        ? h("span", { title: "beyond the stroke limit somewhere up to D" }, " !")
+        ? h("span", { title: "exceeds the stroke limit below D" }, " !")
         : null,
     ),
   );
@@ -203,7 +203,7 @@ function diagonal_row(diagonal, d, detail, decoded, state) {
   return { row, ...cells };
 }
 
-/** Each diagonal with its direction and elongation; focus or hover marks it in all views. */
+/** Lists each diagonal's direction and elongation; focus or hover marks it in all views. */
 export function make_diagonal_list(box, report, detail, decoded, state) {
   const { stiffness_n_per_mm: k_n_per_mm } = report.actuators;
   const rows = report.diagonals.map((diagonal, d) =>

@@ -1,4 +1,4 @@
-// The selected draw: everything that is known of it, and the views that move together.
+// Shows the selected draw: its data, and the views that move together.
 import { make_actuation, show_actuation_words } from "./actuation.js";
 import { show_ascent } from "./ascent.js";
 import {
@@ -25,22 +25,22 @@ import { make_stress } from "./stress.js";
 import { end_of_path, heading, population_words } from "./page_kind.js";
 
 const kFirstPilot_deg = 80; // a pose that shows the fold well
-const kReplaced = "Another campaign is in this file now; load the page again.";
+const kReplaced = "This file now holds another campaign. Reload the page.";
 
 function margin_words(values) {
   const name = values.miscut_margin_mm ? "miscut_margin_mm" : "slope_min_mm_per_deg";
   return with_unit(metric_of[name], values[name]);
 }
 
-/** Everything about one draw; its parts are made anew whenever another one is picked. */
+/** Shows one draw; makes its parts again for another draw. */
 export class Inspector {
   #report;
   #candidates;
   #state;
   #end_deg;
-  #views = null; // what all draws share: slider, crease pattern, folding
+  #views = null; // slider, crease pattern and folding, shared by all draws
   #parts = [];
-  #charts = new Map(); // box → { chart, redraw }: each box is watched once
+  #charts = new Map(); // box → { chart, redraw }
 
   constructor(report, candidates, state) {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
@@ -85,7 +85,7 @@ export class Inspector {
     show_commands(by_id("commands"), report, draw, this.#state);
   }
 
-  /** Has the program fold a draw, and shows it; a sentence where that fails. */
+  /** Shows a draw that the program folds; answers with a sentence where that fails. */
   async #compute(draw) {
     const report = this.#report;
     let answer;
@@ -132,7 +132,7 @@ export class Inspector {
       decoded = decode_detail(detail, report);
     state.set("playing", false);
     state.set("diagonal", null);
-    // The same pilot angle as for the draw before, so that two can be compared.
+    // The pilot angle stays, so that two draws can be compared.
     state.set(
       "sample",
       last_sample_up_to(decoded.pilot_deg, state.get("pilot_deg") ?? kFirstPilot_deg),

@@ -1,4 +1,4 @@
-// The overview of a splitting search: its figures, and the ladder of levels as a chart and a table.
+// Shows the overview of a splitting search: its figures, and its levels as a chart and a table.
 import { show_when_wide } from "./chart.js";
 import { beyond_tiles, how_far, live_tiles, show_tiles, shown_tiles, tile } from "./figures.js";
 import { by_id, count, degrees, fixed, h, number, percent } from "./format.js";
@@ -11,12 +11,12 @@ const share_of = (some, all) => (all > 0 ? some / all : null);
 const interval_of = ({ rate_low, rate_high }) =>
   rate_low === null ? null : `${number(rate_low)} – ${number(rate_high)}`;
 
-/** In the place of an interval where there is none. */
+/** Says why there is no interval. */
 const no_interval = ({ populations_here }, populations) =>
   populations === 0
     ? "nothing searched yet"
     : populations_here === 0
-      ? "no population came to the last level"
+      ? "no population reached the last level"
       : "no interval from so few populations";
 
 function rate_tiles({ levels, populations }, from) {
@@ -30,7 +30,7 @@ function rate_tiles({ levels, populations }, from) {
       "Share of draws",
       number(rate),
       interval ? `95 %: ${interval}` : no_interval(last, populations),
-      `Of all draws so many deploy from ${from} or more: the mean of the populations, with its 95 % interval`,
+      `Share of all draws that deploy from ${from} or more: mean of the populations, with its 95 % interval`,
     ),
     tile(
       "One in",
@@ -40,8 +40,8 @@ function rate_tiles({ levels, populations }, from) {
     tile(
       "Ancestors",
       count(ancestors),
-      `of ${count(levels[0].tried)} first draws: those at the last level descend from them`,
-      "Sheets that descend from few first draws have much in common",
+      `of ${count(levels[0].tried)} first draws: origin of the sheets at the last level`,
+      "Sheets with few ancestors are alike",
     ),
   ];
 }
@@ -60,11 +60,11 @@ function show_figures(report, ladder) {
     tile("Candidates kept", count(state.accepted), `deploy from ${from} or more, each once`),
     ...rate_tiles(ladder, from),
     ...(undecided > 0
-      ? [tile("Undecided", count(undecided), "numerical failures, and not taken")]
+      ? [tile("Undecided", count(undecided), "numerical failures, not accepted")]
       : []),
     ...beyond_tiles(
       Math.round(beyond),
-      "populations that figures and ladder do not count; the table of candidates has theirs",
+      "populations that figures and levels do not count, but the table of candidates does",
     ),
     ...live_tiles(report),
     ...shown_tiles(candidates),
@@ -74,47 +74,47 @@ function show_figures(report, ladder) {
 const angle_text = (deg) => (deg === null ? "" : String(Number(deg.toPrecision(6))));
 const share_text = (share) => (share === null ? "" : percent(share));
 
-// Heads of the table, what they mean, and what a row says of a level: of the first draws, which are
-// level 0, all of it is known, and from the last level nothing goes on.
+// Heads of the table, their meanings, and the text of a level. Some are empty for level 0, the
+// first draws, or for the last level.
 const kColumns = [
   {
     head: "level",
-    about: "Level 0 are the first draws",
+    about: "Number of the level; level 0: first draws",
     text: ({ level }) => String(level),
   },
   {
-    head: "from deg",
-    about: "Sheets within the level deploy from there; a part of a degree says how near they came",
+    head: "from, °",
+    about: "Angle that sheets of the level deploy from; its fraction: nearness to the next sample",
     text: ({ deploys_from_deg }) => angle_text(deploys_from_deg),
   },
   {
     head: "share of draws",
-    about: "That deploy from there: the mean of the populations",
+    about: "Share of draws that deploy from the level: mean of the populations",
     text: ({ level, rate }) => (level > 0 ? number(rate) : ""),
   },
   {
     head: "95 % interval",
-    about: "From how much the populations differ",
+    about: "From the scatter of the populations",
     text: (level) => (level.level > 0 ? (interval_of(level) ?? "") : ""),
   },
   {
     head: "reach next",
-    about: "Share of the particles (of the draws, at level 0) that came to the next level",
+    about: "Share of the particles (draws at level 0) that reach the next level",
     text: ({ reach_next }, is_last) => (is_last ? "" : share_text(reach_next)),
   },
   {
-    head: "moves taken",
+    head: "moves accepted",
     about: "Share of the moves that stayed within the level",
     text: ({ level, taken, tried }) => (level > 0 ? share_text(share_of(taken, tried)) : ""),
   },
   {
-    head: "met here",
-    about: "Candidates that populations met at this level first",
+    head: "first met",
+    about: "Candidates first met at this level",
     text: ({ met }) => count(met),
   },
   {
-    head: "core s",
-    about: "Seconds that cores spent at this level",
+    head: "core time, s",
+    about: "Core seconds spent at this level",
     text: ({ core_s }) => fixed(core_s, 1),
   },
 ];
@@ -166,7 +166,7 @@ const points_of = (levels) =>
       reached: populations_here,
     }));
 
-/** Nothing where no population has come to a level yet: the table says so. */
+/** Hides the card until a population reaches a level. */
 function show_chart(points, { levels, populations }, report) {
   const chart = by_id("ladder-chart"),
     card = chart.closest(".card"),
@@ -174,8 +174,8 @@ function show_chart(points, { levels, populations }, report) {
   card.hidden = points.length === 0;
   if (card.hidden) return;
   by_id("ladder-caption").textContent = points.some(({ low }) => low !== null)
-    ? "Each with its 95 % interval."
-    : "There are no intervals yet.";
+    ? "Points with their 95 % intervals."
+    : "No intervals yet.";
   show_when_wide(chart, (width) => ladder_chart(points, ends, populations, width));
   add_saving_once(chart, `${report.campaign.name}-ladder`, () =>
     rows_of(with_known_shares(report.state.ladder).levels),
@@ -188,17 +188,17 @@ function show_levels(ladder, report) {
   show_chart(points_of(levels), ladder, report);
   by_id("ladder-levels").replaceChildren(table_of(levels));
   by_id("ladder-words").textContent =
-    (missed ? `No population has come to ${degrees(missed.deploys_from_deg)} or beyond. ` : "") +
-    "Level 0 are the first draws. “Met here” counts each sheet in each population once; the catalogue keeps it once in all.";
+    (missed ? `No population has reached ${degrees(missed.deploys_from_deg)}. ` : "") +
+    "Level 0: first draws. “First met” counts each sheet once per population; the catalogue keeps it once.";
 }
 
-/** No populations know no share, where the mean of theirs is written as 0. */
+/** Without populations the share is unknown, though the data has 0. */
 const with_known_shares = (ladder) =>
   ladder.populations > 0
     ? ladder
     : { ...ladder, levels: ladder.levels.map((level) => ({ ...level, rate: null })) };
 
-/** Figures, chart and table, again whenever the report has changed. */
+/** Shows figures, chart and table; called again whenever the report has changed. */
 export function show_ladder(report) {
   const ladder = with_known_shares(report.state.ladder),
     [note, says] = [by_id("ladder-note"), by_id("ladder-says")],
@@ -212,7 +212,7 @@ export function show_ladder(report) {
   by_id("ladder-cards").hidden = waits;
   note.textContent = waits
     ? kWaits
-    : "How rare draws are that deploy from each level: the product of the shares of particles that reached the next one, " +
-      "in the mean of all populations. That mean is unbiased however few particles and moves there are; its interval comes from how much populations differ.";
+    : "Share of draws that deploy from each level: the product of the shares of particles that reach the next level. " +
+      "It is the mean of all populations, unbiased for any number of particles and moves. Its interval comes from their scatter.";
   if (!waits) show_levels(ladder, report);
 }

@@ -1,13 +1,13 @@
-// The share of draws that deploy from each level of a splitting search, on a logarithmic scale.
+// Charts the share of draws that deploy from each level of a splitting search.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";
 import { clamp, count, degrees, number, plural, power, powers } from "./format.js";
 
 const kMostTicks = 9,
-  kRow_px = 28, // of the table beside it, which it is to be about as high as
+  kRow_px = 28, // of the table beside it, about as high
   kHeight_px = [320, 560];
 
-/** Decades round all that is shown, and marks at them: not more than fit. */
+/** Decades round all points, and at most kMostTicks ticks at them. */
 function decades(points) {
   const values = points.flatMap(({ share, low, high }) => [share, low, high]).filter((x) => x > 0);
   const first = Math.floor(Math.log10(Math.min(...values, 0.1)) + 1e-9),
@@ -18,7 +18,7 @@ function decades(points) {
   return { domain, ticks: all.filter((_, k) => (all.length - 1 - k) % step === 0) };
 }
 
-// Wider than the points: where little is left in doubt an interval is shorter than they are.
+// Bars wider than the points: an interval may be shorter than a point.
 const interval_mark = (points, least) =>
   Plot.ruleX(
     points.filter(({ low }) => low !== null),
@@ -44,11 +44,11 @@ const tip = (points, populations) =>
       title: (point) =>
         `level ${point.level}, from ${degrees(point.from_deg)}\n` +
         `${number(point.share)} of draws${interval_words(point)}\n` +
-        `${count(point.reached)} of ${plural(populations, "population")} came there`,
+        `${count(point.reached)} of ${plural(populations, "population")} reached it`,
     }),
   );
 
-/** The chart in words, for those who do not see it. */
+/** Description of the chart for screen readers. */
 function description(points) {
   const words = (point) =>
     `${number(point.share)} of draws deploy from ${degrees(point.from_deg)}${interval_words(point)}`;
@@ -57,8 +57,8 @@ function description(points) {
 }
 
 /**
- * `points`: of the levels that were reached, { level, from_deg, share, low, high, reached };
- * then the angles of the first level and of the last one, reached or not.
+ * `points`: the levels that were reached, { level, from_deg, share, low, high, reached };
+ * `least_deg`, `most_deg`: the angles of the first and the last level, reached or not.
  */
 export function ladder_chart(points, [least_deg, most_deg], populations, width) {
   const { domain, ticks } = decades(points),
@@ -73,7 +73,7 @@ export function ladder_chart(points, [least_deg, most_deg], populations, width) 
     ariaLabel: "Share of draws that deploy from each level",
     ariaDescription: description(points),
     x: {
-      label: "the level: deploys from (deg)",
+      label: "level: deploys from (°)",
       domain: [least_deg - spare_deg, most_deg + spare_deg],
       labelAnchor: "center",
       labelArrow: "none",

@@ -1,11 +1,12 @@
-// Sliders that say which candidates suffice: my angle, my friction. Each writes its condition into the filter.
+// Sliders for the angle of use and the hinges' friction, each of which writes a condition into the
+// filter.
 import { bounds_in, with_bounds } from "./conditions.js";
 import { by_id, h, number } from "./format.js";
 import { metric_of, with_unit } from "./metrics.js";
 
 const kLimits = [
-  { name: "deploys_from_deg", says: "My angle" },
-  { name: "critical_friction_n_mm_per_mm", says: "My friction" },
+  { name: "deploys_from_deg", says: "Angle of use" },
+  { name: "critical_friction_n_mm_per_mm", says: "Hinge friction" },
 ];
 const kSteps = 200;
 
@@ -41,7 +42,7 @@ function slider({ name, says }, values, state) {
   return h("label", { title: metric_of[name].about }, `${says} `, input, " ", out);
 }
 
-/** Of those columns that the candidates have, and in which they differ. */
+/** Adds sliders for columns in which candidates differ. */
 export function make_limits(candidates, state) {
   for (const limit of kLimits) {
     const values = candidates.columns[limit.name],

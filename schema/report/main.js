@@ -1,4 +1,4 @@
-// The page of `misalign report`: sets up overview, choice of a candidate, and the selected draw.
+// Sets up the page of `misalign report`: overview, choice of a candidate, and the selected draw.
 import { follow_address } from "./address.js";
 import { make_beside } from "./beside.js";
 import { read_candidates, read_report } from "./data.js";
@@ -18,13 +18,13 @@ import { set_up_theme } from "./theme.js";
 import { watch } from "./watch.js";
 import { is_pattern, is_splitting, noun, noun_first, show_pattern } from "./page_kind.js";
 
-/** Whose folding the page carries, in words. */
+/** Describes the choice of draws with details. */
 function chosen_words(report) {
   const { chosen, details } = report,
     { best, diverse, where, by, draws } = chosen;
   if (!details.length || !(draws || best || diverse || where)) return "";
-  const asked = draws ? `${plural(draws, noun(report))} asked for` : "";
-  const of_those = where ? ` of those for which ${where}` : "";
+  const asked = draws ? plural(draws, `requested ${noun(report)}`) : "";
+  const of_those = where ? ` among those with ${where}` : "";
   const sorted = !by || by === "deploys_from_deg" ? "" : ` by ${by}`;
   const rest = diverse
     ? `a spread of ${diverse} that differ most${of_those}`
@@ -34,30 +34,29 @@ function chosen_words(report) {
   return `: ${[asked, rest].filter(Boolean).join(", and ")}`;
 }
 
-/** The program's own order; catalogues know more or less of a margin. */
+/** Describes the program's own order, which depends on the catalogue's columns. */
 const order_words = ({ columns }) =>
-  (columns.goes_back ? "those that go back nowhere before those that do, " : "") +
-  `the deepest D, then the largest ${columns.miscut_margin_mm ? "margin against miscuts" : "margin"}`;
+  (columns.goes_back ? "those without reversals first, then " : "") +
+  `the largest D, then the largest ${columns.miscut_margin_mm ? "margin against miscuts" : "margin"}`;
 
-/** What was found instead of candidates, and what can be done. */
+/** Says that there are no candidates, and what can be done. */
 function nothing_words(report) {
   const { state, campaign } = report,
     { deploys_from_deg } = campaign.configuration.accept,
-    lower =
-      "it goes on where it ended. Or choose a lower accept.deploys_from_deg, which is another campaign.";
+    lower = "it resumes. Or make another campaign with a lower accept.deploys_from_deg.";
   if (is_splitting(report)) {
     const met = state.ladder.populations
-      ? `none of ${plural(state.ladder.populations, "population")} met one that deploys from ${degrees(deploys_from_deg)} or more`
+      ? `none of ${plural(state.ladder.populations, "population")} met a sheet that deploys from ${degrees(deploys_from_deg)} or more`
       : "no population has been searched";
     return `No sheet has been accepted yet: ${met}. Run the same search again${state.complete ? " with more populations" : ""}; ${lower}`;
   }
   const drawn = state.draws
     ? `none of ${count(state.draws)} deploys from ${degrees(deploys_from_deg)} or more`
-    : "nothing has been drawn";
-  return `No draw has been accepted yet: ${drawn}. Run the same search again with more draws; ${lower} Any draw, accepted or not, can be looked at with --draw.`;
+    : "no draw yet";
+  return `No draw has been accepted yet: ${drawn}. Run the same search again with more draws; ${lower} The option --draw shows any draw, accepted or not.`;
 }
 
-/** Answers the table, if there is one. */
+/** Shows the choice of candidates; returns the table, if there are any. */
 function show_candidates(report, candidates, state) {
   const { total, shown } = report.candidates;
   const note = by_id("candidates-note");
@@ -70,8 +69,8 @@ function show_candidates(report, candidates, state) {
     (shown < total
       ? `The best ${count(shown)} of ${plural(total, "candidate")}`
       : plural(total, "candidate")) +
-    `, best first: ${order_words(candidates)}. ` +
-    `● marks ${plural(candidates.detailed.size, noun(report))} with all details in this report${chosen_words(report)}. The one that is picked is shown below.`;
+    `, in the order: ${order_words(candidates)}. ` +
+    `● marks ${plural(candidates.detailed.size, noun(report))} with all details in this report${chosen_words(report)}. The picked ${noun(report)} is shown below.`;
   const { name } = report.campaign;
   const table = make_table(by_id("table"), candidates, state);
   make_scatter(by_id("scatter"), candidates, state, name);
@@ -85,14 +84,14 @@ function show_candidates(report, candidates, state) {
   return table;
 }
 
-/** Goes through the draws that can be looked at. */
+/** Adds the choice among draws with details. */
 function show_detailed(report, candidates, state) {
   const draws = report.details.map(({ draw }) => draw);
   if (draws.length === 0) return;
   const how_many = () => `${plural(draws.length, noun(report))} with details`;
   const words = ({ draw, verdict }) => {
     const row = candidates.row_of.get(draw);
-    return `${noun(report)} ${draw}: D ${degrees(verdict.deploys_from_deg)}${row === undefined ? ", asked for" : `, rank ${count(row + 1)}`}`;
+    return `${noun(report)} ${draw}: D ${degrees(verdict.deploys_from_deg)}${row === undefined ? ", requested" : `, rank ${count(row + 1)}`}`;
   };
   const other = h("option", { value: "", disabled: true }, "without details");
   const select = h(
@@ -104,8 +103,16 @@ function show_detailed(report, candidates, state) {
   const step = (by) =>
     state.set("picked", draws[clamp(draws.indexOf(state.get("picked")) + by, 0, draws.length - 1)]);
   const [previous, next] = [
-    h("button", { type: "button", title: "The one before", onclick: () => step(-1) }, "‹"),
-    h("button", { type: "button", title: "The next one", onclick: () => step(1) }, "›"),
+    h(
+      "button",
+      { type: "button", title: `Previous ${noun(report)} with details`, onclick: () => step(-1) },
+      "‹",
+    ),
+    h(
+      "button",
+      { type: "button", title: `Next ${noun(report)} with details`, onclick: () => step(1) },
+      "›",
+    ),
   ];
   select.addEventListener("change", () => state.set("picked", select.value));
   const said = h("span", { class: "note" }, how_many());
@@ -126,7 +133,7 @@ function show_detailed(report, candidates, state) {
   });
 }
 
-/** What a program that drives the page may ask it. */
+/** Gives programs that drive the page read access to its state. */
 function answer_questions(state) {
   Object.defineProperty(window, "misalign", {
     value: Object.freeze({
@@ -173,7 +180,7 @@ function show_nothing_to_inspect(report) {
   const { misalign, catalogue, choice, output } = report.commands;
   by_id("picked-title").textContent = `No ${noun(report)} to inspect`;
   by_id("picked-words").textContent = is_splitting(report)
-    ? "Of a splitting search only candidates are kept."
+    ? "A splitting search keeps only candidates."
     : `“${misalign} report ${catalogue} --draw N${choice} --output ${output}” shows any draw, accepted or not.`;
   for (const id of ["no-details", "facts"]) by_id(id).hidden = true;
 }
@@ -182,7 +189,7 @@ function follow_the_address(candidates, table, state) {
   const detailed = (draw) => candidates.detailed.has(draw);
   const known = {
     picked: (draw) => candidates.row_of.has(draw) || detailed(draw),
-    filter: () => true, // whatever is wrong with it is said below the field
+    filter: () => true, // errors are shown below the field
     beside: (draw) => draw === "start" || candidates.row_of.has(draw) || detailed(draw),
     sort: (words) => is_order(words, candidates),
     columns: (words) => is_choice(words, candidates),

@@ -1,9 +1,9 @@
-// Links of every panel to its page of the manual.
+// Links every card to its page of the manual.
 import { h } from "./format.js";
 
 const kFolder = "search/manual/";
 
-/** The site, seen from where this page was written; null where there is none, or none may be opened from here. */
+/** The site's address relative to this page; null where there is none, or it cannot be opened. */
 function address_of(place) {
   if (!place || location.protocol !== "file:") return null;
   return place.split("/").map(encodeURIComponent).join("/");
@@ -14,7 +14,7 @@ export function link_manual({ manual }) {
   for (const heading of document.querySelectorAll("[data-manual]")) {
     const file = heading.dataset.manual,
       page = file.slice(kFolder.length).replace(/\.md$/, ""),
-      title = `The manual: ${page}`;
+      title = `Manual: ${page}`;
     heading.after(
       site
         ? h("a", { class: "manual", href: `${site}/${page}.html`, title, "aria-label": title }, "?")

@@ -1,4 +1,4 @@
-// The metrics of a candidate: what the program says of them, and what the page adds.
+// The metrics of a candidate: those of the program, and those that the page adds.
 import { certified, count, degrees, fixed, number } from "./format.js";
 import { words } from "./words.js";
 
@@ -14,10 +14,9 @@ const kWritten = {
   whole_deg: degrees,
 };
 
-// label and unit head a column; `axis` is what a share is multiplied by on an axis (shares as %);
-// `better` says which end comes first when it is sorted by, `none_is_best` that no value is better
-// than any, `warns` which values are a bad sign; `may_be_unknown`: the column is left out where no
-// row has a value.
+// `label` and `unit` head a column; `axis` is a share's factor on an axis (100: %); `better` says
+// which values come first when sorted, `none_is_best` that no value is best; `warns` returns
+// whether a value is bad; a column that `may_be_unknown` is left out where no row has a value.
 const kStored = words.metrics.map(
   ({ written, unit, meaning, negative_is_bad, needs_a_campaign, ...rest }) => ({
     ...rest,
@@ -30,7 +29,7 @@ const kStored = words.metrics.map(
   }),
 );
 
-// Known of copies, or of the springs of this report: none is a metric that the program stores.
+// Metrics that the program does not store.
 const kYields = [
   {
     name: "yield",
@@ -41,7 +40,7 @@ const kYields = [
     may_be_unknown: true,
     text: share,
     about:
-      "Share of miscut copies that deploy from the threshold, where `misalign tolerance` has tried; at the amplitude that most candidates were tried with.",
+      "Share of miscut copies that deploy from the threshold, by `misalign tolerance`; at the amplitude that most candidates were studied with.",
   },
   {
     name: "yield_low",
@@ -51,16 +50,16 @@ const kYields = [
     better: "more",
     may_be_unknown: true,
     text: share,
-    about: "Lower end of the yield's 95 % interval: a few copies say little.",
+    about: "Lower end of the yield's 95 % interval.",
   },
   {
     name: "yield_amplitude_mm",
-    label: "yield at ±",
+    label: "cutting error ±",
     unit: "mm",
     better: "more",
     may_be_unknown: true,
     text: (v) => number(v, 2),
-    about: "How far off the vertices of the copies were cut, at most, in x and in y.",
+    about: "Largest cutting error of the copies' vertices, in x and in y.",
   },
 ];
 const kCertified = [
@@ -72,30 +71,29 @@ const kCertified = [
     may_be_unknown: true,
     text: certified,
     about:
-      "Up to here `misalign certify` has proven that it folds in one way and every diagonal only grows or only shrinks, at every pilot fold angle.",
+      "Certified angle of `misalign certify`: up to it the sheet provably folds in one way and every diagonal is monotone, also between samples.",
   },
 ];
-// Of an optimising search, in the unit of its goal.
+// Values of an optimising search, in the unit of its objective.
 const kEnds = [
   {
     name: "start_value",
-    label: "worth as drawn",
+    label: "objective at start",
     unit: "",
     better: "more",
     may_be_unknown: true,
     text: (v) => number(v),
-    about:
-      "What the draw itself was worth, by the campaign’s goal (search.maximise), before it was made better.",
+    about: "The campaign’s objective (search.maximise) of the draw, before its ascent.",
   },
   {
     name: "end_value",
-    label: "worth",
+    label: "objective",
     unit: "",
     better: "more",
     may_be_unknown: true,
     text: (v) => number(v),
     about:
-      "What this sheet is worth by the campaign’s goal: N mm per mm of friction, or mm of margin against miscuts.",
+      "The campaign’s objective (search.maximise) of this sheet: N mm/mm for friction, mm for a margin against miscuts.",
   },
 ];
 const kEnergy = [
@@ -106,19 +104,19 @@ const kEnergy = [
     better: "more",
     text: (v) => number(v),
     about:
-      "Stored at D by springs of the report’s stiffness k on all diagonals, relaxed when flat: k/2 times stretch². Not a column of the catalogue.",
+      "Strain energy at D of springs with the report’s stiffness k on all diagonals, relaxed when flat: k/2 times stretch². Not a column of the catalogue.",
   },
 ];
-// Where `--deploy` and its like asked for them.
+// Columns that options such as `--deploy` add.
 const kOfStudies = words.columns_of_studies
-  .filter(({ name }) => name !== "energy_n_mm") // which the page has of itself
+  .filter(({ name }) => name !== "energy_n_mm") // the page computes it
   .map(({ meaning, ...rest }) => ({
     ...rest,
     may_be_unknown: true,
     text: (v) => number(v),
     about: meaning,
   }));
-/** Names of columns that a page has only where they were asked for. */
+/** Names of columns that a page has only on request. */
 export const of_studies = new Set(kOfStudies.map(({ name }) => name));
 const kAfter = {
   reverses_at_deg: [...kCertified, ...kEnds],

@@ -1,4 +1,4 @@
-// The overview: the campaign's name, what it asked, and what became of it.
+// Shows the overview: the campaign's name, its configuration, and its results.
 import { show_acceptance } from "./acceptance.js";
 import { show_angles } from "./angles.js";
 import { asked } from "./campaign_words.js";
@@ -6,7 +6,7 @@ import { by_id } from "./format.js";
 import { show_ladder } from "./ladder.js";
 import { is_splitting } from "./page_kind.js";
 
-/** Again whenever the report has changed. */
+/** Called again whenever the report has changed. */
 export function show_overview(report) {
   const { name } = report.campaign;
   document.title = `${name} · misalign ${report.watch ? "watch" : "report"}`;

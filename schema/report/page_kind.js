@@ -1,14 +1,14 @@
-// Differences between the pages of a plain search, of a splitting one, and of a single pattern
-// file: names, headings, the overview.
+// Names and headings that differ between pages of plain searches, splitting searches and pattern
+// files.
 import { by_id, degrees, plural } from "./format.js";
 
-/** Whether the page is about a pattern file: no campaign, nothing to choose. */
+/** Returns whether the page shows a pattern file, without a campaign. */
 export const is_pattern = (report) => Boolean(report.pattern);
 
-/** Whether populations were searched: their sheets have numbers, and are no draws. */
+/** Returns whether the search was by splitting: its sheets have numbers, and are not draws. */
 export const is_splitting = (report) => Boolean(report.state?.ladder);
 
-/** What one is that has a number. */
+/** The name of a numbered thing. */
 export const noun = (report) => (is_splitting(report) ? "sheet" : "draw");
 export const noun_first = (report) => (is_splitting(report) ? "Sheet" : "Draw");
 
@@ -16,33 +16,33 @@ export const noun_first = (report) => (is_splitting(report) ? "Sheet" : "Draw");
 export const heading = (report, draw) =>
   is_pattern(report) ? report.pattern.name : `${noun_first(report)} ${draw}`;
 
-/** Of which population a sheet is; nothing of draws. */
+/** Names a sheet's population; nothing for draws. */
 export const population_words = (report, draw) =>
   is_splitting(report)
     ? ` Met by population ${BigInt(draw) / BigInt(report.state.ladder.numbers_of_population)}.`
     : "";
 
-/** What names of saved files begin with. */
+/** Beginning of the names of saved files. */
 export const file_stem = (report, draw) =>
   is_pattern(report) ? report.pattern.name : `${report.campaign.name}-${draw}`;
 
-/** Where paths end, degrees. */
+/** The angle at which paths end, degrees. */
 export const end_of_path = (report) =>
   is_pattern(report) ? report.pattern.sampling.end_deg : report.campaign.configuration.path.end_deg;
 
-/** In the place of what a campaign asked and found: which sheet this is. */
+/** Describes the sheet instead of a campaign. */
 export function show_pattern(report) {
   const { name, sampling } = report.pattern,
     { panels, holes, creases, ball_joints } = report.sheet,
     shifts = Object.keys(report.details[0].displacements_mm).length;
-  const exactly = sampling.between_samples === "exact" ? "exactly " : "";
+  const exactly = sampling.between_samples === "exact" ? "exactly" : "approximately";
   document.querySelector("#overview .eyebrow").textContent = "Pattern";
   by_id("campaign-name").textContent = name;
   by_id("asked").textContent =
     `${plural(panels.length, "panel")}, ${plural(holes.length, "hole")}, ${plural(creases.length, "crease")} and ${plural(ball_joints.length, "ball joint")}; ` +
     `${shifts ? `${plural(shifts, "vertex", "vertices")} shifted` : "no vertex is shifted"}. ` +
-    `Followed from flat on, with samples every ${degrees(sampling.sample_deg)} up to ${degrees(sampling.end_deg)}` +
-    `${sampling.between_samples ? `, and looked at ${exactly}between them` : ""}. One sheet, of no campaign.`;
+    `Path from flat, with samples every ${degrees(sampling.sample_deg)} up to ${degrees(sampling.end_deg)}` +
+    `${sampling.between_samples ? `, and ${exactly} measured between them` : ""}. One sheet without a campaign.`;
   let past_words = false;
   for (const part of by_id("overview").children) {
     if (past_words) part.hidden = true;
@@ -56,15 +56,15 @@ export function show_pattern(report) {
   document.title = `${name} · misalign`;
 }
 
-/** The formats of `misalign export`, and what each holds. */
+/** The formats of `misalign export`, and their contents. */
 export const kExports = {
   json: "Pattern, verdict, metrics and springs as JSON:",
   csv: "Histories of the diagonals as CSV:",
-  svg: "Crease pattern at true scale as SVG, in layers for a cutter:",
-  fold: "Crease pattern and folded states as FOLD, for Origami Simulator and the like:",
+  svg: "Crease pattern at scale 1:1 as SVG, in layers for a cutter:",
+  fold: "Crease pattern and folded states as FOLD, for Origami Simulator and others:",
 };
 
-/** What can be done with a pattern file: [a sentence, the command, the name it is tested by]. */
+/** Commands for a pattern file: [description, command, id of tests]. */
 export function pattern_commands({ commands, details }) {
   const { misalign, catalogue, springs } = commands;
   const verb = (name, more = "") => `${misalign} ${name} ${catalogue}${more}`,
@@ -74,19 +74,19 @@ export function pattern_commands({ commands, details }) {
       format === "fold" ? "command-folded" : `command-${format}`, // fold is also a verb
     ]),
     miscut = [
-      "How many copies, cut up to 0.05 mm off, still deploy (with --vertices also: which vertices matter most):",
+      "Yield: share of copies with cutting errors up to 0.05 mm that deploy (--vertices: the most sensitive vertices):",
       verb("tolerance", " --amplitude 0.05"),
       "command-tolerance",
     ];
   return [
-    ["The path of this sheet again, degree by degree:", verb("fold"), "command-fold"],
+    ["Path of this sheet, degree by degree:", verb("fold"), "command-fold"],
     [
-      "Its path by two solvers, and its folded shapes by their coordinates:",
+      "Verification: its path by two solvers, its folded shapes by their coordinates:",
       verb("verify"),
       "command-verify",
     ],
     ...exports,
-    ["Springs on its diagonals, in numbers:", verb("actuators", springs), "command-actuators"],
+    ["Springs on its diagonals:", verb("actuators", springs), "command-actuators"],
     ...(details[0].verdict.deploys_from_deg > 0 ? [miscut] : []),
   ];
 }

@@ -1,5 +1,4 @@
-// Draws the folded sheet without WebGL: whole panels and lines, the farthest first (painter's
-// algorithm).
+// Draws the folded sheet without WebGL, by the painter's algorithm.
 import { Vector3 } from "three";
 import { colour } from "./theme.js";
 

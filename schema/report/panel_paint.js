@@ -1,5 +1,4 @@
-// The colours of panels in the folding picture: the largest stress of each, which can be switched
-// on and off, and those that have met.
+// Colours the panels in the folding picture: by their largest stress, and those in contact.
 import { colour_scale } from "./colour_scale.js";
 import { contact_panels } from "./contact.js";
 import { h, number } from "./format.js";
@@ -11,7 +10,7 @@ const kTip_px = 14; // away from the pointer
 const stress_scale = () =>
   colour_scale(["least", "middle", "most"].map((name) => colour(`stress-${name}`)));
 
-/** Colours of the panels from nothing to the largest of the values; of the theme as it is. */
+/** Colours of the panels on a scale from 0 to the largest value, in the present theme. */
 export function stress_colours(panels_mpa) {
   const scale = stress_scale(),
     most = Math.max(...panels_mpa) || 1;
@@ -27,7 +26,7 @@ const edges_of = (panels) =>
 export class PanelPaint {
   #sheet;
   #changed;
-  #stress = null; // largest of each panel, or null
+  #stress = null; // each panel's largest, or null
   #contact = null; // { pilot_deg, panels: [i, j] }, or null
   #on = true; // for every draw that has stresses
   #met = false;
@@ -49,16 +48,16 @@ export class PanelPaint {
     "button",
     {
       type: "button",
-      title: "Panels coloured by their largest stress, or by their sides",
+      title: "Colour of panels: largest stress or side",
       "data-testid": "stress-button",
       onclick: () => this.#turn(!this.#on),
     },
     "Stress",
   );
-  /** Edges of the panels that have met, as a part for the pen. */
+  /** Edges of the panels in contact, as a part for the pen. */
   outline = { pairs: [], width: 3.5, colour: "contact", on_top: true, hidden: true };
 
-  /** `changed` is called when the panels' colours have. */
+  /** `changed` is called when the panels' colours change. */
   constructor(box, sheet, changed) {
     [this.#sheet, this.#changed] = [sheet, changed];
     box.append(this.#scale, this.#met_key, this.#tip);
@@ -83,7 +82,7 @@ export class PanelPaint {
     this.#show_whether_on();
   }
 
-  /** At this pilot angle; the colours may change. */
+  /** Shows the contact at a pilot angle; the colours may change. */
   pose(pilot_deg) {
     const met = this.#contact !== null && pilot_deg >= this.#contact.pilot_deg;
     this.outline.hidden = !met;
@@ -94,8 +93,8 @@ export class PanelPaint {
   }
 
   /**
-   * { colours, exact }: of each panel a colour for both sides, or null for those of its sides. Exact
-   * ones are read off a scale: no light falls on them.
+   * { colours, exact }: a colour for each panel, or null for those of its sides. Exact colours are
+   * read off a scale: they are not shaded.
    */
   tint() {
     const exact = this.#shows_stress();
@@ -105,7 +104,7 @@ export class PanelPaint {
     return { colours, exact };
   }
 
-  /** What is said of the panel under the pointer; null: of none. */
+  /** Shows the tip of the panel under the pointer; null: hides it. */
   say(panel, event, box) {
     const words = panel === null ? null : this.#words(panel);
     this.#tip.hidden = words === null;
@@ -121,7 +120,7 @@ export class PanelPaint {
 
   #words(panel) {
     const stress = this.#shows_stress() ? `: ${mpa(this.#stress[panel])}` : "",
-      met = this.#met && this.#contact.panels.includes(panel) ? ", has met another" : "";
+      met = this.#met && this.#contact.panels.includes(panel) ? ", in contact with another" : "";
     return stress || met ? panel_name(this.#sheet, panel) + stress + met : null;
   }
 

@@ -1,4 +1,4 @@
-// Printing: what was drawn for the width of the screen is drawn again for that of an A4 page.
+// Printing draws charts again, for the width of an A4 page.
 
 const kPaper_px = 1000; // 700 between the margins of page.css: 12 px become 6 points
 
@@ -8,6 +8,6 @@ export function on_print(listener) {
   addEventListener("afterprint", () => listener(false));
 }
 
-/** How much narrower the page is on paper than on the screen. */
+/** The page's width on paper as a share of that on the screen. */
 export const paper_share = () =>
   Math.min(1, kPaper_px / document.querySelector("main").clientWidth);

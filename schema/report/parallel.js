@@ -1,5 +1,5 @@
-// Parallel coordinates: an axis a metric, a line a candidate. A stretch that is brushed on an axis is
-// a condition of the filter.
+// Parallel coordinates: an axis for each metric, a line for each candidate. Brushing an axis sets a
+// condition of the filter.
 import * as Plot from "@observablehq/plot";
 import { when_wide } from "./chart.js";
 import { as_sql, bounds_in, with_bounds } from "./conditions.js";
@@ -12,11 +12,11 @@ const kHeight = 300,
   kBottom = 24,
   kSide = 46,
   kReach_px = 16,
-  kLeast_px = 4, // of a brush; less takes the condition away
+  kLeast_px = 4, // of a brush; a shorter one removes the condition
   kMost = 9, // axes
   kMany = 2000;
 
-// Where no columns are chosen: what people choose by.
+// The axes where no columns are chosen.
 const kUsual = [
   "deploys_from_deg",
   "certified_deg",
@@ -33,7 +33,7 @@ const kUsual = [
   "shifted_vertices",
 ];
 
-/** The metrics in which candidates differ, those of the columns that are chosen, or the usual ones. */
+/** The chosen columns, or the usual ones, in which candidates differ. */
 export function axes_of(candidates, chosen) {
   const wanted = chosen ? chosen.split(",") : kUsual;
   return metrics
@@ -45,7 +45,7 @@ export function axes_of(candidates, chosen) {
     .slice(0, kMost);
 }
 
-/** From values to pixels; over more than three decades by their logarithm. */
+/** Maps values to pixels; on a logarithmic scale over more than three decades. */
 function scale_of(values) {
   const known = values.filter((value) => value !== null);
   const [least, most] = known.reduce(
@@ -82,14 +82,14 @@ class Parallel {
     const canvas = this.#canvas;
     canvas.addEventListener("pointerdown", (event) => {
       const { x, y } = this.#place(event),
-        axis = this.#axes.find((one) => Math.abs(one.x - x) <= kReach_px);
+        axis = this.#axes.find((near) => Math.abs(near.x - x) <= kReach_px);
       if (!axis) return;
       canvas.setPointerCapture(event.pointerId);
       this.#brush = { axis, from: y, to: y };
     });
     canvas.addEventListener("pointermove", (event) => {
       const { x, y } = this.#place(event);
-      canvas.style.cursor = this.#axes.some((one) => Math.abs(one.x - x) <= kReach_px)
+      canvas.style.cursor = this.#axes.some((axis) => Math.abs(axis.x - x) <= kReach_px)
         ? "ns-resize"
         : "default";
       if (!this.#brush) return;
@@ -152,7 +152,7 @@ class Parallel {
     pen.beginPath();
     for (const { x, values, apply } of this.#axes) {
       if (values[row] === null) {
-        open = false; // nothing is known of it there
+        open = false; // no value
         continue;
       }
       if (open) pen.lineTo(x, apply(values[row]));
@@ -229,16 +229,16 @@ class Parallel {
   #say(order) {
     const sql = as_sql(this.#state.get("filter")),
       note = by_id("parallel-note");
-    note.textContent = `${plural(order.length, "candidate")} shown, an axis for each metric that is among the usual ones or the columns you choose. Drag along an axis to keep what lies there; a click on it takes that away. `;
+    note.textContent = `${plural(order.length, "candidate")} shown, a line each. Axes: usual metrics, or the chosen columns. Drag along an axis to set a range; click it to remove the range. `;
     if (sql)
       note.append(
-        "The same for other verbs: ",
+        "As an option of other verbs: ",
         h("code", { "data-testid": "parallel-where" }, `--where "${sql}"`),
       );
   }
 }
 
-/** Nothing where candidates differ in fewer than two metrics. */
+/** Hides the card where candidates differ in fewer than two metrics. */
 export function make_parallel(box, candidates, state) {
   box.closest(".card").hidden = axes_of(candidates, "").length < 2;
   if (!box.closest(".card").hidden) new Parallel(box, candidates, state);

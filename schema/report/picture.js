@@ -1,4 +1,4 @@
-// Saves a drawing of the page as a file of its own, with its styles inside and its legend below.
+// Makes a drawing of the page a standalone file, with its styles and its legend.
 import { h } from "./format.js";
 import { text_width } from "./text_size.js";
 
@@ -24,7 +24,7 @@ const kKey_px = 22;
 const pixel = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
 const known = new Map();
 
-/** A colour as every program reads it: mixed ones are computed in spaces that few know. */
+/** A colour as rgba, which every program reads. */
 function plain_colour(value) {
   if (!/^(color|oklab|oklch|lab|lch)\(/.test(value)) return value;
   if (!known.has(value)) {
@@ -38,7 +38,7 @@ function plain_colour(value) {
 }
 
 function write_styles(from, to) {
-  if (from.dataset.styled !== undefined) return; // whose attributes say everything
+  if (from.dataset.styled !== undefined) return; // its attributes are complete
   const style = getComputedStyle(from);
   if (style.display === "none" || style.visibility === "hidden") return to.remove();
   const text = kStyles
@@ -53,7 +53,7 @@ function write_styles(from, to) {
   to.removeAttribute("class");
 }
 
-/** The key's entries in lines below the drawing; the answer is the height that they take. */
+/** Appends the key's entries below the drawing; returns their height. */
 function append_key(svg, entries, width, top) {
   let x = 8,
     y = top;
@@ -80,7 +80,7 @@ function append_key(svg, entries, width, top) {
   return entries.length ? y + kKey_px - top + 6 : 0;
 }
 
-/** A copy that needs nothing of the page, on its card's ground; `key`: the elements of its legend. */
+/** A standalone copy on its card's background; `key`: the elements of its legend. */
 export function standalone_svg(drawing, key = []) {
   const { width, height } = drawing.getBoundingClientRect();
   const copy = drawing.cloneNode(true);

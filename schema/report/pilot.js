@@ -1,8 +1,8 @@
-// The slider over the pilot angle: flat on the right, folded on the left, as the charts' axis.
+// The slider of the pilot angle: flat on the right, folded on the left, like the charts' axis.
 import { degrees, fixed, h } from "./format.js";
 
 const kSweep_s = 7,
-  kApart_px = 12; // words of two marks
+  kApart_px = 12; // gap between words of marks
 
 const mark = (place, words, kind) =>
   h(
@@ -17,7 +17,7 @@ const mark = (place, words, kind) =>
     h("b", {}, words),
   );
 
-/** Where an angle stands among the samples': 1 is the first of them, 0 the last. */
+/** Position of an angle among the samples: 1 at the first, 0 at the last. */
 function place_of(angle_deg, angles) {
   const last = angles.length - 1;
   let k = 0;
@@ -29,13 +29,13 @@ function place_of(angle_deg, angles) {
 class Pilot {
   #state;
   #play = h("button", { type: "button", class: "play", "data-testid": "play" });
-  // Right to left: the pilot angle grows towards the left, where the sheet is folded.
+  // The pilot angle grows towards the left, where the sheet is folded.
   #slider = h("input", {
     type: "range",
     dir: "rtl",
     min: 0,
     step: 1,
-    "aria-label": "Pilot fold angle",
+    "aria-label": "Pilot angle",
     "data-testid": "pilot",
   });
   #marks = h("div", { class: "marks" });
@@ -63,13 +63,13 @@ class Pilot {
     add(D, `D ${degrees(D)}`, "depth");
     if (limit_deg && limit_deg < 180) add(limit_deg, `fold limit ${degrees(limit_deg)}`, "limit");
     const contact_deg = detail.contact?.first_contact?.pilot_deg;
-    if (contact_deg) add(contact_deg, `panels meet ${degrees(contact_deg)}`, "contact");
+    if (contact_deg) add(contact_deg, `contact ${degrees(contact_deg)}`, "contact");
     this.#part_words();
     this.#label();
     this.move();
   }
 
-  /** The words of where panels meet go on to the right until they lie on no others. */
+  /** Moves the words of the first contact to the right until they overlap no others. */
   #part_words() {
     const words = this.#marks.querySelector(".contact b");
     if (!words) return;
@@ -99,7 +99,7 @@ class Pilot {
       h(
         "span",
         { class: beyond || met ? "warn" : "quiet" },
-        beyond ? "beyond D" : met ? "panels have met" : k === 0 ? "flat" : "deploys from here",
+        beyond ? "beyond D" : met ? "panels in contact" : k === 0 ? "flat" : "up to D",
       ),
     );
   }
@@ -135,13 +135,13 @@ class Pilot {
     this.#play.setAttribute("aria-pressed", String(Boolean(playing)));
   }
 
-  /** The sample that the sheet deploys from; what was not accepted is shown from its path's end. */
+  /** The first sample of the animation: D, or the path's end of a draw that is not accepted. */
   #start() {
     const { depth, samples } = this.#decoded;
     return this.#detail.accepted && depth > 0 ? depth : samples - 1;
   }
 
-  // Unfolds, rests, and starts again.
+  // Plays the unfolding in a loop, with a rest.
   #run() {
     const now_at = this.#state.get("sample");
     let place = now_at > 0 ? now_at : this.#start(),

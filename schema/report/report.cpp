@@ -64,7 +64,7 @@ Json shapes_json(const solver::Sheet& sheet) {
   return {{"unit_mm", unit_mm}, {"data", base64(units)}};
 }
 
-// As text within the page: else "</script>" in a text would end the data.
+// Escapes <: "</script>" in a text would end the data.
 std::string embedded(const Json& data) {
   std::string json;
   for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
@@ -73,7 +73,7 @@ std::string embedded(const Json& data) {
   return json;
 }
 
-// What a table holds of the candidates that the page has in its table, and of `draws`.
+// Rows of a table for the candidates in the page's table, and for `draws`.
 Json rows_of(SQLite::Database& database, const std::string& columns_from_table, std::uint64_t most,
              const std::vector<std::uint64_t>& draws, const std::string& order) {
   std::string these;
@@ -87,7 +87,7 @@ Json rows_of(SQLite::Database& database, const std::string& columns_from_table, 
   return rows;
 }
 
-// `server`: whom the page may ask, in the words of a Content-Security-Policy.
+// `server`: the connect-src of the page's Content-Security-Policy.
 std::string page_with(const Json& data, std::string_view server) {
   need("Node.js");
   std::string text = carried_text(kPage);
@@ -96,14 +96,12 @@ std::string page_with(const Json& data, std::string_view server) {
   };
   put(kPlaceOfServer, server);
   put(kPlaceOfWords, embedded(words_json()));
-  put(kPlaceOfData, embedded(data));  // after which nothing is looked for in the text
+  put(kPlaceOfData, embedded(data));  // last: no other place is found in the data
   return text;
 }
 
 }  // namespace
 
-// What the page says of faults and metrics; units, ways of writing and what is best as it knows
-// them.
 Json words_json() {
   const Json faults = json_list(solver::fault_table(), [](const solver::FaultEntry& fault) {
     return Json{{"name", fault.name}, {"label", fault.label}, {"meaning", fault.meaning}};
@@ -139,7 +137,7 @@ Json words_json() {
 
 std::string candidates_sql(std::uint64_t most, const std::vector<std::string_view>& functions) {
   std::string sql = "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most);
-  if (!functions.empty()) {  // of the rows that are shown alone
+  if (!functions.empty()) {  // evaluated for the shown rows alone
     std::string found;
     for (const std::string_view name : functions) found += fmt::format(", {0}(draw) AS {0}", name);
     sql = "SELECT *" + found + " FROM (" + sql + ")";

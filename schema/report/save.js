@@ -1,4 +1,4 @@
-// Saves what is shown as files: rows as CSV, drawings as SVG and PNG. Nothing leaves the browser.
+// Saves rows as CSV and drawings as SVG and PNG, within the browser.
 import { h } from "./format.js";
 import { png_of, standalone_svg } from "./picture.js";
 
@@ -10,13 +10,14 @@ function download(blob, name) {
 
 export const save_text = (text, type, name) => download(new Blob([text], { type }), name);
 
-/** A field as RFC 4180 has it; seven digits of what was stored with seven. */
+/** A CSV field by RFC 4180. */
 function field(value) {
   if (value === null || value === undefined || Number.isNaN(value)) return "";
   const text = String(value);
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
+/** A single-precision value, to the seven digits that it holds. */
 export const single = (value) => (Number.isFinite(value) ? Number(value.toPrecision(7)) : null);
 
 /** { heads: [name…], rows: [[value…]…] } as text. */
@@ -24,9 +25,8 @@ export const csv_text = ({ heads, rows }) =>
   [heads, ...rows].map((row) => row.map(field).join(",") + "\r\n").join("");
 
 /**
- * Buttons that save what a card shows, at its head; those before are replaced. `csv()` gives heads
- * and rows, `svg()` a drawing that is in the document, `canvas()` a painted one; what is left out
- * has no button.
+ * Adds buttons that save a card's contents; replaces earlier ones. `csv()` returns heads and rows,
+ * `svg()` a drawing in the document, `canvas()` a painted one; those left out have no button.
  */
 export function add_saving(card, { name, csv, svg, canvas }) {
   const file = typeof name === "function" ? name : () => name;
@@ -51,9 +51,9 @@ export function add_saving(card, { name, csv, svg, canvas }) {
         )),
   };
   const abouts = {
-    CSV: "Save the numbers of this as CSV",
-    PNG: "Save this picture as PNG",
-    SVG: "Save this drawing as SVG",
+    CSV: "Save data as CSV",
+    PNG: "Save picture as PNG",
+    SVG: "Save drawing as SVG",
   };
   card.querySelector(":scope > .saving")?.remove();
   card.prepend(
@@ -78,7 +78,7 @@ export function add_saving(card, { name, csv, svg, canvas }) {
   );
 }
 
-/** The same of a drawing in a box, once: what is saved is asked for when it is wanted. */
+/** Adds buttons for a box's drawing once; later drawings are saved by the same buttons. */
 export function add_saving_once(box, name, csv) {
   const card = box.closest(".card");
   if (card.querySelector(":scope > .saving")) return;

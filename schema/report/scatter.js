@@ -1,5 +1,5 @@
-// Plots any two metrics of the candidates against each other: axes by Plot, points on a canvas,
-// which stays fast with tens of thousands of them.
+// Scatter plot of two metrics of the candidates: axes by Plot, points on a canvas, which is fast
+// for tens of thousands.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room, when_wide } from "./chart.js";
 import { count, h, plural, power, powers, with_modifier } from "./format.js";
@@ -10,10 +10,10 @@ import { colour, on_theme } from "./theme.js";
 
 const kHeight = 400,
   kMargins = { marginLeft: 66, marginRight: 16, marginTop: 14, marginBottom: 44 },
-  kMany = 3000, // points, from which on they are drawn smaller
+  kMany = 3000, // number of points from which they are drawn smaller
   kReach_px = 24;
 
-/** Positive values over more than three decades are read better on a logarithmic axis. */
+/** An axis; logarithmic for positive values over more than three decades. */
 function scale_of(metric, values) {
   let least = Infinity,
     most = -Infinity;
@@ -36,7 +36,7 @@ function scale_of(metric, values) {
   };
 }
 
-/** The metrics that these candidates have, and the two that the scatter begins with. */
+/** The metrics of the candidates, and the first two axes. */
 export const metrics_of = (candidates) => metrics.filter(({ name }) => candidates.columns[name]);
 export function first_axes(candidates) {
   const present = metrics_of(candidates).map(({ name }) => name);
@@ -54,7 +54,7 @@ class Scatter {
     role: "application",
     "data-testid": "scatter-canvas",
     "aria-label":
-      "Scatter of two metrics. Arrow keys go to the next candidate along the axes; a click picks the nearest.",
+      "Scatter of two metrics. Arrow keys pick the next candidate along an axis, a click the nearest.",
   });
   #width = 0;
   #xs = new Float64Array(0);
@@ -142,7 +142,7 @@ class Scatter {
     return row !== undefined && !Number.isNaN(this.#xs[row] + this.#ys[row]);
   }
 
-  /** What is drawn, the last on top: those left out by the filter, the others, rings, the picked one. */
+  /** Dots in their order: filtered out, shown, with details (rings), picked. */
   *#dots() {
     const { count: all, detailed, row_of } = this.#candidates,
       many = all > kMany,
@@ -196,7 +196,7 @@ class Scatter {
     this.#say(order, front);
   }
 
-  /** Of those that are shown the ones than which none is better in both metrics, along the first. */
+  /** The Pareto front of the shown candidates, sorted by the first metric. */
   #front(order) {
     if (!document.getElementById("scatter-front").checked) return [];
     const placed = order.filter((row) => this.#has_place(row)),
@@ -219,11 +219,9 @@ class Scatter {
     document.getElementById("scatter-note").textContent =
       `${plural(order.length - missing, "candidate")} shown` +
       (missing ? `, ${count(missing)} without a value on these axes` : "") +
-      (order.length < this.#candidates.count ? "; faint: those the filter leaves out" : "") +
-      ". Ringed: with all details in this report." +
-      (front.length
-        ? ` On the line: ${count(front.length)} than which none is better in both.`
-        : "");
+      (order.length < this.#candidates.count ? "; faint: filtered out" : "") +
+      ". Rings: all details in this report." +
+      (front.length ? ` Line: Pareto front of ${plural(front.length, "candidate")}.` : "");
   }
 
   #nearest(event) {
@@ -254,7 +252,9 @@ class Scatter {
     tip.style.top = `${Math.max(0, this.#ys[row] - 62)}px`;
   }
 
-  /** The next row in an arrow's direction: equals are told apart by the other axis, then by the order. */
+  /**
+   * The next row in an arrow's direction; equals are ordered by the other axis, then by their rows.
+   */
   #next(key) {
     const way = {
       ArrowRight: [this.#xs, this.#ys, 1],
@@ -286,7 +286,7 @@ class Scatter {
     };
   }
 
-  /** The axes, with the points in them for as long as it takes to copy them. */
+  /** The axes, with the points until they are copied. */
   #drawing() {
     const plot = this.#axes.firstChild,
       points = h("svg:g", { "data-styled": "" });

@@ -1,13 +1,13 @@
-// Shares of all draws, estimated from the fault sample, whose rows stand for several draws each.
+// Estimates shares of all draws from the fault sample, whose rows are weighted.
 
 export function sum(rows, value = (row) => row.sampled) {
   return rows.reduce((total, row) => total + value(row), 0);
 }
 
-/** How many draws those stand for that were sampled. */
+/** The number of draws that a row represents. */
 export const weight = (row) => row.weight;
 
-/** How many rows of one weight say as much as these: (sum w)^2 / sum w^2 (Kish, 1965, section 11.7). */
+/** Effective sample size: (sum w)^2 / sum w^2 (Kish, 1965, section 11.7). */
 export function effective(rows) {
   return sum(rows, weight) ** 2 / sum(rows, (row) => row.weight_sq);
 }
@@ -22,7 +22,7 @@ function interval(k, n) {
   return [Math.max(0, Math.min(p, middle - half)), Math.min(1, Math.max(p, middle + half))];
 }
 
-/** The share without a fault after each angle at which one was seen, with its interval. */
+/** The share without a fault after each angle of a fault, with its interval. */
 export function survival_points(rows, { path }) {
   const total = sum(rows, weight),
     trials = effective(rows);
@@ -30,7 +30,7 @@ export function survival_points(rows, { path }) {
   for (const row of rows) {
     const { first_fault, fault_deg, sampled } = row;
     if (first_fault === "none") continue;
-    const angle = fault_deg ?? 0; // a fault of the whole range: it deploys from nowhere
+    const angle = fault_deg ?? 0; // a fault at all angles
     const before = failed_at.get(angle) ?? { sampled: 0, weight: 0 };
     failed_at.set(angle, {
       sampled: before.sampled + sampled,

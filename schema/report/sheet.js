@@ -1,4 +1,4 @@
-// The flat sheet as SVG: what the map of the faults and the crease pattern have in common.
+// Draws the flat sheet as SVG, for the map of the faults and the crease pattern.
 import { h } from "./format.js";
 
 /** "[2, 3]": row and column. */
@@ -11,18 +11,18 @@ export const panel_at = (sheet, [row, column]) =>
 /** y points up on the sheet and down on the screen. */
 const place = ([x, y]) => `${x.toFixed(2)},${(-y).toFixed(2)}`;
 
-/** Length of a panel's shorter side, to size text and strokes by. */
+/** Length of a panel's shorter side, which sets the size of text and strokes. */
 export function panel_size_mm({ vertices_mm, panels }) {
   const corners = panels[0].map((k) => vertices_mm[k]);
   const side = (i) => Math.hypot(...[0, 1].map((xy) => corners[i][xy] - corners[i + 1][xy]));
   return Math.min(side(0), side(1));
 }
 
-/** Height in px of a view of the sheet in a card of that width. */
+/** Height of a sheet's view by its card's width, px. */
 export const view_height = (width) =>
   Math.round(Math.min(0.9 * width, Math.max(570, Math.min(0.7 * width, 720))));
 
-/** What the sheet takes with a margin, y downwards. */
+/** Bounding box of the sheet with a margin, y downwards. */
 export function sheet_extent(vertices_mm, margin_mm) {
   const xs = vertices_mm.map((v) => v[0]),
     ys = vertices_mm.map((v) => -v[1]);

@@ -1,5 +1,5 @@
-// CalculiX's results for the sheet with elastic panels (`misalign stress`): the largest stress of
-// each panel, and the motion beside that of rigid panels.
+// Shows CalculiX's results for the sheet with elastic panels (`misalign stress`): the largest
+// stress of each panel, and the motion beside that of rigid panels.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";
 import { by_id, degrees, h, number } from "./format.js";
@@ -14,20 +14,20 @@ const kHeight = 260;
 const fact = (value, words) =>
   h("div", {}, h("dt", {}, words), h("dd", {}, h("strong", {}, value)));
 
-/** Whether it deployed, and when: [the value, what it is]. */
+/** The outcome: [time, label]. */
 function outcome_of({ outcome, deployed_s }, decoded) {
   const last_s = `${number(decoded.stress.motion.at(-1)[0])} s`;
   if (deployed_s !== null) return [`${number(deployed_s)} s`, "deployed after"];
-  if (outcome === "failed") return [last_s, "not deployed; CalculiX gave up after"];
+  if (outcome === "failed") return [last_s, "not deployed; CalculiX failed at this time"];
   return outcome === "stopped"
-    ? [last_s, "not deployed when the run was stopped, after"]
-    : [last_s, "not deployed when the run ended, after"];
+    ? [last_s, "not deployed; run stopped at this time"]
+    : [last_s, "not deployed; end of the run"];
 }
 
 function where_of({ largest }) {
-  if (!largest) return "no node lies outside the discs: the mesh is too coarse";
+  if (!largest) return "no node outside the discs: the mesh is too coarse";
   const { time_s, panel, x_mm, y_mm } = largest;
-  return `largest von Mises stress: after ${number(time_s)} s in panel ${place_name(panel)}, at (${number(x_mm)}, ${number(y_mm)}) mm of the flat sheet`;
+  return `largest von Mises stress: at ${number(time_s)} s in panel ${place_name(panel)}, at (${number(x_mm)}, ${number(y_mm)}) mm of the flat sheet`;
 }
 
 function show_facts(detail, decoded) {
@@ -37,18 +37,18 @@ function show_facts(detail, decoded) {
   by_id("stress-facts").replaceChildren(
     fact(stress.largest ? `${number(stress.largest.stress_mpa)} MPa` : "–", where_of(stress)),
     fact(when, what),
-    fact(`${elements_a_side} × ${elements_a_side}`, "shell elements a panel"),
+    fact(`${elements_a_side} × ${elements_a_side}`, "shell elements per panel"),
     fact(
       material.name,
-      `panels of ${number(thickness_mm)} mm, Young’s modulus ${number(material.e_gpa)} GPa`,
+      `panel thickness ${number(thickness_mm)} mm, Young’s modulus ${number(material.e_gpa)} GPa`,
     ),
   );
   by_id("stress-caption").textContent =
-    `Elastic panels by CalculiX, let go from ${degrees(stress.from_deg)} with springs of ${number(stress.stiffness_n_per_mm)} N/mm. ` +
-    `Stress is counted outside discs of ${number(disc_mm)} mm round every vertex: springs and ball joints pull at points, where it grows without limit as meshes get finer.`;
+    `Elastic panels by CalculiX, released from ${degrees(stress.from_deg)} with springs of ${number(stress.stiffness_n_per_mm)} N/mm. ` +
+    `Stresses within ${number(disc_mm)} mm of a vertex are left out: springs and ball joints act at points, where the stress diverges as the mesh is refined.`;
 }
 
-/** The panels with their largest stress, the most first. */
+/** Lists the panels by their largest stress, descending. */
 function show_panels(sheet, panels_mpa) {
   const order = panels_mpa.map((_, i) => i).sort((a, b) => panels_mpa[b] - panels_mpa[a]);
   const chips = new Map(order.map((panel) => [panel, h("i")]));
@@ -116,9 +116,9 @@ function motion_chart({ motion, rigid_motion }, { deployed_s }, end_s) {
   return {
     draw: (width) =>
       plot_with_room({
-        ...frame(width, "pilot fold angle against time, of elastic and of rigid panels"),
+        ...frame(width, "pilot angle against time, for elastic and rigid panels"),
         x: time_axis(end_s),
-        y: { label: "pilot fold angle (°)", labelArrow: "none", grid: true, nice: true },
+        y: { label: "pilot angle (°)", labelArrow: "none", grid: true, nice: true },
         marks: [
           Plot.ruleY([0], { stroke: "var(--ink-soft)" }),
           Plot.line(rigid_motion, {
@@ -179,7 +179,7 @@ function save_charts(report, detail, { motion, history }) {
   });
 }
 
-/** Charts with their boxes; none, and no cards, where nothing is known of the sheet's stresses. */
+/** Charts with their boxes; none, and hidden cards, where the report has no stresses. */
 export function make_stress(report, detail, decoded) {
   const { stress } = detail;
   for (const id of ["stress-card", "stress-motion-card", "stress-history-card"])

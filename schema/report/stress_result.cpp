@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kSuggestion = "name the NAME-stress.json that `misalign stress` writes";
 constexpr double kMost = kLargestResult;
 
-// The value of a key that must be there; null where it is not.
+// The value of a required key; null if it is missing.
 const Json& part(ObjectReader& reader, const std::string& key) {
   static const Json kNothing;
   reader.require(key, kSuggestion);
@@ -42,7 +42,7 @@ std::vector<double> numbers(ObjectReader& reader, const std::string& key) {
   return {};
 }
 
-// Times and what was then, in base64; at least `least` of them.
+// Times and values in base64; at least `least` of them.
 Json curve(ObjectReader& top, const std::string& key, const std::string& values_key,
            std::size_t least) {
   ObjectReader reader(part(top, key), key, top.faults());
@@ -136,7 +136,7 @@ StressResult read_stress_result(const std::string& path) {
   ObjectReader top(json, "", faults);
   StressResult result{path, whose(top), panels(top), run(top)};
   if (faults.none()) return result;
-  // Of a file of another kind nearly every key is missing: one sentence is enough.
+  // A file of another kind lacks nearly every key: one sentence is enough.
   throw UserError(Cause::bad_input,
                   path + ": is no result of `misalign stress`: " + faults.sentences().front());
 }
@@ -152,8 +152,8 @@ Json stress_shown_json(const StressResult& result, const Pattern& base) {
   }
   if (panels_mpa.size() != kept.size() || result.panels_mpa.size() != kept.size()) {
     throw UserError(Cause::bad_input, result.path +
-                                          ": has other panels than the sheet that it is said to be "
-                                          "of (it was altered); run `misalign stress` again");
+                                          ": its panels are not those of its sheet (it was "
+                                          "altered); run `misalign stress` again");
   }
   Json json = result.shown;
   json["panels_mpa"] = panels_mpa;

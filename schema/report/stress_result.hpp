@@ -1,4 +1,4 @@
-// Reads the file of `misalign stress` again, for the report's page.
+// Reads the file of `misalign stress` for the report's page.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@ namespace misalign::schema {
 
 struct StressResult {
   std::string path;
-  /// {"draw", "campaign"} or {"pattern", "sheet"}: whose it is.
+  /// The sheet: {"draw", "campaign"} or {"pattern", "sheet"}.
   Json whose;
-  /// Of each [row, column] the largest stress; 0 where no node lies outside the discs.
+  /// [row, column] and largest stress; 0 where no node lies outside the discs.
   std::vector<std::pair<std::array<int, 2>, double>> panels_mpa;
-  Json shown;  ///< the rest, as the page has it: curves in base64
+  Json shown;  ///< the other data of the page, curves in base64
 };
 
-/// NAME-stress.json of `misalign stress`. UserError (bad_input), one sentence, where it is no such
-/// file.
+/// Reads NAME-stress.json of `misalign stress`. UserError (bad_input), one sentence, if it is no
+/// such file.
 StressResult read_stress_result(const std::string& path);
 
-/// For the page: "panels_mpa" in the order of sheet_json's panels, and the rest. UserError
-/// (bad_input) where the sheet has other panels.
+/// The page's data: `shown`, and "panels_mpa" in the order of sheet_json's panels. UserError
+/// (bad_input) if the sheet has other panels.
 Json stress_shown_json(const StressResult& result, const Pattern& base);
 
 }  // namespace misalign::schema

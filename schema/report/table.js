@@ -1,4 +1,4 @@
-// The table of candidates. It may have any number of rows; only those in view are in the document.
+// Shows the table of candidates, of any number of rows: only those in view are in the document.
 import { clamp, count, h, with_modifier } from "./format.js";
 import { on_print } from "./paper.js";
 import { csv_text, save_text } from "./save.js";
@@ -17,9 +17,8 @@ const kRow_px = 28,
   kPrinted = 50; // rows on paper
 
 /**
- * A grid of the candidates' rows, sorted by state "sort", with the columns that state "columns"
- * names; state "order" becomes the rows that it shows, state "picked" the draw of the one that is
- * chosen.
+ * The grid of candidates, sorted by state "sort", with the columns of state "columns". It sets
+ * state "order" to the rows that it shows, and "picked" to the chosen draw.
  */
 class Table {
   #box;
@@ -49,7 +48,7 @@ class Table {
     this.#arrange();
   }
 
-  /** Scrolls no farther than until that draw's row is in view, if it has one. */
+  /** Scrolls a draw's row into view, if it has one. */
   reveal(draw) {
     const place = this.#order.indexOf(this.#candidates.row_of.get(draw));
     if (place < 0) return;
@@ -105,7 +104,7 @@ class Table {
     this.#body.style.minWidth = this.#head.style.minWidth = `${width}px`;
   }
 
-  // To the place of another one; the fixed ones keep theirs.
+  // Moves a column to a place after the fixed ones.
   #move(column, place) {
     const others = this.#present.filter((other) => other !== column),
       fixed = others.filter(is_fixed).length;
@@ -163,7 +162,7 @@ class Table {
       this.#scrolled();
     });
     this.#state.on("sort", () => {
-      this.#grid.scrollTop = 0; // the best are to be seen
+      this.#grid.scrollTop = 0; // shows the best
       this.#arrange();
     });
     new ResizeObserver(() => {
@@ -174,12 +173,12 @@ class Table {
     on_print((begins) => {
       this.#printing = begins;
       if (begins) place = this.#grid.scrollTop;
-      else this.#grid.scrollTop = place; // on paper there is nothing to scroll
+      else this.#grid.scrollTop = place; // printing resets it
       this.#draw(true);
     });
   }
 
-  // Arrow keys go from header to header, and with Alt take the column along; Tab leaves them.
+  // Arrow keys go from heading to heading, and with Alt move the column; Tab leaves them.
   #step_head(event) {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
@@ -223,7 +222,7 @@ class Table {
     event.preventDefault();
   }
 
-  // Best first, then the worst first, then back to the program's own order.
+  // Sorts best first, at the next click worst first, then in the program's own order.
   #sort({ name, better }) {
     const best = better === "less" ? name : `-${name}`,
       worst = better === "less" ? `-${name}` : name,
@@ -256,7 +255,7 @@ class Table {
   #scrolled() {
     const { scrollLeft, scrollWidth, clientWidth, clientHeight, offsetWidth, offsetHeight } =
       this.#grid;
-    // Scroll bars are as wide as a system makes them, or not there: the shade ends where rows do.
+    // The width of scroll bars depends on the system: the shade ends where rows do.
     this.#box.style.setProperty("--bar-right", `${offsetWidth - clientWidth - 1}px`);
     this.#box.style.setProperty("--bar-below", `${offsetHeight - clientHeight - 1}px`);
     this.#box.classList.toggle("more-left", scrollLeft > 1);
@@ -275,7 +274,7 @@ class Table {
         .map((row, i) => this.#row_node(row, first + i, row === picked)),
     );
     if (this.#order.length === 0)
-      this.#body.append(h("p", { class: "empty" }, "No candidate meets these conditions."));
+      this.#body.append(h("p", { class: "empty" }, "No candidate meets the conditions."));
     const at = this.#order.indexOf(picked);
     if (picked !== undefined && at >= first && at < last)
       this.#grid.setAttribute(
@@ -305,7 +304,7 @@ class Table {
   #cell(column, row, draw) {
     if (column.name === "rank") return h("div", { role: "gridcell" }, count(row + 1));
     if (column.name === "draw") {
-      const dot = h("span", { class: "dot", title: "with all details in this report" }, "●\u00a0");
+      const dot = h("span", { class: "dot", title: "all details in this report" }, "●\u00a0");
       return h(
         "div",
         { role: "rowheader" },
@@ -321,7 +320,7 @@ class Table {
 
 export const make_table = (box, candidates, state) => new Table(box, candidates, state);
 
-/** The rows that the table shows, in its order, with all of their columns. */
+/** Saves the rows that the table shows, in its order, with all columns. */
 export function save_rows(candidates, order, name) {
   const heads = Object.keys(candidates.columns);
   const rows = order.map((row) => heads.map((head) => candidates.columns[head][row] ?? null));

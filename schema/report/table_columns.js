@@ -1,24 +1,23 @@
-// The columns of the candidates' table: which there are, how wide, and rows in the order of one.
+// The columns of the candidates' table: choice, widths, and the order of rows.
 import { count } from "./format.js";
 import { metrics } from "./metrics.js";
 import { text_width } from "./text_size.js";
 
 const kPadding_px = 16,
-  kLooked = 60; // rows that a width is taken from, beside the column's least and largest value
+  kLooked = 60; // rows that set a width, with the column's least and largest value
 
-const kOwn = [
-  { name: "rank", label: "rank", unit: "", about: "Place in the program's order: best first." },
+const kFixed = [
+  { name: "rank", label: "rank", unit: "", about: "Rank in the program's order: best first." },
   {
     name: "draw",
     label: "draw",
     unit: "",
-    about:
-      "Number of the draw, or of the sheet that a population met. A dot marks those with all details in this report.",
+    about: "Number of the draw, or of a population's sheet. Dot: all details in this report.",
   },
 ];
-const columns = [...kOwn.map((column) => ({ ...column, better: "less" })), ...metrics];
+const columns = [...kFixed.map((column) => ({ ...column, better: "less" })), ...metrics];
 
-/** "-stroke_min" → { name, descending }; nothing: the program's own order. */
+/** "-stroke_min" → { name, descending }; "": the program's own order. */
 export const order_of = (words) => ({
   name: words.replace(/^-/, "") || "rank",
   descending: words.startsWith("-"),
@@ -27,10 +26,10 @@ export const order_of = (words) => ({
 export const columns_of = (candidates) =>
   columns.filter(({ name }) => name === "rank" || candidates.columns[name]);
 
-/** Those that are always there, first. */
-export const is_fixed = ({ name }) => kOwn.some((own) => own.name === name);
+/** Returns whether a column is always there, before the others. */
+export const is_fixed = ({ name }) => kFixed.some((column) => column.name === name);
 
-/** "stroke_max,yield" → these columns in this order, after the fixed ones; nothing: all of them. */
+/** "stroke_max,yield" → the fixed columns and these, in this order; "": all columns. */
 export function chosen_columns(candidates, words) {
   const all = columns_of(candidates);
   if (!words) return all;
@@ -38,7 +37,7 @@ export function chosen_columns(candidates, words) {
   return [...all.filter(is_fixed), ...named.filter((column) => column && !is_fixed(column))];
 }
 
-/** The words for that; nothing where it is all of them in their order. */
+/** The inverse of chosen_columns. */
 export function words_of(candidates, chosen) {
   const names = (list) =>
     list
@@ -49,7 +48,7 @@ export function words_of(candidates, chosen) {
   return words === names(columns_of(candidates)) ? "" : words;
 }
 
-/** Whether these words name such columns, and at least one. */
+/** Returns whether a text names columns, at least one, that may be chosen. */
 export const is_choice = (words, candidates) =>
   words
     .split(",")
@@ -57,13 +56,13 @@ export const is_choice = (words, candidates) =>
       columns_of(candidates).some((column) => column.name === name && !is_fixed(column)),
     );
 
-/** Whether the table of these candidates can be sorted by that. */
+/** Returns whether a text names a column to sort by. */
 export const is_order = (words, candidates) =>
   columns_of(candidates).some(({ name }) => name === order_of(words).name);
 
 export const shown = (column, value) => column.text(value).replace(/ %$/, "");
 
-/** Room for the heading, word under word, and for the values. */
+/** The width of a column, px: its heading's words are one below the other. */
 export function width_of(column, { columns: values, count: rows }) {
   const texts = [];
   if (column.name === "rank") texts.push(count(rows));
@@ -87,8 +86,8 @@ export function width_of(column, { columns: values, count: rows }) {
 }
 
 /**
- * The rows that pass, in an order; equals keep theirs. What has no value comes last either way, but
- * in a column with `none_is_best`: there it is the best.
+ * The passing rows, sorted stably. Rows without a value come last, ascending and descending; in a
+ * column with `none_is_best` they are the best.
  */
 export function arranged(candidates, passing, { name, descending }) {
   const sign = descending ? -1 : 1,

@@ -1,5 +1,5 @@
-// Light and dark: as the system prefers, unless the reader chose; the choice is remembered where
-// storage works.
+// Switches between light and dark: the system's preference, or the reader's choice, which is
+// stored.
 import { on_print } from "./paper.js";
 
 const kKey = "misalign-theme";
@@ -27,7 +27,7 @@ function apply() {
   for (const listener of listeners) listener();
 }
 
-/** Runs when colours have changed: canvases draw themselves again. */
+/** Calls a listener when colours have changed, so that canvases are drawn again. */
 export const on_theme = (listener) => listeners.push(listener);
 
 /** The present value of a colour of page.css, for canvases. */
@@ -47,7 +47,7 @@ export function set_up_theme(button) {
     try {
       localStorage.setItem(kKey, chosen);
     } catch {
-      // A page opened from a file may have no storage: the choice then lasts as long as the page.
+      // A page opened from a file may have no storage.
     }
     apply();
     label();

@@ -1,15 +1,15 @@
-// While `misalign watch` serves the page: asks how the campaign goes, every second, and shows it. A
-// page that is opened from a file asks nobody.
+// Asks `misalign watch` for the campaign's state every second, and shows it. A page that is opened
+// from a file does not ask.
 import { by_id, count, plural } from "./format.js";
 
 const kEvery_ms = 1000,
   kPatience_ms = 8000,
-  kSlowest_ms = 10000, // between attempts where nobody answers
+  kSlowest_ms = 10000, // longest time between attempts without an answer
   kSpeedOver_s = 20;
 const kLost =
-  "The program that serves this page does not answer. What is shown is what was last known.";
+  "The program that serves this page does not answer. The page shows the last known state.";
 
-/** Draws a second in what is known of the last seconds; null as long as that is one moment. */
+/** Draws per second over the known moments; null for a single one. */
 export function recent_speed(moments) {
   const [first, last] = [moments[0], moments.at(-1)];
   return last && last.at_s > first.at_s
@@ -17,12 +17,12 @@ export function recent_speed(moments) {
     : null;
 }
 
-/** How it is, and in words; `live`: what was answered, or null where nobody answers. */
+/** [state, words]; `live`: the answer, or null without one. */
 export function kind_of(live) {
   if (!live) return ["lost", "no answer: is misalign watch running?"];
-  if (live.problem) return ["problem", "cannot be read"];
+  if (live.problem) return ["problem", "catalogue unreadable"];
   if (live.state.complete) return ["complete", "complete"];
-  return live.writing ? ["live", "live"] : ["idle", "no search is running"];
+  return live.writing ? ["live", "live"] : ["idle", "no search running"];
 }
 
 class Watcher {
@@ -44,7 +44,7 @@ class Watcher {
     by_id("watch").hidden = false;
     by_id("watch-state").textContent = "…";
     by_id("watch-load").addEventListener("click", () => location.reload());
-    // Nobody looks at a page that is hidden.
+    // A hidden page does not ask.
     document.addEventListener("visibilitychange", () => this.#ask());
     this.#ask();
   }
@@ -96,25 +96,25 @@ class Watcher {
     this.#kind = kind;
   }
 
-  /** What is wrong; the page stays what it last knew. */
+  /** Shows a problem; the page keeps the last known state. */
   #say_more(live, same) {
     const { campaign } = this.#report,
       says = by_id(campaign ? "watch-says" : "broken");
     let words = live?.problem ?? "";
     if (live === null) words = kLost;
     if (live?.state && !same) {
-      // A page that waits, once a fault has passed: at once. Else when it is wanted.
+      // A page without a campaign reloads once a fault has passed; else the reader does.
       if (!campaign && this.#seen_problem) return location.reload();
       words = campaign
-        ? `Another campaign, ${live.state.campaign}, is in this file now.`
+        ? `This file now holds another campaign, ${live.state.campaign}.`
         : "The catalogue can be read again.";
-      this.#offer("Load it");
+      this.#offer("Reload");
     }
     says.hidden = words === "";
     if (says.textContent !== words) says.textContent = words;
   }
 
-  /** Whether the number has to be shown anew. */
+  /** Measures the speed; returns whether its words have changed. */
   #measure(live) {
     const moments = this.#moments,
       moment = { at_s: live.read_at_s, draws: live.state.draws_in_ledger };
@@ -122,15 +122,15 @@ class Watcher {
     while (moments.length > 2 && moment.at_s - moments[1].at_s >= kSpeedOver_s) moments.shift();
     if (!live.writing) moments.splice(0, moments.length - 1);
     const recent = live.writing ? recent_speed(moments) : 0,
-      whole = `${count(Math.round(live.state.draws_per_s))} over the whole run`;
+      whole = `mean of the run: ${count(Math.round(live.state.draws_per_s))}`;
     live.draws_per_s = recent ?? live.state.draws_per_s;
-    live.speed_words = live.writing ? `lately; ${whole}` : `none now; ${whole}`;
+    live.speed_words = live.writing ? `recent; ${whole}` : `none now; ${whole}`;
     const changed = this.#speed !== live.speed_words;
     this.#speed = live.speed_words;
     return changed;
   }
 
-  /** To load the page anew; where its address says what is picked, that stays so. */
+  /** Offers to reload the page; its address keeps the picked draw. */
   #offer(words) {
     const button = by_id("watch-load");
     button.hidden = words === "";
@@ -138,7 +138,7 @@ class Watcher {
   }
 }
 
-/** `show(report)` shows what changes, whenever it has. */
+/** Watches the report; calls `show(report)` whenever it has changed. */
 export function watch(report, show) {
   if (report.watch) new Watcher(report, show);
 }

@@ -25,7 +25,7 @@ const kSides = [
   [BackSide, "panel-back"],
 ];
 
-/** Both sides of the panels: with the same corners, and colours of their own. */
+/** Meshes of both sides of the panels, which share their corners. */
 function panel_meshes(corners) {
   const values = () => new BufferAttribute(new Float32Array(corners.length * 18), 3),
     position = values();
@@ -41,7 +41,7 @@ function panel_meshes(corners) {
       polygonOffsetUnits: 2,
     };
     const lit = new MeshLambertMaterial({ ...options, flatShading: true }),
-      plain = new MeshBasicMaterial(options); // as bright as the colour is
+      plain = new MeshBasicMaterial(options); // not shaded
     const mesh = new Mesh(geometry, lit);
     mesh.userData = { colour: name, lit, plain };
     mesh.frustumCulled = false;
@@ -49,13 +49,13 @@ function panel_meshes(corners) {
   });
 }
 
-/** A colour for each panel's six corners; null is the side's own. */
+/** Colours each panel's six corners; null: the side's colour. */
 function colour_panels({ geometry, userData }, colours) {
   const { array } = geometry.attributes.color,
-    own = colour(userData.colour),
+    side = colour(userData.colour),
     rgb = new Color();
   colours.forEach((panel, i) => {
-    rgb.set(panel ?? own);
+    rgb.set(panel ?? side);
     for (let n = 0; n < 6; ++n) rgb.toArray(array, 18 * i + 3 * n);
   });
   geometry.attributes.color.needsUpdate = true;

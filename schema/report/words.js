@@ -1,17 +1,17 @@
-// Names, labels and meanings of faults and metrics, as `report` wrote them.
+// Reads names, labels and meanings of faults and metrics from the page.
 
 function read_words() {
   try {
     return JSON.parse(document.getElementById("report-words").textContent);
   } catch {
-    return { faults: [], metrics: [], columns_of_studies: [] }; // of a page without data, which says so by itself
+    return { faults: [], metrics: [], columns_of_studies: [] }; // a page without data says so elsewhere
   }
 }
 export const words = read_words();
 
 const fault_of = Object.fromEntries(words.faults.map((fault) => [fault.name, fault]));
 
-/** The names of the faults as legends list them. */
+/** The names of the faults in the order of legends. */
 export const fault_order = words.faults.map(({ name }) => name);
 // A catalogue may hold any text as a fault.
 export const fault_name = (fault) => fault_of[fault]?.label ?? fault;

@@ -1,4 +1,4 @@
-// A drawing that can be zoomed and moved: by wheel or two fingers, dragging, keys and buttons.
+// Zooms and moves a drawing: by wheel or two fingers, dragging, keys and buttons.
 import { clamp, h } from "./format.js";
 
 const kMost = 24, // largest zoom; 1 shows all
@@ -6,7 +6,7 @@ const kMost = 24, // largest zoom; 1 shows all
 
 /**
  * Shows a part of `whole` ({ x, y, width, height } in the drawing's units) in an SVG of any size in
- * px. `changed(scale)` is told px per unit whenever what is seen changes.
+ * px. `changed(scale)` is called with px per unit whenever the view changes.
  */
 export class ZoomedView {
   #svg;
@@ -31,7 +31,7 @@ export class ZoomedView {
     svg.addEventListener("keydown", (event) => this.#key(event));
   }
 
-  /** Another drawing of the same kind: what is seen of it stays. */
+  /** Takes another drawing; the view stays. */
   set_whole(whole) {
     const first = this.#whole.width === 1;
     this.#whole = whole;
@@ -49,7 +49,7 @@ export class ZoomedView {
     this.#show();
   }
 
-  /** About a place in px, or the middle. */
+  /** Zooms about a place in px, or the middle. */
   zoom_by(factor, [px, py] = this.#size.map((side) => side / 2)) {
     const before = this.#scale();
     this.#zoom = clamp(this.#zoom * factor, 1, kMost);
@@ -65,7 +65,7 @@ export class ZoomedView {
     this.#show();
   }
 
-  /** What is seen, in px, of a place in the drawing's units. */
+  /** Position in px of a place in the drawing's units. */
   place([x, y]) {
     const scale = this.#scale();
     return [
@@ -78,7 +78,7 @@ export class ZoomedView {
     return [
       ["+", () => this.zoom_by(kStep), "Larger", "zoom-in"],
       ["−", () => this.zoom_by(1 / kStep), "Smaller", "zoom-out"],
-      ["Fit", () => this.fit(), "All of it", "zoom-fit"],
+      ["Fit", () => this.fit(), "Whole sheet", "zoom-fit"],
     ].map(([words, onclick, title, id]) =>
       h(
         "button",
@@ -97,7 +97,7 @@ export class ZoomedView {
     const scale = this.#scale();
     const parts = this.#size.map((side) => side / scale);
     const { x, y, width, height } = this.#whole;
-    // No farther than the drawing's edge; what fits is in the middle.
+    // The view stays within the drawing, in whose middle it is where all of it fits.
     [
       [x, width],
       [y, height],
@@ -116,8 +116,8 @@ export class ZoomedView {
     return [event.clientX - frame.left, event.clientY - frame.top];
   }
 
-  // The wheel scrolls the page until the drawing was clicked on; two fingers on a touchpad come as
-  // a wheel with Ctrl.
+  // The wheel scrolls the page until the drawing is clicked; two fingers on a touchpad are a wheel
+  // with Ctrl.
   #wheel(event) {
     if (!event.ctrlKey && !event.metaKey && document.activeElement !== this.#svg) return;
     event.preventDefault();
@@ -127,7 +127,7 @@ export class ZoomedView {
   #drag(event) {
     const before = this.#fingers.get(event.pointerId);
     if (!before) return;
-    if (event.buttons === 0) return void this.#fingers.delete(event.pointerId); // let go unseen
+    if (event.buttons === 0) return void this.#fingers.delete(event.pointerId); // released outside
     const now = [event.clientX, event.clientY],
       other = [...this.#fingers].find(([id]) => id !== event.pointerId)?.[1];
     this.#fingers.set(event.pointerId, now);

@@ -19,7 +19,7 @@ using schema::Json;
 
 namespace {
 
-// Values and prices of limits, by another build.
+// Compares objective values and prices of limits with those of another build.
 bool agrees(const Json& a, const Json& b) {
   constexpr double kAgree = 1e-6, kNothing = 1e-12;
   if (a.is_number() && b.is_number()) {
@@ -78,7 +78,7 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
   };
   if (!cell("draw").is_number_integer()) {
     report.findings.push_back(
-        schema::differs("a candidate", "draw", cell("draw"), "the number that it was found by"));
+        schema::differs("a candidate", "draw", cell("draw"), "the number of its draw"));
     return report;
   }
   const auto draw = row.at("draw").get<std::uint64_t>();
@@ -88,7 +88,7 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
   };
   const solver::PerforatedSheet& base = campaign_.pattern.base;
   const auto shifts_mm = schema::read_shifts(cell("displacements_mm"), base.sheet.vertex_count());
-  if (campaign_.search.stores_sheets()) {  // they would have to be made again: see --units
+  if (campaign_.search.stores_sheets()) {  // their sheets are recomputed with --units alone
     if (!shifts_mm || !can_be_kept(campaign_, *shifts_mm)) {
       differs("displacements_mm", cell("displacements_mm"), "shifts of the campaign");
     }
@@ -106,13 +106,13 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
     return report;
   }
 
-  const int own_sample = sheet.history().verdict.deploys_from_sample;
-  if (own_sample == 0) {
+  const int recomputed_sample = sheet.history().verdict.deploys_from_sample;
+  if (recomputed_sample == 0) {
     differs("deploys_from_sample", cell("deploys_from_sample"), 0);
     return report;
   }
   check_metrics(row, metrics_version, *sheet.metrics(), report);
-  sheets_.check_shapes(where, sheet, own_sample, report);
+  sheets_.check_shapes(where, sheet, recomputed_sample, report);
   return report;
 }
 
@@ -120,7 +120,7 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
                                   CandidateReport& report) const {
   const auto shifts_mm = schema::read_shifts(row.value("displacements_mm", Json()),
                                              campaign_.pattern.base.sheet.vertex_count());
-  if (!shifts_mm || !ascent.is_object()) return;  // which was found before
+  if (!shifts_mm || !ascent.is_object()) return;  // a finding of check()
   const auto draw = row.at("draw").get<std::uint64_t>();
   const auto differs = [&](const std::string& column, const Json& stored, const Json& recomputed) {
     report.findings.push_back(
@@ -134,10 +134,10 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
   const solver::Sheet end(solver, *shifts_mm);
   const bool is_as_drawn = ascent.value("steps", Json()) == 0;
   if (!is_as_drawn) compare("end_value", schema::or_null(solver::objective(end, *asked_)));
-  if (campaign_.search.splitting) return;  // its start would have to be found again: see --units
+  if (campaign_.search.splitting) return;  // its start is recomputed with --units alone
   if (!campaign_.accepts(verdict(draw))) differs("verdict of the draw", "accepted", "rejected");
   const solver::Sheet start(solver, shifts_of_draw(campaign_, draw));
-  // But for a grid's multiples, by another product.
+  // A grid's multiples may come from another product.
   constexpr double kSame_mm = 1e-12;
   if (is_as_drawn && (start.shifts_mm() - end.shifts_mm()).cwiseAbs().maxCoeff() > kSame_mm) {
     differs("displacements_mm", row.at("displacements_mm"),
@@ -158,7 +158,7 @@ void CandidateCheck::check_metrics(const Json& row, int metrics_version,
   const Json recomputed = schema::metrics_json(metrics);
   for (const auto& [column, value] : recomputed.items()) {
     const schema::MetricAge age = schema::metric_age(column);
-    const bool is_younger = metrics_version < age.first;  // then null, if the column is there
+    const bool is_younger = metrics_version < age.first;  // null in such a column
     const Json stored = row.value(column, is_younger ? Json() : Json("no such column"));
     const Json expected = is_younger ? Json() : value;
     if (sheets_.tolerances().agree(column, stored, expected)) continue;

@@ -1,4 +1,4 @@
-// Tolerances for comparing a candidate's columns between machines, or between solvers.
+// Holds tolerances for comparing a candidate's columns between machines, or between solvers.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 namespace misalign::search {
 
 struct ColumnTolerances {
-  double width_mm, sample_deg;  ///< of a panel, and between samples
+  double width_mm, sample_deg;  ///< panel width, and angle between samples
 
-  /// Whether two values of this column are the same for what is known of their errors, which the
-  /// table of metrics says. Whole numbers and texts must be equal; elongations, the text of a JSON
-  /// list, agree one by one.
+  /// Returns whether two values of a column agree within the allowance in the table of metrics.
+  /// Whole numbers and texts must be equal; elongations, a JSON list as text, are compared one by
+  /// one.
   bool agree(const std::string& column, const schema::Json& a, const schema::Json& b) const;
 
  private:

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 using Corners = Eigen::Matrix<double, 3, 4>;
 using Model = fcl::BVHModel<fcl::OBBd>;
 
-// The first corner, the direction of the first edge, and the normal.
+// Returns the frame with the first corner as origin, the first edge as x and the normal as z.
 fcl::Transform3d frame_of(const Corners& corners) {
   const Vector3d x = (corners.col(1) - corners.col(0)).normalized();
   const Vector3d z = x.cross(corners.col(3) - corners.col(0)).normalized();
@@ -24,7 +24,7 @@ fcl::Transform3d frame_of(const Corners& corners) {
   return frame;
 }
 
-// Two triangles, in the panel's own frame.
+// Returns the shrunk panel as two triangles in its frame.
 std::shared_ptr<Model> shrunk_panel(const Corners& flat_mm) {
   const Vector3d centre = flat_mm.rowwise().mean();
   const Corners shrunk = ((1 - kTouch) * (flat_mm.colwise() - centre)).colwise() + centre;
@@ -47,31 +47,31 @@ struct CrossingCheck::Scene {
     fcl::CollisionObjectd object;
     int index;
   };
-  std::vector<std::unique_ptr<Panel>> panels;  // at addresses that the broad phase keeps
+  std::vector<std::unique_ptr<Panel>> panels;  // at fixed addresses, which the broad phase stores
   fcl::DynamicAABBTreeCollisionManagerd manager;
   std::optional<std::pair<int, int>> found;
 
-  static bool adjacent(const Panel& one, const Panel& other) {
-    return std::find_first_of(one.vertices.begin(), one.vertices.end(), other.vertices.begin(),
-                              other.vertices.end()) != one.vertices.end();
+  static bool adjacent(const Panel& a, const Panel& b) {
+    return std::find_first_of(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
+                              b.vertices.end()) != a.vertices.end();
   }
 
-  // Whether one has corners on both sides of the other's plane.
-  static bool reaches_through(const Panel& one, const Panel& other) {
+  // Returns whether the panel has corners on both sides of the other's plane.
+  static bool reaches_through(const Panel& panel, const Panel& other) {
     const fcl::Transform3d& frame = other.object.getTransform();
     const Eigen::RowVector4d heights =
-        frame.linear().col(2).transpose() * (one.corners_mm.colwise() - frame.translation());
+        frame.linear().col(2).transpose() * (panel.corners_mm.colwise() - frame.translation());
     return heights.minCoeff() < -other.touch_mm && heights.maxCoeff() > other.touch_mm;
   }
 
-  // True ends the search over pairs whose boxes overlap.
-  static bool look(fcl::CollisionObjectd* one, fcl::CollisionObjectd* other, void* scene) {
-    const Panel& a = *static_cast<const Panel*>(one->getUserData());
-    const Panel& b = *static_cast<const Panel*>(other->getUserData());
+  // Tests a pair whose boxes overlap; returns true to end the search.
+  static bool look(fcl::CollisionObjectd* first, fcl::CollisionObjectd* second, void* scene) {
+    const Panel& a = *static_cast<const Panel*>(first->getUserData());
+    const Panel& b = *static_cast<const Panel*>(second->getUserData());
     if (adjacent(a, b) || !reaches_through(a, b) || !reaches_through(b, a)) return false;
     const fcl::CollisionRequestd request;
     fcl::CollisionResultd result;
-    fcl::collide(one, other, request, result);
+    fcl::collide(first, second, request, result);
     if (!result.isCollision()) return false;
     static_cast<Scene*>(scene)->found = std::minmax(a.index, b.index);
     return true;

@@ -1,4 +1,4 @@
-// Finds panels that pass through each other; the paper assumes that none do.
+// Finds panels that pass through each other, which the paper assumes not to happen.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace misalign::search {
 
-/// Touching is no crossing: panels are shrunk by this part of their size, and each must reach
-/// through the other's plane by as much of it.
+/// Relative tolerance that tells touching from crossing: panels are shrunk by this part of their
+/// size, and each must reach through the other's plane by as much.
 inline constexpr double kTouch = 1e-6;
 
 /// One sheet of rigid panels without thickness. Panels with a common vertex are not compared: they
@@ -24,8 +24,8 @@ class CrossingCheck {
   CrossingCheck(const CrossingCheck&) = delete;
   CrossingCheck& operator=(const CrossingCheck&) = delete;
 
-  /// Two panels that cross in this state, if there are any; 3 x (4 panels) corners in mm, in the
-  /// panels' order.
+  /// Returns two panels that cross in this state, if there are any. Corners are 3 x (4 panels) in
+  /// mm, in the panels' order.
   std::optional<std::pair<int, int>> crossing(const Eigen::Matrix3Xd& corners_mm);
 
  private:

@@ -42,7 +42,7 @@ void compare(const StoredVerdict& stored, const StoredVerdict& again,
   compare("where", stored.where, again.where);
 }
 
-// Draws and where they deploy from; 0: not decided.
+// Maps draws to the samples that they deploy from; 0: undecided.
 using Accepted = std::map<std::uint64_t, std::int64_t>;
 
 Accepted stored_accepted(SQLite::Database& database, const schema::DrawRange& unit) {
@@ -61,7 +61,7 @@ Accepted stored_accepted(SQLite::Database& database, const schema::DrawRange& un
   });
 }
 
-// Returns how many were not compared, for being decided in one of the two only.
+// Returns the number of draws not compared, which only one of the two has decided.
 std::uint64_t compare(const Accepted& stored, const Accepted& again,
                       std::vector<schema::Finding>& findings) {
   std::uint64_t in_one_only = 0;
@@ -87,11 +87,11 @@ std::uint64_t compare(const Accepted& stored, const Accepted& again,
   return in_one_only;
 }
 
-// How a candidate of an optimising search came from its start.
+// Compares a candidate's ascent with the stored one.
 void compare_ways(SQLite::Database& database, const schema::Candidate& again, std::uint64_t draw,
                   std::vector<schema::Finding>& findings) {
   const Json row = schema::read_ascent(database, draw);
-  if (!row.is_object()) return;  // which was found before
+  if (!row.is_object()) return;  // another check reports it
   compare_ascents(row, ascent_row(*again.ascent),
                   [&](const std::string& column, const Json& stored, const Json& recomputed) {
                     findings.push_back(schema::differs("draw " + std::to_string(draw), column,
@@ -99,11 +99,11 @@ void compare_ways(SQLite::Database& database, const schema::Candidate& again, st
                   });
 }
 
-// Of a candidate that is stored, too, the sheet at which its draw ended.
+// Compares a candidate's optimum with the stored one.
 void compare_end(SQLite::Database& database, const schema::Candidate& again,
                  std::vector<schema::Finding>& findings) {
   const Json row = schema::read_candidate(database, again.draw);
-  if (!row.is_object()) return;  // which is another finding
+  if (!row.is_object()) return;  // another check reports it
   const Json ends = schema::displacements_json(again.shifts_mm);
   const Json stored = schema::json_of(row.value("displacements_mm", Json()));
   if (stored == ends) return;
@@ -163,7 +163,7 @@ std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluat
   for (const schema::DrawVerdict& sampled : record.fault_sample) {
     const auto row = std::find_if(verdicts.begin(), verdicts.end(),
                                   [&](const StoredVerdict& v) { return v.draw == sampled.draw; });
-    if (row == verdicts.end()) continue;  // whether it must be there is the ledger's to know
+    if (row == verdicts.end()) continue;  // the ledger's check reports a missing row
     compare(*row,
             as_stored(sampled.draw, sampled.verdict, evaluator.campaign(), evaluator.mechanism()),
             findings);
@@ -173,7 +173,7 @@ std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluat
 
 namespace {
 
-// The number under which a sheet is kept, `draw` if that is one; none if it is not.
+// Returns the number under which a sheet is kept, preferably `draw`; none if it is not kept.
 std::optional<std::uint64_t> kept_number(SQLite::Database& database, const std::string& hash,
                                          std::uint64_t draw) {
   SQLite::Statement row(database, "SELECT draw FROM sheet WHERE hash = ? ORDER BY draw != ?");
@@ -182,7 +182,7 @@ std::optional<std::uint64_t> kept_number(SQLite::Database& database, const std::
   return row.executeStep() ? std::optional(schema::draw_of(row.getColumn(0))) : std::nullopt;
 }
 
-// Above the last one that is kept, where only so many are: above all.
+// Returns the last draw that is kept, if stop.accepted limits them; otherwise the end of all draws.
 std::uint64_t end_of_kept(SQLite::Database& database, const schema::Campaign& campaign) {
   SQLite::Statement row(database, "SELECT count(*), coalesce(max(draw), 0) FROM sheet");
   row.executeStep();
@@ -214,7 +214,7 @@ void make_population_again(SQLite::Database& database, Climber& climber, std::ui
           database,
           schema::sheet_hash(schema::displacements_json(found.candidate.shifts_mm).dump()), draw);
       const auto& ascent = found.candidate.ascent;
-      const bool is_elsewhere = !ascent && kept && *kept < draw;  // every start keeps its end
+      const bool is_elsewhere = !ascent && kept && *kept < draw;  // every start keeps its optimum
       const bool is_right = kept == draw || is_elsewhere || draw > end;
       if (!is_right) {
         findings.push_back(schema::differs("draw " + std::to_string(draw), "kept as",

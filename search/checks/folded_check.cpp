@@ -19,7 +19,7 @@ using schema::Json;
 
 Finding exceeds(const std::string& where, const std::string& what, double value, double limit) {
   return {where + ": " + what + " is " + Json(value).dump() +
-              " on the folded shape, must be below " + Json(limit).dump(),
+              " on the folded shape, and must be below " + Json(limit).dump(),
           {{"where", where}, {"column", what}, {"stored", nullptr}, {"recomputed", value}}};
 }
 
@@ -89,7 +89,7 @@ void FoldedCheck::find_meeting(const solver::Sheet& sheet, Eigen::Index samples,
   const solver::Panels& panels = sheet.panels();
   const auto motion = solver::resolved_motion(sheet);
   if (!motion) {
-    report.meet_text = "not known where panels meet: the path is lost as a function";
+    report.meet_text = "contact is unknown: the path cannot be resolved";
     return;
   }
   const solver::FoldingWay& way = motion->way();
@@ -99,12 +99,12 @@ void FoldedCheck::find_meeting(const solver::Sheet& sheet, Eigen::Index samples,
   report.met_until_deg = way.pilot_deg(end);
   const auto contact = solver::ContactFinder(panels, *motion).first(end);
   if (!contact) {
-    report.meet_text = fmt::format("none meet up to {:.10g} deg", report.met_until_deg);
+    report.meet_text = fmt::format("no panels meet up to {:.10g} deg", report.met_until_deg);
     return;
   }
   report.meet = schema::contact_json(model_->base(), panels, *contact);
   report.meet_text =
-      fmt::format("{} meet first at {:.4f} deg",
+      fmt::format("{} first meet at {:.4f} deg",
                   schema::panels_text(model_->base(), panels, contact->pair), contact->pilot_deg);
 }
 
@@ -153,9 +153,9 @@ schema::Json findings_json(const std::vector<schema::Finding>& findings) {
 
 std::string no_contacts_text() {
   if constexpr (has("FCL")) {
-    return "contacts     none: no two panels without a common vertex cross\n";
+    return "crossings    none between panels without a common vertex\n";
   }
-  return "contacts     panels were not looked at: " + schema::missing_text("FCL") + "\n";
+  return "crossings    panels were not checked: " + schema::missing_text("FCL") + "\n";
 }
 
 std::string worst_text(const solver::ShapeCheck::Errors& shape, double diagonal_mm) {

@@ -33,7 +33,7 @@ const char* name_of(Health health) {
   return "";
 }
 
-// Small transactions as a catalogue makes them.
+// Measures small transactions, like those of a catalogue.
 double commits_per_s(const std::string& path, schema::Storage storage) {
   constexpr int kCommits = 50;
   const auto database = schema::open_for_writing(path, storage);
@@ -64,8 +64,8 @@ std::vector<Check> check_numbers() {
   checks.push_back(random_numbers_as_published()
                        ? Check{"random numbers", Health::good, "as published"}
                        : Check{"random numbers", Health::bad,
-                               "not as published: this build is broken, build it again"});
-  std::map<std::string, std::vector<std::string>> sets_of;  // by verdicts
+                               "not as published: this build is broken; build it again"});
+  std::map<std::string, std::vector<std::string>> sets_of;  // instruction sets by their verdicts
   std::string widest;
   for (const auto set : solver::available_instruction_sets()) {
     widest = solver::instruction_set_name(set);
@@ -83,11 +83,10 @@ std::vector<Check> check_numbers() {
     for (const auto& [verdicts, sets] : sets_of) {
       groups.push_back(fmt::to_string(fmt::join(sets, ", ")));
     }
-    checks.push_back(
-        {"golden verdicts", Health::bad,
-         fmt::format(
-             "differ between {}: this build or this machine is broken; build again, run the tests",
-             fmt::join(groups, " | "))});
+    checks.push_back({"golden verdicts", Health::bad,
+                      fmt::format("differ between {}: this build or this machine is broken; build "
+                                  "again and run the tests",
+                                  fmt::join(groups, " | "))});
   }
   return checks;
 }
@@ -107,30 +106,31 @@ std::vector<Check> check_directory(const std::string& directory) {
   const std::string path =
       (fs::path(directory) / (".misalign-doctor-" + std::to_string(::getpid()))).string();
   if (!fs::is_directory(directory)) {
-    return {{"directory", Health::bad, directory + ": is no directory; make it, or name another"}};
+    return {
+        {"directory", Health::bad, directory + ": is no directory; create it, or give another"}};
   }
   const schema::FileSystem system = schema::file_system_of(path);
   const bool shared = system.storage == schema::Storage::network;
   std::vector<Check> checks;
   checks.push_back(
       {"file system", shared ? Health::note : Health::good,
-       system.name + (shared ? ", shared by machines: a rollback journal and an exclusive lock; "
-                               "put catalogues on a local disk if readers are not to wait"
-                             : ", local: a write-ahead log, readers never wait")});
+       system.name + (shared ? ", shared by machines: a rollback journal and an exclusive lock are "
+                               "used; put catalogues on a local disk if readers should not wait"
+                             : ", local: a write-ahead log is used, readers never wait")});
   constexpr std::uint64_t kLittle_bytes = 1ULL << 30;
   const std::string free = whole(static_cast<double>(system.free_bytes) / 1e6) + " MB";
   checks.push_back(system.free_bytes > kLittle_bytes
                        ? Check{"free space", Health::good, free}
                        : Check{"free space", Health::note,
-                               free + ": a million candidates need 1 to 2 GB; make room"});
+                               free + ": a million candidates need 1 to 2 GB; free some space"});
   try {
     const schema::WriterLock lock(path);
     const double speed = schema::guarded(path, [&] { return commits_per_s(path, system.storage); });
     constexpr double kSlow = 20;
     checks.push_back(
         {"commits", speed < kSlow ? Health::note : Health::good,
-         whole(speed) + " a second" +
-             (speed < kSlow ? ": a slow disk; a faster one if many ranks find much" : "")});
+         whole(speed) + " per second" +
+             (speed < kSlow ? ": this disk is slow; use a faster one for many ranks" : "")});
   } catch (const schema::UserError& error) {
     checks.push_back({"commits", Health::bad, error.what()});
   }
@@ -158,25 +158,27 @@ std::vector<Check> check_ranks(const std::vector<RankReport>& ranks, bool has_be
   const std::string all = fmt::to_string(fmt::join(each, ", "));
   std::vector<Check> checks;
   if (!crowded.empty()) {
-    checks.push_back(
-        {"ranks", Health::note,
-         all + ": more ranks than threads on" + crowded + "; start fewer, or without --bind-to"});
+    checks.push_back({"ranks", Health::note,
+                      all + ": more ranks than threads on" + crowded +
+                          "; start fewer ranks, or omit --bind-to"});
   } else if (!idle.empty()) {
     checks.push_back(
         {"ranks", Health::note,
-         all + ": threads left over on" + idle + "; search --ranks all, or mpirun -n, uses more"});
+         all + ": idle threads on" + idle + "; search --ranks all, or mpirun -n, uses more"});
   } else {
     checks.push_back({"ranks", Health::good, all});
   }
   if (ranks.size() > 1) {
-    checks.push_back(has_beats ? Check{"heartbeat", Health::good, "MPI allows threads"}
-                               : Check{"heartbeat", Health::note,
-                                       "this MPI allows no threads: a cut link is noticed only "
-                                       "when MPI itself does, minutes later"});
+    checks.push_back(
+        has_beats
+            ? Check{"heartbeat", Health::good, "MPI allows threads"}
+            : Check{
+                  "heartbeat", Health::note,
+                  "this MPI allows no threads: a cut link is noticed by MPI alone, minutes later"});
     checks.push_back(verdicts.size() == 1
                          ? Check{"same verdicts", Health::good, "on every rank"}
                          : Check{"same verdicts", Health::bad,
-                                 "not on every rank: put the same program on every host"});
+                                 "not on every rank: install the same build on every host"});
   }
   return checks;
 }

@@ -1,4 +1,4 @@
-// Checks whether a machine can run a campaign well, and be trusted with it.
+// Checks whether a machine can run a campaign well and reliably.
 #pragma once
 
 #include <string>
@@ -10,33 +10,34 @@ namespace misalign::search {
 
 enum class Health {
   good,
-  note,  ///< it works, but not as well as it could
-  bad    ///< a campaign would fail, or could not be trusted
+  note,  ///< works, but not as well as possible
+  bad    ///< a campaign would fail, or give wrong results
 };
 
 struct Check {
   std::string name;
   Health health;
-  std::string sentence;  ///< what was found, and what to do if it is not good
+  std::string sentence;  ///< the result, and a remedy if it is not good
 };
 
-/// What a rank says of itself.
+/// A rank's report to rank 0.
 struct RankReport {
   std::string host;
-  int threads = 0;  ///< that the host has for this process
+  int threads = 0;  ///< threads that the host allows this process
   std::string golden_verdicts;
 };
 std::string pack(const RankReport& report);
 RankReport unpack_rank(const std::string& text);
 
-/// Random numbers, and verdicts in all of the machine's registers.
+/// Checks random numbers, and verdicts with all instruction sets of the machine.
 std::vector<Check> check_numbers();
-/// Which libraries this build has; those that it lacks are a note.
+/// Lists the libraries of this build; missing ones are a note.
 Check check_libraries();
-/// A place for catalogues: its file system, whether it can be written and locked, and how many
-/// commits a second it takes. Leaves nothing there.
+/// Checks a directory for catalogues: its file system, whether it can be written and locked, and
+/// its commits per second. Leaves no file there.
 std::vector<Check> check_directory(const std::string& directory);
-/// All ranks together: hosts and their threads, and whether every rank gives the same verdicts.
+/// Checks all ranks together: hosts and their threads, and whether every rank gives the same
+/// verdicts.
 std::vector<Check> check_ranks(const std::vector<RankReport>& ranks, bool has_beats);
 
 std::string checks_text(const std::vector<Check>& checks);

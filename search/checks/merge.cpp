@@ -26,12 +26,12 @@ using schema::Json;
 struct Input {
   std::string path;
   std::unique_ptr<SQLite::Database> database;
-  std::unique_ptr<SQLite::Transaction> moment;  // the one that is joined, whoever writes meanwhile
+  std::unique_ptr<SQLite::Transaction> moment;  // one state, whoever writes meanwhile
   schema::CatalogueState state;
   std::vector<DrawRange> units;
 };
 
-// The least goal that holds all of them; whatever they do not share is left out of it.
+// Returns the smallest goal that includes all; limits that they do not share are left out.
 schema::Goal goal_of(const std::vector<Input>& inputs) {
   const schema::Goal& first = inputs.front().state.goal;
   schema::Goal goal = first;
@@ -79,7 +79,7 @@ class Merge {
       report_.findings.push_back(std::move(finding));
     }
     if (!checked.findings.empty()) return;
-    input.state = std::move(*checked.state);  // or there was a finding
+    input.state = std::move(*checked.state);  // present, since there is no finding
     input.units = schema::units_done(*input.database);
     if (!evaluator_) {
       if (campaign.search.splitting) campaign.stop.accepted = least_kept();
@@ -88,7 +88,7 @@ class Merge {
     } else if (input.state.identity != inputs_.front().state.identity) {
       throw schema::UserError(schema::Cause::foreign,
                               path + ": holds another campaign than " + inputs_.front().path +
-                                  " (they differ in " +
+                                  " (which differs in " +
                                   schema::differences(evaluator_->campaign(), campaign) +
                                   "); join catalogues of one campaign");
     }
@@ -137,7 +137,7 @@ class Merge {
     report_.findings.insert(report_.findings.end(), wrong.begin(), wrong.end());
   }
 
-  // Judges again what the merged catalogue leaves undecided and this one does not.
+  // Judges again the draws that are undecided in the merged catalogue and decided in this one.
   void decide(schema::Catalogue& catalogue, SQLite::Database& merged, const Input& input,
               const DrawRange& range) {
     const auto open = schema::draws_of(merged, "undecided", range);
@@ -178,8 +178,8 @@ class Merge {
     compare_fault_samples(merged, input, range, is_open);
   }
 
-  // Which of its sheets a population has depends on the others: another has them if it met them
-  // first. What became of it at its levels is its own, and so are the ends of its starts.
+  // Compares levels and optima alone: the sheets that a population keeps depend on the other
+  // populations, which may have met them first.
   void compare_populations(SQLite::Database& merged, const Input& input, const DrawRange& range) {
     const auto levels_of = [&](SQLite::Database& database) {
       return schema::reading(database, [&] { return schema::read_population(database, range.lo); });
@@ -197,8 +197,8 @@ class Merge {
     }
   }
 
-  // Of what a splitting campaign keeps at most, the least that was asked for in any of them: of
-  // more than that not all are there.
+  // Returns the smallest stop.accepted of the splitting campaigns: beyond it some catalogue lacks
+  // sheets.
   std::optional<std::uint64_t> least_kept() const {
     std::optional<std::uint64_t> least;
     for (const std::string& path : options_.inputs) {
@@ -229,7 +229,7 @@ class Merge {
                     });
   }
 
-  // Rows that the rules of both units keep: that each unit has those of its own, check_ledger sees.
+  // Compares rows that both units keep; check_ledger checks that each unit has its rows.
   template <class IsOpen>
   void compare_fault_samples(SQLite::Database& merged, const Input& input, const DrawRange& range,
                              const IsOpen& is_open) {

@@ -16,44 +16,44 @@ namespace {
 using schema::Json;
 using schema::shown_number;
 
-// What two foldings of one sheet, or a file, say of it: {"verdict", "metrics", "elongation"}.
-Json said_of(const schema::FoldingView& view) {
-  Json said = {{"verdict", schema::verdict_json(view)}, {"metrics", nullptr}};
+// Returns verdict and metrics of a folding, with elongations: {"verdict", "metrics"}.
+Json folded_values(const schema::FoldingView& view) {
+  Json values = {{"verdict", schema::verdict_json(view)}, {"metrics", nullptr}};
   if (const auto metrics = view.sheet.measure(view.history)) {
-    said["metrics"] = schema::metrics_json(*metrics);
-    said["metrics"]["elongation"] = Json(metrics->elongation).dump();
+    values["metrics"] = schema::metrics_json(*metrics);
+    values["metrics"]["elongation"] = Json(metrics->elongation).dump();
   }
-  return said;
+  return values;
 }
 
-// The same of an exported candidate, as far as its file says it.
-Json said_by(const Json& exported) {
-  Json said = Json::object();
+// Returns the same of an exported candidate, as far as its file has it.
+Json exported_values(const Json& exported) {
+  Json values = Json::object();
   for (const char* part : {"verdict", "metrics"}) {
-    if (exported.contains(part)) said[part] = exported[part];
+    if (exported.contains(part)) values[part] = exported[part];
   }
   const Json diagonals = exported.value("diagonals", Json());
-  if (!said.contains("metrics") || !said["metrics"].is_object() || !diagonals.is_array()) {
-    return said;
+  if (!values.contains("metrics") || !values["metrics"].is_object() || !diagonals.is_array()) {
+    return values;
   }
   Json elongation = Json::array();
   for (const Json& diagonal : diagonals) {
-    if (!diagonal.is_object() || !diagonal.contains("elongation")) return said;
+    if (!diagonal.is_object() || !diagonal.contains("elongation")) return values;
     elongation.push_back(diagonal["elongation"]);
   }
-  said["metrics"]["elongation"] = elongation.dump();
-  return said;
+  values["metrics"]["elongation"] = elongation.dump();
+  return values;
 }
 
-// Up to version 1.0.0 a bump that ended D was no bump_deg.
+// Returns whether a bump ends D; up to version 1.0.0 it was no bump_deg.
 bool ends_in_bump(const Json& computed) {
   return computed["verdict"]["first_fault"] == solver::fault_name(solver::Fault::bump);
 }
 
-// What `said` differs in from what was computed, value by value; what it leaves out is not missed.
-void compare(const std::string& where, const Json& said, const Json& computed,
+// Compares the file's values with the computed ones; a missing value is no finding.
+void compare(const std::string& where, const Json& values, const Json& computed,
              const ColumnTolerances& tolerances, std::vector<schema::Finding>& findings) {
-  for (const auto& [part, theirs] : said.items()) {
+  for (const auto& [part, theirs] : values.items()) {
     const Json& ours = computed.at(part);
     if (!theirs.is_object() || !ours.is_object()) {
       if (theirs != ours) findings.push_back(schema::differs(where, part, theirs, ours));
@@ -76,7 +76,8 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return rows == 0 ? 0 : (a.topRows(rows) - b.topRows(rows)).cwiseAbs().maxCoeff();
 }
 
-// Of a sheet that folds by its base's angles: a row a station, by the closed forms of its holes.
+// Returns lengths by the closed forms of the holes, a row per station, for a sheet with its base's
+// fold angles.
 Eigen::MatrixXd lengths_by_formula_mm(const solver::Sheet& sheet) {
   const auto family =
       solver::ParallelFamily::of(sheet.base(), solver::all_vertices(sheet.base().sheet));
@@ -100,7 +101,7 @@ PatternVerification verify_pattern(const std::string& path) {
   const FoldedCheck check(chosen.base, chosen.sampling);
   const solver::Sheet sheet = check.sheet(chosen.shifts_mm);
   const solver::FoldingHistory& history = sheet.history();
-  const Json computed = said_of({chosen.base, sheet});
+  const Json computed = folded_values({chosen.base, sheet});
   PatternVerification verification;
   verification.pattern = chosen.pattern;
   verification.verdict = computed["verdict"];
@@ -112,16 +113,16 @@ PatternVerification verify_pattern(const std::string& path) {
         solver::shape_tolerance(sheet.panels()) * sheet.mechanism().panel_width_mm;
     if (!(verification.apart_mm <= limit_mm)) {
       report.findings.push_back(
-          schema::differs("closed forms", "lengths apart, mm", 0, verification.apart_mm));
+          schema::differs("closed forms", "length difference (mm)", 0, verification.apart_mm));
     }
   } else {
     const auto dense = solver::record_densely(sheet.model(), sheet.vertices_mm());
     verification.apart_mm = largest_difference(history.length_mm, dense.length_mm);
-    compare("dense matrices", said_of({chosen.base, sheet, dense}), computed, check.tolerances(),
-            report.findings);
+    compare("dense matrices", folded_values({chosen.base, sheet, dense}), computed,
+            check.tolerances(), report.findings);
   }
   if (!chosen.exported.is_null()) {
-    const Json claims = said_by(chosen.exported);
+    const Json claims = exported_values(chosen.exported);
     verification.has_claims = !claims.empty();
     compare("the file", claims, computed, check.tolerances(), report.findings);
   }
@@ -142,14 +143,14 @@ std::string pattern_verification_text(const PatternVerification& v) {
           shown_number(v.verdict["deploys_from_deg"].get<double>()) +
           " deg; first fault: " + v.verdict["first_fault"].get<std::string>() + "\n";
   text += v.is_on_base
-              ? "followed     by the base's fold angles and by closed forms of the holes: lengths "
-              : "followed     by sparse and by dense matrices: lengths ";
-  text += fmt::format("{:.1e}", v.apart_mm) + " mm apart\n";
-  if (v.has_claims) text += "compared     with what the file says of itself\n";
-  text += "worst        " + worst_text(report.shape, report.diagonal_mm) + ", in " +
+              ? "solvers      base's fold angles and closed forms of the holes: lengths differ by "
+              : "solvers      sparse and dense matrices: lengths differ by ";
+  text += fmt::format("{:.1e}", v.apart_mm) + " mm\n";
+  if (v.has_claims) text += "compared     with the values in the file\n";
+  text += "errors       " + worst_text(report.shape, report.diagonal_mm) + ", in " +
           std::to_string(v.shapes) + " folded shapes\n";
   text += report.first_contact_deg
-              ? "contacts     panels cross first at " + shown_number(*report.first_contact_deg) +
+              ? "crossings    panels first cross at " + shown_number(*report.first_contact_deg) +
                     " deg (" + report.contact + ")\n"
               : no_contacts_text();
   text += "any angle    " + report.meet_text + "\n";

@@ -19,7 +19,7 @@ namespace {
 
 using schema::Json;
 
-// As many of `all` as were asked for, spread evenly over them.
+// Returns `wanted` of all items, spread evenly.
 template <class Item>
 std::vector<Item> spread(const std::vector<Item>& all, std::optional<std::uint64_t> wanted) {
   const std::uint64_t chosen = std::min<std::uint64_t>(wanted.value_or(all.size()), all.size());
@@ -28,7 +28,7 @@ std::vector<Item> spread(const std::vector<Item>& all, std::optional<std::uint64
   return some;
 }
 
-// As many, every one as likely as any other (selection sampling, Knuth's algorithm S).
+// Returns `wanted` units with equal probability (selection sampling, Knuth's algorithm S).
 std::vector<schema::DrawRange> at_random(const std::vector<schema::DrawRange>& all,
                                          std::uint64_t wanted, std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -45,7 +45,7 @@ class Verifier {
            const VerifyOptions& options, Verification& verification)
       : database_(database), campaign_(campaign), options_(options), v_(verification) {}
 
-  // Within one moment: the ledger, and the choice of what is computed.
+  // Checks the ledger and chooses rows, within one moment.
   void look() {
     schema::CheckedLedger checked = schema::read_checked(database_, campaign_);
     v_.findings = std::move(checked.findings);
@@ -68,7 +68,8 @@ class Verifier {
     is_of_its_campaign_ = checked.state->identity == schema::identity(campaign_);
   }
 
-  // Nothing of another campaign's sheets, which may take long: that it is another has been found.
+  // Computes the chosen rows again, unless they are of another campaign, which is a finding
+  // already.
   void compute() {
     if (!is_of_its_campaign_) return;
     const CandidateCheck check(campaign_);
@@ -136,20 +137,19 @@ class Verifier {
 std::string units_text(const Verification& v) {
   if (v.units.checked == 0) {
     return fmt::format(
-        "units        none of {} made again: a candidate that was removed together with its sums "
-        "is found by --units\n",
+        "units        0 of {} made again; --units finds a candidate that was removed together with "
+        "its sums\n",
         v.units.of);
   }
   const std::string line = fmt::format(
-      "units        {} of {} made again, {} draws (--seed {}): that finds a candidate that was "
-      "removed together with its sums with probability {:.3g}\n",
+      "units        {} of {} made again, {} draws (--seed {}): a candidate that was removed "
+      "together with its sums is found with probability {:.3g}\n",
       v.units.checked, v.units.of, v.draws_again, v.seed, v.chance_to_find_one());
   if (v.decided_now == 0) return line;
-  return line +
-         fmt::format(
-             "not compared {} of them: undecided in the catalogue or here, and decided in the "
-             "other (no fault; `misalign search --retry-undecided` settles what can be)\n",
-             count_text(v.decided_now, "draw"));
+  return line + fmt::format(
+                    "not compared {} of them: undecided either in the catalogue or now (no fault; "
+                    "`misalign search --retry-undecided` judges them again)\n",
+                    count_text(v.decided_now, "draw"));
 }
 
 std::string other_definitions_text(const Verification& v) {
@@ -201,9 +201,9 @@ Verification verify(SQLite::Database& database, const std::string& path,
   try {
     Verifier verifier(database, campaign, options, verification);
     verifier.look();
-    moment.reset();  // a writer's log would grow as long as it is held
+    moment.reset();  // otherwise a writer's log would grow
     verifier.compute();
-  } catch (const schema::UserError& error) {               // it cannot be read any further
+  } catch (const schema::UserError& error) {               // the rest cannot be read
     if (error.cause() != schema::Cause::bad_input) throw;  // the disk's fault, not the file's
     verification.findings.push_back({error.what(), {{"where", "file"}}});
   }
@@ -218,15 +218,15 @@ std::string verification_text(const Verification& v) {
                       v.fault_samples.of);
   if (v.certificates.of > 0) {
     text += fmt::format(
-        "certificates {} of {} are as they were made, by their hashes (`misalign certify --check` "
-        "checks their proofs)\n",
+        "certificates {} of {} have the right hash (`misalign certify --check` checks their "
+        "proofs)\n",
         v.certificates.checked, v.certificates.of);
   }
   text += units_text(v) + other_definitions_text(v);
-  text += "worst        " + worst_text(v.worst, v.diagonal_mm) + "\n";
+  text += "errors       " + worst_text(v.worst, v.diagonal_mm) + "\n";
   if (const CheckedCandidate* first = v.first_contact()) {
     text +=
-        fmt::format("contacts     panels cross in {} of them, first at {:g} deg (draw {}, {})\n",
+        fmt::format("crossings    panels cross in {} candidates, first at {:g} deg (draw {}, {})\n",
                     v.contacts(), *first->first_contact_deg, first->draw, first->contact);
   } else {
     text += no_contacts_text();
@@ -234,10 +234,10 @@ std::string verification_text(const Verification& v) {
   if (const CheckedCandidate* first = v.first_meeting()) {
     const auto meeting = std::count_if(v.checked.begin(), v.checked.end(),
                                        [](const CheckedCandidate& c) { return !c.meet.is_null(); });
-    text += fmt::format("any angle    panels meet in {} of them: of draw {} {}\n", meeting,
+    text += fmt::format("any angle    panels meet in {} candidates; draw {}: {}\n", meeting,
                         first->draw, first->meet_text);
   } else {
-    text += "any angle    no panels meet up to D, as far as paths are resolved\n";
+    text += "any angle    no panels meet up to D, as far as the paths are resolved\n";
   }
   return text + "findings     " + (v.good() ? "none" : std::to_string(v.findings.size())) + "\n";
 }

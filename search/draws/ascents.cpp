@@ -20,17 +20,17 @@ void Ascents::advance(const std::function<void(schema::Candidate&)>& kept) {
   }
 }
 
-// At one more sheet. A candidate that is as it is kept now; mostly none.
+// Evaluates one more sheet. Returns the candidate if its ascent has ended, mostly null.
 schema::Candidate* Ascents::look() {
   schema::Candidate& candidate = block_->candidates[next_];
-  if (!one_) {
-    one_ = ascend_(campaign_, model_, std::move(candidate));
-  } else if (!one_->finished()) {
-    one_->advance();
+  if (!ascent_) {
+    ascent_ = ascend_(campaign_, model_, std::move(candidate));
+  } else if (!ascent_->finished()) {
+    ascent_->advance();
   }
-  if (!one_->finished()) return nullptr;
-  candidate = one_->take();
-  one_.reset();
+  if (!ascent_->finished()) return nullptr;
+  candidate = ascent_->take();
+  ascent_.reset();
   ++next_;
   return &candidate;
 }

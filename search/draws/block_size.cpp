@@ -7,7 +7,7 @@ namespace misalign::search {
 namespace {
 
 constexpr std::uint64_t kMostSheets = 4096;      // 2.6 MB on 6 x 6: larger ones are slower
-constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
+constexpr std::uint64_t kMostNumbers = 1 << 21;  // shifts and diagonals of a block: 16 MB
 constexpr double kShort_s = 0.015, kLong_s = 0.08;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The number of sheets of a model that are judged together.
+// Chooses the number of sheets of a model that are judged together.
 #pragma once
 
 #include <cstdint>
@@ -7,17 +7,17 @@
 
 namespace misalign::search {
 
-/// At most: what they need stays within a few megabytes.
+/// Returns the largest block, which needs a few megabytes.
 std::uint64_t largest_block(const solver::Model& model);
 
-/// As many as take less than about a tenth of a second: who waits for their end must not wait long.
-/// Starts with one.
+/// Adapts the block to less than about a tenth of a second, so that nobody waits long for its end.
+/// Starts with one sheet.
 class BlockSize {
  public:
   explicit BlockSize(std::uint64_t most) : most_(most) {}
 
   std::uint64_t now() const { return now_; }
-  /// What the last ones took.
+  /// Takes the time of the last block.
   void took(double seconds);
 
  private:

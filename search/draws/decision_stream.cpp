@@ -34,7 +34,7 @@ int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling) 
     refuse("must be a whole multiple of sample_deg = " + schema::shown_number(sampling.sample_deg));
   }
   if (threshold_deg > sampling.end_deg * (1 + 1e-9)) {
-    refuse("must not lie beyond the end of the path, " + schema::shown_number(sampling.end_deg) +
+    refuse("must lie within the path, which ends at " + schema::shown_number(sampling.end_deg) +
            " degrees");
   }
   return static_cast<int>(std::lround(samples));

@@ -1,5 +1,5 @@
-// Judges any number of sheets of one model that come with their shifts, a block after another, in
-// lanes: accepted or not, or the whole verdicts.
+// Judges any number of sheets of one model, block by block in lanes: accepted or not, or whole
+// verdicts.
 #pragma once
 
 #include <functional>
@@ -9,38 +9,38 @@
 namespace misalign::search {
 
 enum class Decision : std::uint8_t {
-  rejected,   ///< does not deploy from the model's threshold
-  accepted,   ///< does
+  rejected,   ///< deploys from less than the model's threshold
+  accepted,   ///< deploys from the threshold
   undecided,  ///< a numerical failure: neither
 };
 
-/// The verdict on a sheet with these shifts as single sheets have it: where the sheet closes at 180
-/// degrees (schema::closes_at_180) that up to the sample before.
+/// Returns the verdict on a single sheet: if the sheet closes at 180 degrees
+/// (schema::closes_at_180), the verdict up to the sample before.
 solver::Verdict before_closing(const solver::Model& model, const Eigen::Matrix2Xd& shifts_mm,
                                const solver::Verdict& verdict);
 
-/// How many samples reach this angle, an option `threshold_deg`. UserError (bad_request) unless a
-/// whole, positive number does before the path ends.
+/// Returns the sample at the option `threshold_deg`. UserError (bad_request) unless it is a
+/// positive whole multiple of the sampling, within the path.
 int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling);
 
-/// One thread's, for one array of sheets.
+/// Judges one array of sheets in one thread.
 class DecisionStream {
  public:
   /// Both must outlive this object; nobody else uses the batch meanwhile.
   DecisionStream(const solver::Model& model, solver::Batch& batch);
 
-  /// How many sheets the next block had best have.
+  /// Returns the best size of the next block.
   std::uint64_t next_block() const { return block_size_.now(); }
 
-  /// What is known of the sheet with this number. Each sheet is answered once, in any order.
+  /// Gets the decision on a numbered sheet; once for each sheet, in any order.
   using TellDecision = std::function<void(std::uint64_t number, Decision decision)>;
-  /// Judges a block by the model's threshold (there is one). Those that no test rejects wait for
-  /// their full paths until they fill the lanes.
+  /// Judges a block by the model's threshold, which must exist. Sheets that no test rejects wait
+  /// for their full paths until they fill the lanes.
   void accept(const Draws& block, const TellDecision& tell);
-  /// The full paths of all that wait.
+  /// Follows the full paths of all waiting sheets.
   void finish(const TellDecision& tell);
 
-  /// Everything, each on its full path; in their order.
+  /// Judges each sheet on its full path, and returns the verdicts in the sheets' order.
   const std::vector<solver::Verdict>& judge(const solver::ShiftBlock& block);
 
  private:

@@ -17,16 +17,15 @@ double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
   return uniform_share(word) * misalignment.amplitude_mm;
 }
 
-// What rounding leaves of a member's conditions and of its largest shift, in parts of the
-// amplitude.
+// Rounding error of a member's conditions and of its largest shift, over the amplitude.
 constexpr double kMemberRounding = 1e-9;
 
-// Whether it is a whole multiple of the grid's step; 0: there is no grid.
+// Returns whether the shift is a whole multiple of the grid's step; 0 means no grid.
 bool is_on_grid(double shift_mm, double grid_mm) {
   return grid_mm == 0 || std::round(shift_mm / grid_mm) * grid_mm == shift_mm;
 }
 
-// A level, or a share whose word gives it again.
+// Returns whether the shift is a ternary level, or a share that its random word reproduces.
 bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
   assert(misalignment.amplitude_mm > 0);
   const double share = shift_mm / misalignment.amplitude_mm;
@@ -99,8 +98,8 @@ Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t 
 
 namespace {
 
-// Whether each of the vertices' shifts is one that `can_be` says, and no other vertex is shifted; a
-// member of the parallel family where the draws are.
+// Returns whether `can_be` holds for each shift and no other vertex is shifted. Shifts of a
+// campaign of parallel draws must be a member of the family.
 template <class CanBe>
 bool are_shifts(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm,
                 const CanBe& can_be) {

@@ -35,7 +35,7 @@ Eigen::Matrix2Xd per_vertex(const solver::Model& model, const double* shifts_mm)
   return columns_mm;
 }
 
-// Many, since lanes are idle once a block has no sheet left to start; few enough for memory.
+// Number of records measured together: many to keep the lanes busy, few enough for memory.
 std::size_t records_at_once(const solver::Model& model) {
   constexpr std::size_t kBytes = 12 << 20, kFewest = 32, kMost = 256;
   // Lengths at every sample, in vectors that grow to up to twice that: 46 kB on 6 x 6.
@@ -44,7 +44,7 @@ std::size_t records_at_once(const solver::Model& model) {
   return std::clamp(kBytes / bytes, kFewest, kMost);
 }
 
-// Path -> metrics: `each` gets the place of a sheet of the block, and its record.
+// Measures paths; `each` gets the place of a sheet in the block, and its record.
 template <class Each>
 void for_each_record(const solver::Model& model, solver::Batch& batch,
                      const solver::ShiftBlock& shifts, const Each& each) {
@@ -137,7 +137,7 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
     }
   }
   if (waiting_.size() == 0 || !paths_are_due(waiting_.size())) return;
-  // Path -> diagonals -> verdict: of the fault sample, most of which no test lets pass ...
+  // Path -> diagonals -> verdict of the fault sample, most of which the tests reject ...
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
     if (sampled.holds(waiting_.numbers[k])) sampled_.add(waiting_, k);
   }
@@ -159,7 +159,7 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
   }
   waiting_.clear();
   sampled_.clear();
-  // ... and of the others with all that there is to know: -> metrics -> unit.
+  // ... and of the others, with -> metrics -> unit.
   record(unit);
 }
 
@@ -179,7 +179,7 @@ void DrawEvaluator::certify(schema::Candidate& candidate) const {
       certify_(candidate.draw, candidate.shifts_mm, candidate.metrics.deploys_from_deg);
 }
 
-// Most of those that no test rejects are accepted.
+// Records draws that no test rejects; most are accepted.
 void DrawEvaluator::record(schema::UnitRecord& unit) {
   const auto keep = [&](std::size_t k, const solver::PathRecord& record) {
     if (!campaign_.accepts(record.verdict)) {
@@ -261,7 +261,7 @@ void UnitWork::advance_ascents() {
   if (ascents_->finished()) record_.add(ascents_->take());
 }
 
-// Measures what a full path takes, where some are followed.
+// Evaluates a block, and times a full path if some are followed.
 void UnitWork::evaluate(const schema::DrawRange& block, schema::UnitRecord& into,
                         const DrawEvaluator::PathsAreDue& paths_are_due) {
   std::optional<Stopwatch> watch;

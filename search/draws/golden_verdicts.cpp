@@ -25,7 +25,7 @@ std::string golden_verdicts(solver::InstructionSet set) {
 std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts,
                         const Parts& parts) {
   if (!campaign.search.optimisation) return golden_verdicts;
-  std::string ends;  // of the first draws of a small sheet, by each goal
+  std::string ends;  // optima of a small sheet's first draws, for each objective
   for (const std::string& goal : solver::goal_names(&solver::Goal::is_same_everywhere)) {
     DrawEvaluator evaluator(
         schema::read_campaign(

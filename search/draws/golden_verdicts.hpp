@@ -1,4 +1,4 @@
-// Fixed draws, by which builds and machines know each other.
+// Judges fixed draws, by which builds and machines are compared.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace misalign::search {
 
-/// Fingerprint of this build's verdicts on fixed draws of a small sheet, in these registers: whole
-/// numbers, the same for every build whose verdicts can be trusted to agree.
+/// Returns the fingerprint of this build's verdicts on fixed draws of a small sheet, with this
+/// instruction set: the same for every build whose verdicts agree.
 std::string golden_verdicts(solver::InstructionSet set);
 
-/// The mark by which builds and machines that work on this campaign know each other: their
-/// verdicts, and where it optimises also the sheets at which fixed draws end, to the last bit.
+/// Returns the mark by which builds and machines of this campaign are compared: their golden
+/// verdicts and, if it optimises, the optima of fixed draws to the last bit.
 std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts,
                         const Parts& parts);
 

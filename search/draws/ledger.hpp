@@ -1,4 +1,5 @@
-// The ledger of draws: done, given out and open. A pure state machine, without clock, file or rank.
+// Keeps the ledger of draws: done, given out and open. A pure state machine, without clock, file or
+// rank.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +16,21 @@ using schema::DrawRange;
 
 class Ledger {
  public:
-  /// `done` are disjoint and ascending; what they leave of `wanted` is open.
+  /// `done` are disjoint and ascending; the rest of `wanted` is open.
   Ledger(const DrawRange& wanted, const std::vector<DrawRange>& done);
 
-  /// The lowest open draws, at most `most` (>= 1) of them, now given out; none if nothing is open.
+  /// Gives out the lowest open draws, at most `most` (>= 1); none if nothing is open.
   std::optional<DrawRange> take(std::uint64_t most);
-  /// These draws, now given out; false if they are not all open.
+  /// Gives out these draws; false if they are not all open.
   bool take(const DrawRange& range);
-  /// A range that was given out has come back done up to `done_to`; the rest is open again.
+  /// Takes back a range that is done up to `done_to`; the rest is open again.
   void finish(const DrawRange& taken, std::uint64_t done_to);
-  /// The goal ends here now: draws from `end` on are wanted no more, open or given out.
+  /// Ends the goal at `end`: draws from there on, open or given out, are not needed any more.
   void cut(std::uint64_t end);
 
   std::uint64_t open_draws() const { return open_draws_; }
   std::uint64_t draws_given_out() const { return draws_given_out_; }
-  /// Nothing below the end is open or given out.
+  /// Returns whether nothing below the end is open or given out.
   bool complete() const {
     return open_.empty() && (given_out_.empty() || *given_out_.begin() >= end_);
   }

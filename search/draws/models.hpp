@@ -1,4 +1,4 @@
-// The model of a campaign or a pattern: built once, and passed on to whoever folds its sheets.
+// Builds the model of a campaign or a pattern, which folds its sheets.
 #pragma once
 
 #include "schema/campaign/campaign.hpp"
@@ -6,8 +6,8 @@
 
 namespace misalign::search {
 
-/// Where a path is looked at besides its samples: at multiples of `step_deg` (0: at none), and at
-/// the angles of `at_deg`, as far as the path is followed.
+/// Stations of a path besides its samples: multiples of `step_deg` (0: none) and the angles
+/// `at_deg`, up to the path's end.
 struct StationOptions {
   StationOptions(double step = 0, std::vector<double> at = {})
       : step_deg(step), at_deg(std::move(at)) {}
@@ -15,13 +15,13 @@ struct StationOptions {
   std::vector<double> at_deg;
 };
 
-/// A campaign's: its draws shift its misalignment's vertices.
+/// Returns a campaign's model, whose draws shift the misalignment's vertices.
 solver::Model model_of(const schema::Campaign& campaign, const StationOptions& stations = {});
 
-/// The same for those of its draws that may deploy from `sample` on, with scores.
+/// Returns a campaign's model with scores, for draws that may deploy from `sample` on.
 solver::Model scoring_model_of(const schema::Campaign& campaign, int sample);
 
-/// A pattern's, which has no threshold.
+/// Returns a pattern's model, which has no threshold.
 solver::Model model_of(const schema::Pattern& pattern, const schema::Sampling& sampling,
                        const StationOptions& stations = {});
 

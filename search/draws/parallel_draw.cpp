@@ -11,14 +11,15 @@
 namespace misalign::search {
 namespace {
 
-// Of a hole whose delta is the coordinate before it.
-bool is_epsilon_beside_delta(const std::vector<solver::ParallelCoordinate>& of, std::size_t k) {
+// Returns whether coordinate k is an epsilon whose delta is the coordinate before it.
+bool is_epsilon_beside_delta(const std::vector<solver::ParallelCoordinate>& coordinates,
+                             std::size_t k) {
   using Kind = solver::ParallelCoordinate::Kind;
-  return k > 0 && of[k].kind == Kind::epsilon && of[k - 1].kind == Kind::delta &&
-         of[k].hole == of[k - 1].hole;
+  return k > 0 && coordinates[k].kind == Kind::epsilon && coordinates[k - 1].kind == Kind::delta &&
+         coordinates[k].hole == coordinates[k - 1].hole;
 }
 
-// delta epsilon > 0 at every hole.
+// Returns whether delta epsilon > 0 at every hole.
 bool has_like_signs(const Eigen::VectorXd& hole_changes_mm) {
   for (Eigen::Index h = 0; h < hole_changes_mm.size(); h += 2) {
     if (!(hole_changes_mm(h) * hole_changes_mm(h + 1) > 0)) return false;
@@ -26,17 +27,17 @@ bool has_like_signs(const Eigen::VectorXd& hole_changes_mm) {
   return true;
 }
 
-// What rounding may make of a multiple that just fits.
+// Rounding allowance of a multiple that just fits.
 constexpr double kRoom = 1 + 1e-9;
 
-// One of the whole numbers from one to another.
+// Returns one of the whole numbers `from` to `to`.
 double whole_number(std::uint32_t word, double from, double to) {
   constexpr double kWords = 4294967296.0;
   return from + std::floor(word / kWords * (to - from + 1));
 }
 
-// Coordinates one after another, on a grid: each a multiple of its step with which the shifts that
-// those before it make stay within the amplitude.
+// Draws coordinates on a grid one after another: each is a multiple of its step that keeps the
+// shifts, with the coordinates before it, within the amplitude.
 class GridMember {
  public:
   explicit GridMember(const schema::Misalignment& misalignment)
@@ -46,7 +47,7 @@ class GridMember {
         moved_mm_(Eigen::VectorXd::Zero(basis_.rows())) {}
 
   void begin() { moved_mm_.setZero(); }
-  /// `sign`: 0, or the one that is wanted.
+  /// Draws coordinate k; `sign` is 0 or the required sign.
   double take(std::uint32_t word, Eigen::Index k, double sign) {
     double least = -std::numeric_limits<double>::infinity(), most = -least;
     for (Eigen::Index i = 0; i < moved_mm_.size(); ++i) {
@@ -67,7 +68,7 @@ class GridMember {
   const schema::ParallelDraws& draws_;
   const solver::RowMatrix& basis_;
   const double most_mm_;
-  Eigen::VectorXd moved_mm_;  // of the shifted vertices so far, x and y in turn
+  Eigen::VectorXd moved_mm_;  // shifts so far, x and y in turn
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Draws of members of a base's parallel family.
+// Draws members of a base's parallel family.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,16 @@
 
 namespace misalign::search {
 
-/// A member with like signs is looked for this often before a draw is what came last.
+/// Number of tries for a member with like signs, before the last one is taken.
 inline constexpr std::uint32_t kMostTries = 1024;
 
-/// Shifts of draw d, mm: x and y of each of the misalignment's vertices in its order. Coordinate k
-/// of try t takes word k of the stream, from block t x ceil(coordinates / 4) on: uniform, times the
-/// amplitude; on a grid uniform among the multiples of its step with which shifts stay within the
-/// amplitude beside the coordinates before it. If like signs are asked for, the epsilon of a hole
-/// takes the sign of its delta where both are coordinates, and the first try counts in which they
-/// are alike at every hole. A member that shifts a vertex farther than the amplitude along x or y
-/// is made smaller as a whole: a member still.
+/// Writes the shifts of draw d in mm: x and y of each of the misalignment's vertices in its order.
+/// Coordinate k of try t takes word k of the stream, from block t x ceil(coordinates / 4) on:
+/// uniform, times the amplitude. On a grid it is uniform among those multiples of the step that
+/// keep the shifts, with the coordinates before it, within the amplitude. For like signs the
+/// epsilon of a hole takes the sign of its delta if both are coordinates, and the first try with
+/// like signs at every hole counts. A member that shifts a vertex farther than the amplitude along
+/// x or y is scaled down as a whole, and stays a member.
 void draw_member(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  double* shifts_mm, std::uint32_t stream);
 

@@ -1,5 +1,5 @@
-// Philox4x32-10, four draws to a register, word by word as Random123 has it: Salmon, Moraes, Dror &
-// Shaw, Parallel random numbers: as easy as 1, 2, 3 (2011). Compiled with -mavx2.
+// Computes Philox4x32-10 for four draws in a register, compiled with -mavx2. The words are
+// Random123's: Salmon, Moraes, Dror & Shaw, Parallel random numbers: as easy as 1, 2, 3 (2011).
 #include <immintrin.h>
 
 #include <cstring>
@@ -13,7 +13,7 @@ constexpr int kLanes = 4;
 using Lanes [[gnu::vector_size(kLanes * sizeof(std::uint64_t))]] = std::uint64_t;
 using Words [[gnu::vector_size(kLanes * sizeof(std::uint32_t))]] = std::uint32_t;
 
-// Of the low halves.
+// Returns the products of the low halves.
 Lanes product(const Lanes& a, std::uint32_t b) {
   return Lanes(_mm256_mul_epu32(__m256i(a), _mm256_set1_epi64x(b)));
 }
@@ -24,7 +24,7 @@ void philox_avx2(std::uint64_t seed, std::uint64_t first_draw, std::uint32_t blo
                  std::uint32_t stream, WordsOfDraws& words) {
   const Lanes none = {};
   for (int first = 0; first < kDrawsAtOnce; first += kLanes) {
-    // What a lane has above its 32 bits is left alone: multiplications do not see it.
+    // Bits above a lane's 32 stay as they are: multiplications ignore them.
     Lanes counter[4] = {none, none, none + block, none + stream};
     for (int i = 0; i < kLanes; ++i) {
       counter[0][i] = first_draw + static_cast<std::uint64_t>(first + i);

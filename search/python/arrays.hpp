@@ -1,4 +1,4 @@
-// NumPy arrays from what the solver counts and measures.
+// Converts between NumPy arrays and the solver's numbers.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -13,7 +13,7 @@
 
 namespace misalign::search::python {
 
-/// Whether an entry of an array, or of one in a list, is masked.
+/// Returns whether an array, or one in a list, has masked entries.
 inline bool is_masked(const pybind11::handle& given) {
   namespace py = pybind11;
   if (py::isinstance<py::array>(given)) {
@@ -23,21 +23,21 @@ inline bool is_masked(const pybind11::handle& given) {
          std::any_of(given.begin(), given.end(), is_masked);
 }
 
-/// What NumPy makes of numbers that somebody gives, by this function of its. UserError
-/// (bad_request) if some are masked, of which NumPy would take what lies under the mask.
+/// Converts a caller's numbers with the NumPy function `maker`. UserError (bad_request) if some are
+/// masked: NumPy would take the values under the mask.
 inline pybind11::array array_of_given(const pybind11::object& given, const char* name,
                                       const char* maker = "asarray") {
   if (is_masked(given)) {
-    throw schema::UserError(schema::Cause::bad_request,
-                            std::string(name) +
-                                ": has masked entries (there is no number there); fill them, or "
-                                "leave those rows out");
+    throw schema::UserError(
+        schema::Cause::bad_request,
+        std::string(name) +
+            ": has masked entries (they hold no numbers); fill them, or omit those rows");
   }
   return pybind11::module_::import("numpy").attr(maker)(given);
 }
 
-/// The same as numbers of one type, one after another. What NumPy refuses, such as memory, is
-/// Python's error: `ensure` would answer null.
+/// Converts to contiguous numbers of one type. NumPy's errors, such as of memory, become Python's:
+/// `ensure` would return null.
 template <class Value>
 pybind11::array_t<Value, pybind11::array::c_style | pybind11::array::forcecast> numbers_of(
     const pybind11::array& array) {
@@ -45,7 +45,7 @@ pybind11::array_t<Value, pybind11::array::c_style | pybind11::array::forcecast> 
       pybind11::object(array));
 }
 
-/// A row for each entry, of equal length.
+/// Returns a table with a row for each entry.
 template <class Value, std::size_t Columns>
 pybind11::array_t<Value> table_of(const std::vector<std::array<Value, Columns>>& rows) {
   pybind11::array_t<Value> table({rows.size(), Columns});
@@ -63,7 +63,7 @@ pybind11::array_t<Value> list_of(const std::vector<Value>& values) {
   return pybind11::array_t<Value>(static_cast<pybind11::ssize_t>(values.size()), values.data());
 }
 
-/// 2 x vertices as [V, 2].
+/// Converts 2 x vertices to [V, 2].
 inline pybind11::array_t<double> points_of(const Eigen::Matrix2Xd& columns) {
   return pybind11::array_t<double>({columns.cols(), Eigen::Index{2}}, columns.data());
 }

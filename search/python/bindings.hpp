@@ -1,5 +1,5 @@
-// The parts of the compiled module `_misalign`. What people import is the package beside: its
-// functions have the words, these convert.
+// Declares the parts of the compiled module `_misalign`, which converts for the package `misalign`;
+// the package has the documentation.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,5 +1,5 @@
-// `_misalign.Catalogue`: read-only, one connection for each call, so that threads and forks share
-// none.
+// Binds `_misalign.Catalogue`: read-only, with a connection for each call, so that threads and
+// forks share none.
 #include <fcntl.h>
 #include <pybind11/stl.h>
 #include <sys/stat.h>
@@ -29,8 +29,8 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-// Which file a name leads to. One that is made after another is removed may get its number, but not
-// its time of birth, where the file system keeps that.
+// Identity of the file behind a name. A new file may get the number of a removed one, but not its
+// time of birth, if the file system keeps that.
 struct FileIdentity {
   bool operator==(const FileIdentity&) const = default;
   std::uint64_t device = 0, number = 0;
@@ -146,7 +146,7 @@ class Catalogue {
         database, [&] { return database.execAndGet("SELECT identity FROM campaign").getString(); });
   }
 
-  // The file that was opened first: source_ is of its campaign.
+  // Opens the file again and refuses any other than the first, whose campaign is source_.
   std::unique_ptr<SQLite::Database> open() const {
     auto database = schema::open_for_reading(path_);
     const auto refuse = [&](const std::string& what) {
@@ -155,7 +155,8 @@ class Catalogue {
           path_ + ": " + what +
               " was opened (it was replaced); open it again with misalign.Catalogue");
     };
-    if (identity_of(*database) != identity_) throw refuse("holds another campaign than when it");
+    if (identity_of(*database) != identity_)
+      throw refuse("holds another campaign than the file that");
     if (FileIdentity::of(path_) != file_) throw refuse("is another file than the one that");
     return database;
   }

@@ -1,4 +1,4 @@
-// Miscut copies of a sheet as Python asks for them.
+// Prepares miscut copies of a sheet for Python.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,15 @@
 
 namespace misalign::search::python {
 
-/// A number of copies, or of threads, as schema::check_parameter() has it.
+/// Checks a number of copies, or of threads, by schema::check_parameter().
 template <class Count>
 Count checked_count(const char* study, const char* name, std::int64_t count) {
   schema::check_parameter(study, name, static_cast<double>(count));
   return static_cast<Count>(count);
 }
 
-/// So many, on the widest registers there are; Ctrl-C ends them.
+/// Returns the options of `trials` copies in `jobs` threads, with the widest instruction set;
+/// Ctrl-C ends them.
 inline ToleranceOptions copies_of(std::int64_t trials, std::int64_t jobs) {
   ToleranceOptions options;
   options.trials = checked_count<std::uint64_t>("tolerance", "trials", trials);

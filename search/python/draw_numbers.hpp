@@ -1,4 +1,4 @@
-// Numbers of draws, from anything that NumPy makes an array of.
+// Reads numbers of draws from anything that NumPy converts to an array.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -10,7 +10,8 @@
 
 namespace misalign::search::python {
 
-/// One number, or a list, range or array of them: whole, 0 to 2^63 - 1. UserError (bad_request).
+/// Reads a number, or a list, range or array of them: whole, 0 to 2^63 - 1. UserError
+/// (bad_request).
 inline std::vector<std::uint64_t> draw_numbers(const pybind11::object& draws) {
   namespace py = pybind11;
   const auto refuse = [](const std::string& why) {
@@ -21,7 +22,7 @@ inline std::vector<std::uint64_t> draw_numbers(const pybind11::object& draws) {
   if (all.ndim() != 1) throw refuse("has " + std::to_string(all.ndim()) + " axes, not one");
   if (all.size() == 0) return {};
   const char kind = all.dtype().kind();
-  if (kind != 'i' && kind != 'u') throw refuse("holds what are no whole numbers");
+  if (kind != 'i' && kind != 'u') throw refuse("holds values that are no whole numbers");
   std::vector<std::uint64_t> numbers;
   if (kind == 'u') {
     const auto list = numbers_of<std::uint64_t>(all);
@@ -41,7 +42,7 @@ inline std::vector<std::uint64_t> draw_numbers(const pybind11::object& draws) {
   return numbers;
 }
 
-/// One of them.
+/// Reads one number.
 inline std::uint64_t draw_number(const pybind11::object& draw) {
   const std::vector<std::uint64_t> numbers = draw_numbers(draw);
   if (numbers.size() == 1) return numbers.front();

@@ -11,13 +11,13 @@ namespace misalign::search::python {
 namespace py = pybind11;
 
 void bind_errors(py::module_& module) {
-  // Made by the package, which says what it is; handed over before anything can fail.
+  // The package defines the type and passes it before anything can fail.
   module.def(
       "_use_error",
       [](py::object type) {
         static PyObject* error_type = nullptr;
         const bool is_first = error_type == nullptr;
-        error_type = type.release().ptr();  // for as long as the process lives
+        error_type = type.release().ptr();  // never released
         if (!is_first) return;
         py::register_exception_translator([](std::exception_ptr thrown) {
           try {

@@ -1,6 +1,5 @@
 #include "search/python/folding.hpp"
 
-
 #include "search/draws/decision_stream.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
@@ -15,9 +14,9 @@ namespace {
 namespace py = pybind11;
 using Eigen::Index;
 
-constexpr Index kFlat = -1, kBeyond = -2;  // instead of a row of the history
+constexpr Index kFlat = -1, kBeyond = -2;  // marks instead of a row of the history
 
-// The row of the history that shows each angle.
+// Returns the row of the history for each angle.
 std::vector<Index> rows_at(const std::vector<double>& pilot_deg, const solver::Sheet& sheet) {
   std::vector<Index> rows;
   for (const double angle_deg : pilot_deg) {
@@ -64,7 +63,7 @@ py::dict fold(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
   const schema::Pattern& base = source.sheet.base;
   const schema::Sampling sampling = sampling_for(stations_deg, source);
   StationOptions stations(0, stations_deg.value_or(std::vector<double>()));
-  std::erase(stations.at_deg, 0);  // which no path has to be followed to
+  std::erase(stations.at_deg, 0);  // flat needs no path
   std::optional<FoldingModel> model;
   std::optional<solver::Sheet> sheet;
   unlocked([&] {

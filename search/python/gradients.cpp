@@ -1,5 +1,5 @@
-// `_misalign.gradient`: how lengths, slopes, fold angles, folded vertices and the fold limit change
-// with where the vertices lie.
+// Binds `_misalign.gradient`: derivatives of lengths, slopes, fold angles, folded vertices and the
+// fold limit by the vertices' coordinates.
 #include <limits>
 
 #include "search/python/arrays.hpp"
@@ -43,14 +43,14 @@ Gradients gradients_of(const PatternSource& source, const std::vector<double>& s
     watch_signals();
     const bool is_on = pilot_deg <= sheet.way()->end_deg();
     auto found = is_on ? gradients.at(pilot_deg) : std::nullopt;
-    if (!found) {  // beyond its end: no numbers
+    if (!found) {  // no values beyond the path's end
       found = gradients.at(0).value();
       found->length_mm.setConstant(none), found->length_by_mm.setConstant(none);
       found->fold_deg.setConstant(none), found->fold_by_mm.setConstant(none);
     }
     const Index diagonals = found->length_mm.size(), heights = 3 * coordinates / 2;
     all.angles.push_back(std::move(*found));
-    // Where a way ends there are no slopes, nor where it begins shapes.
+    // There are no slopes at the end of a way, and no shapes at its start.
     auto slopes = is_on ? gradients.slopes(pilot_deg) : std::nullopt;
     all.slopes.push_back(
         slopes ? std::move(*slopes)
@@ -65,7 +65,7 @@ Gradients gradients_of(const PatternSource& source, const std::vector<double>& s
   return all;
 }
 
-// [S, rows, V, 2], of x and y of each vertex in turn.
+// Returns [S, rows, V, 2], for x and y of each vertex in turn.
 template <class OfAngle>
 py::array_t<double> by_vertex(const std::vector<OfAngle>& angles, MatrixXd OfAngle::*member) {
   const MatrixXd& first = angles.front().*member;
@@ -92,7 +92,7 @@ py::array_t<double> numbers(const std::vector<OfAngle>& angles, Eigen::VectorXd 
   return table;
 }
 
-// [S, V, 3], and [S, V, 3, V, 2].
+// Returns [S, V, 3], and [S, V, 3, V, 2].
 py::array_t<double> places(const std::vector<solver::PathGradients::Shape>& angles) {
   py::array_t<double> table({std::ssize(angles), angles.front().at_mm.cols(), Index{3}});
   auto cells = table.mutable_unchecked<3>();
@@ -109,7 +109,7 @@ py::dict gradient(const PatternSource& source, const py::object& stations) {
   const auto stations_deg = stations_of(stations);
   if (!stations_deg) {
     throw schema::UserError(schema::Cause::bad_request,
-                            "stations: are not given; name pilot angles in degrees");
+                            "stations: are not given; give pilot angles in degrees");
   }
   const Gradients all = unlocked([&] { return gradients_of(source, *stations_deg); });
   py::dict found;

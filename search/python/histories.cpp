@@ -13,7 +13,7 @@ namespace py = pybind11;
 
 namespace {
 
-// Lanes are idle once a block has no sheet left to start; of large sheets memory counts.
+// Size of a block: large blocks keep the lanes busy; memory limits large sheets.
 std::size_t histories_at_once(const solver::Model& model) {
   constexpr std::size_t kBytes = 16 << 20, kFewest = 8, kMost = 64;
   const solver::Mechanism& mechanism = model.mechanism();

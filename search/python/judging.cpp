@@ -1,4 +1,5 @@
-// `_misalign.accepted` and `_misalign.verdicts`: whole arrays of shifts in the lanes.
+// Binds `_misalign.accepted` and `_misalign.verdicts`, which judge whole arrays of shifts in the
+// lanes.
 #include <algorithm>
 
 #include "search/draws/decision_stream.hpp"
@@ -31,12 +32,12 @@ ModelKey with_all_vertices(ModelKey key) {
   return key;
 }
 
-// Judges sheets from `first` on until none is left, or until one has shifts at vertices that the
-// model does not know; the first sheet that was not judged. `one` gets a stream and a block, `rest`
-// the stream at the end; Python's signals are looked at between them.
-template <class One, class Rest>
+// Judges sheets from `first` on, up to the end or a sheet with shifts at vertices that the model
+// does not know. Returns the first sheet that was not judged. `each` gets a stream and a
+// block, `rest` the stream at the end; Python's signals are checked in between.
+template <class Each, class Rest>
 std::uint64_t judge_from(std::uint64_t first, const ModelKey& key, ShiftBlocks& blocks,
-                         const One& one, const Rest& rest) {
+                         const Each& each, const Rest& rest) {
   const ModelLoan loan(key);
   DecisionStream stream(loan.model(), loan.batch());
   Draws block;
@@ -46,7 +47,7 @@ std::uint64_t judge_from(std::uint64_t first, const ModelKey& key, ShiftBlocks& 
     const double* const rows = blocks.rows(first, count);
     unlocked([&] {
       fits = blocks.pack(rows, first, count, key.shifted, block);
-      if (fits) one(stream, block);
+      if (fits) each(stream, block);
     });
     if (fits) first += count;
     check_signals();
@@ -55,13 +56,13 @@ std::uint64_t judge_from(std::uint64_t first, const ModelKey& key, ShiftBlocks& 
   return first;
 }
 
-template <class One, class Rest>
-void judge_all(const ModelKey& key, ShiftBlocks& blocks, const One& one, const Rest& rest) {
-  const std::uint64_t judged = judge_from(0, key, blocks, one, rest);
-  if (judged < blocks.sheets()) judge_from(judged, with_all_vertices(key), blocks, one, rest);
+template <class Each, class Rest>
+void judge_all(const ModelKey& key, ShiftBlocks& blocks, const Each& each, const Rest& rest) {
+  const std::uint64_t judged = judge_from(0, key, blocks, each, rest);
+  if (judged < blocks.sheets()) judge_from(judged, with_all_vertices(key), blocks, each, rest);
 }
 
-// [N]: 0 not accepted, 1 accepted, 2 undecided.
+// Returns [N]: 0 rejected, 1 accepted, 2 undecided.
 py::array_t<std::uint8_t> accepted(const Source& source, const py::object& shifts_mm,
                                    double threshold_deg) {
   ShiftBlocks blocks(shifts_mm, *source);
@@ -78,7 +79,8 @@ py::array_t<std::uint8_t> accepted(const Source& source, const py::object& shift
   return decisions;
 }
 
-// Three arrays [N]: D in degrees, the fault's number in `faults`, the crease or diagonal or -1.
+// Returns three arrays [N]: D in degrees, the fault's number in `faults`, the crease or diagonal or
+// -1.
 py::tuple verdicts(const Source& source, const py::object& shifts_mm) {
   ShiftBlocks blocks(shifts_mm, *source);
   const auto sheets = static_cast<py::ssize_t>(blocks.sheets());
@@ -104,7 +106,7 @@ py::tuple verdicts(const Source& source, const py::object& shifts_mm) {
   return py::make_tuple(deploys_from_deg, fault, where);
 }
 
-// By their numbers in verdicts.
+// Returns the names of faults by their numbers in verdicts.
 py::tuple fault_names() {
   py::tuple names(solver::fault_table().size());
   for (const solver::FaultEntry& entry : solver::fault_table()) {

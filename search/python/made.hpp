@@ -1,4 +1,5 @@
-// Calls with what an object holds. One that Python made by __new__ alone, and None, hold nothing.
+// Calls functions with the object that a Python object holds. None, and an object made by __new__
+// alone, hold none.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,19 +9,19 @@
 
 namespace misalign::search::python {
 
-/// The function, or the method, as a binding calls it; TypeError for None. pybind11 checks a holder
-/// before it gives it (RuntimeError), but lends memory that nothing was made in as a reference.
+/// Wraps a function or method for a binding; TypeError for None. pybind11 checks a holder
+/// (RuntimeError), but would pass uninitialised memory as a reference.
 template <class Answer, class Object, class... Arguments>
 auto made(Answer (*function)(const Object&, Arguments...)) {
   return [function](const std::shared_ptr<Object>& object, Arguments... arguments) {
-    if (!object) throw pybind11::type_error("None is no sheet");
+    if (!object) throw pybind11::type_error("None is not a sheet");
     return function(*object, std::forward<Arguments>(arguments)...);
   };
 }
 template <class Answer, class Object, class... Arguments>
 auto made(Answer (Object::*method)(Arguments...) const) {
   return [method](const std::shared_ptr<Object>& object, Arguments... arguments) {
-    if (!object) throw pybind11::type_error("None is no catalogue");
+    if (!object) throw pybind11::type_error("None is not a catalogue");
     return ((*object).*method)(std::forward<Arguments>(arguments)...);
   };
 }

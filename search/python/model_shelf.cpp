@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostModels = 4, kMostIdle = 4;  // some megabytes each
 
-// The last one that was asked for comes first.
+// Models by their last use, the latest first.
 std::list<std::shared_ptr<ShelvedModel>>& shelf() {
   static std::list<std::shared_ptr<ShelvedModel>> models;
   return models;
@@ -46,7 +46,7 @@ std::shared_ptr<ShelvedModel> make(const ModelKey& key) {
 ModelLoan::ModelLoan(const ModelKey& key) : shelved_(taken(key)) {
   if (!shelved_) {
     const auto made = unlocked([&] { return make(key); });
-    shelved_ = taken(key);  // somebody else may have made it meanwhile
+    shelved_ = taken(key);  // another thread may have made it meanwhile
     if (!shelved_) {
       shelved_ = made;
       shelf().push_front(made);

@@ -1,5 +1,5 @@
-// A cache of models that were used lately, with their lanes: making them ready takes longer than
-// judging a thousand sheets. Guarded by the GIL, which is held across fork: a child finds it whole.
+// Caches recently used models with their lanes: building one takes longer than judging a thousand
+// sheets. The GIL guards the cache and is held across fork, so that a child finds it consistent.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace misalign::search::python {
 
-/// What tells one model from another.
+/// The properties that identify a model.
 struct ModelKey {
   std::shared_ptr<PatternSource> source;
   std::vector<int> shifted;
@@ -24,8 +24,8 @@ struct ShelvedModel {
   std::vector<std::unique_ptr<solver::Batch>> idle;
 };
 
-/// A model, and lanes of it that nobody else uses until this is gone. Made and destroyed with the
-/// GIL, which it gives up while it makes something ready.
+/// A model with lanes for exclusive use during its life. Made and destroyed with the GIL, which it
+/// releases while it builds.
 class ModelLoan {
  public:
   explicit ModelLoan(const ModelKey& key);

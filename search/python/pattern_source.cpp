@@ -12,7 +12,7 @@ namespace misalign::search::python {
 namespace {
 
 bool is_database(const std::string& path) {
-  if (path.find('\0') != std::string::npos) return false;  // no file at all
+  if (path.find('\0') != std::string::npos) return false;  // no possible file name
   std::ifstream file(path, std::ios::binary);
   std::string start(schema::kDatabaseHeader.size(), ' ');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));

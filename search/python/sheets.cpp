@@ -1,4 +1,4 @@
-// `_misalign.Sheet`: what a pattern or campaign file says, as arrays.
+// Binds `_misalign.Sheet`: the contents of a pattern or campaign file as arrays.
 #include <pybind11/stl.h>
 
 #include "schema/campaign/campaign_file.hpp"
@@ -20,7 +20,7 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-// Vertices of lines, and how people call them.
+// Vertices and labels of lines.
 struct Lines {
   std::vector<std::array<int, 2>> ends;
   std::vector<std::string> labels;
@@ -44,7 +44,7 @@ py::dict campaign_of(const schema::Campaign& campaign) {
       "configuration"_a = schema::campaign_json(campaign).dump());
 }
 
-// Everything at once: small, and it never changes.
+// Returns all at once, since it is small and never changes.
 py::dict describe(const PatternSource& source) {
   const schema::Pattern& base = source.sheet.base;
   const solver::Mechanism mechanism = solver::build_mechanism(base.base);
@@ -91,7 +91,7 @@ py::array_t<double> shifts(const PatternSource& source, const py::object& draws)
     throw schema::UserError(schema::Cause::bad_request,
                             campaign.name +
                                 ": is a splitting campaign, whose numbers are no draws (each is a "
-                                "place in a population); take Catalogue.shifts of its catalogue");
+                                "place in a population); use Catalogue.shifts of its catalogue");
   }
   const auto vertices = static_cast<std::size_t>(source.vertices());
   py::array_t<double> made_mm({numbers.size(), vertices, std::size_t{2}});

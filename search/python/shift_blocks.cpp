@@ -26,7 +26,8 @@ py::array array_of(const py::object& shifts_mm, const std::vector<py::ssize_t>& 
                    const std::string& form) {
   const py::array array = array_of_given(shifts_mm, "shifts_mm");
   const char kind = array.dtype().kind();
-  if (kind != 'f' && kind != 'i' && kind != 'u') throw no_shifts("holds what are no numbers", form);
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw no_shifts("holds values that are no numbers", form);
   const auto axes = static_cast<py::ssize_t>(shape.size());
   bool fits = array.ndim() == axes;
   for (py::ssize_t axis = 0; fits && axis < axes; ++axis) {
@@ -48,7 +49,7 @@ void check(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
     if (shifts_mm.col(v).allFinite()) continue;
     throw schema::UserError(schema::Cause::bad_request,
                             fmt::format("shifts_mm: {}vertex {} is shifted by [{}, {}], which are "
-                                        "not both numbers; give finite ones, in mm",
+                                        "not both finite; give finite numbers, in mm",
                                         whose, solver::vertex_label(static_cast<int>(v)),
                                         shifts_mm(0, v), shifts_mm(1, v)));
   }
@@ -57,8 +58,8 @@ void check(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
   if (bad.empty()) return;
   throw schema::UserError(
       schema::Cause::bad_request,
-      fmt::format("shifts_mm: {}the shifts turn the facet {} into no convex quadrilateral; shift "
-                  "vertices by a small part of a panel",
+      fmt::format("shifts_mm: {}the shifts make the facet {} nonconvex; shift vertices by a small "
+                  "part of a panel",
                   whose, schema::facet_json(source.sheet.base, bad.front()).dump()));
 }
 
@@ -108,7 +109,7 @@ bool ShiftBlocks::pack(const double* rows, std::uint64_t first, std::uint64_t co
     bool is_safe = true, is_shifted_elsewhere = false;
     for (const int vertex : shifted) {
       const double x = rows[2 * vertex], y = rows[2 * vertex + 1];
-      is_safe &= std::abs(x) < safe_mm && std::abs(y) < safe_mm;  // which NaN is not
+      is_safe &= std::abs(x) < safe_mm && std::abs(y) < safe_mm;  // false for NaN
       *to++ = x;
       *to++ = y;
     }

@@ -8,7 +8,7 @@ namespace misalign::search::python {
 
 namespace py = pybind11;
 
-// Closer to flat, where all branches meet, a path may be lost.
+// Least station: closer to flat, where all branches meet, a path may be lost.
 constexpr double kLeast_deg = 0.01;
 
 std::optional<std::vector<double>> stations_of(const py::object& stations) {
@@ -22,7 +22,7 @@ std::optional<std::vector<double>> stations_of(const py::object& stations) {
   const char kind = all.dtype().kind();
   if (all.ndim() != 1) throw refuse("has " + std::to_string(all.ndim()) + " axes, not one");
   if (all.size() == 0) throw refuse("is empty");
-  if (kind != 'f' && kind != 'i' && kind != 'u') throw refuse("holds what are no numbers");
+  if (kind != 'f' && kind != 'i' && kind != 'u') throw refuse("holds values that are no numbers");
   const auto list = numbers_of<double>(all);
   const std::vector<double> angles_deg(list.data(), list.data() + list.size());
   for (std::size_t k = 0; k < angles_deg.size(); ++k) {

@@ -1,4 +1,4 @@
-// The angles at which a caller wants to see a path.
+// Reads the stations of a path that a caller requests.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -10,11 +10,11 @@
 
 namespace misalign::search::python {
 
-/// Nothing for every sample. UserError (bad_request) unless they ascend: 0, then 0.01 to 180
-/// degrees.
+/// Returns the stations; nothing means every sample. UserError (bad_request) unless they ascend: 0,
+/// then 0.01 to 180 degrees.
 std::optional<std::vector<double>> stations_of(const pybind11::object& stations);
 
-/// How far a path is followed to see these: beyond its own end where they lie there, but never
+/// Returns the sampling that reaches these stations: beyond the path's end if needed, but no
 /// farther than the correct sheet folds.
 schema::Sampling sampling_for(const std::optional<std::vector<double>>& stations_deg,
                               const PatternSource& source);

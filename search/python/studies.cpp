@@ -1,4 +1,4 @@
-// `_misalign.study`: what a verb says of one sheet, as JSON.
+// Binds the studies of one sheet, which return a verb's JSON.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <pybind11/stl.h>
@@ -25,19 +25,20 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-// What was said of the design, by the block's own keys.
-schema::Design design_of(const std::string& said) {
+// Reads a call's design, with the keys of the block `design`.
+schema::Design design_of(const std::string& text) {
   schema::InputFaults faults;
-  const schema::Design design = schema::read_design(schema::Json::parse(said), "", faults);
+  const schema::Design design = schema::read_design(schema::Json::parse(text), "", faults);
   if (!faults.none()) {
     throw schema::UserError(schema::Cause::bad_request, faults.sentences().front());
   }
   return design;
 }
 
-// The JSON of what `study` finds of the sheet with this design.
+// Returns the JSON of `study` for the sheet with this design.
 template <class Study>
-std::string said_of(const PatternSource& source, const std::string& design, const Study& study) {
+std::string json_of_study(const PatternSource& source, const std::string& design,
+                          const Study& study) {
   return unlocked([&] {
     Subject subject(source.sheet, design_of(design));
     return study_json(subject, study(subject)).dump();
@@ -47,20 +48,20 @@ std::string said_of(const PatternSource& source, const std::string& design, cons
 std::string contact(const PatternSource& source, const std::string& design,
                     const std::optional<double>& trim_mm) {
   if (trim_mm) schema::check_parameter("", "trim_mm", *trim_mm);
-  return said_of(source, design, [&](const Subject& subject) {
+  return json_of_study(source, design, [&](const Subject& subject) {
     return contact_of(subject.sheet, {trim_mm, subject.model.design().from_deg});
   });
 }
 
 std::string actuators(const PatternSource& source, const std::string& design) {
-  return said_of(source, design, [](const Subject& subject) {
+  return json_of_study(source, design, [](const Subject& subject) {
     return actuated(subject.sheet, subject.model.design());
   });
 }
 
 std::string deploy(const PatternSource& source, const std::string& design,
                    const std::optional<bool>& bends) {
-  return said_of(source, design, [&](const Subject& subject) {
+  return json_of_study(source, design, [&](const Subject& subject) {
     const schema::Design& whole = subject.model.design();
     return released_sheet(subject.sheet, deploy_options(whole, subject.sheet), whole,
                           bends.value_or(panels_bend(whole, subject.sheet)));
@@ -84,13 +85,13 @@ std::string optimise(const PatternSource& source, const std::string& design,
   check("rest_deg", rest_deg);
   check("miscut_mm", miscut_mm);
   const auto copies = checked_count<std::uint64_t>("optimise", "trials", trials);
-  return said_of(source, design, [&](Subject& subject) {
+  return json_of_study(source, design, [&](Subject& subject) {
     OptimiseInput input;
     input.goal = solver::goal_named(goal);
     if (!input.goal) {
       throw schema::UserError(solver::OptionFault{
           "goal", schema::printable(goal), schema::unknown_word(goal, "goal", solver::goal_names()),
-          fmt::format("name one of {}", fmt::join(solver::goal_names(), ", "))});
+          fmt::format("choose one of {}", fmt::join(solver::goal_names(), ", "))});
     }
     input.bounds = schema::bounds_of(subject_to);
     input.ternary = ternary;
@@ -112,8 +113,8 @@ std::string card(const PatternSource& source, const std::string& design, std::in
                  std::int64_t jobs) {
   const CardOptions options{checked_count<std::uint64_t>("card", "trials", trials),
                             checked_count<int>("", "jobs", jobs)};
-  return said_of(source, design,
-                 [&](const Subject& subject) { return card_of(subject, options).card; });
+  return json_of_study(source, design,
+                       [&](const Subject& subject) { return card_of(subject, options).card; });
 }
 
 std::string certify(const PatternSource& source, const std::string& design, bool contact) {
@@ -130,15 +131,15 @@ std::string certify(const PatternSource& source, const std::string& design, bool
   });
 }
 
-std::string tolerance(const PatternSource& source, const std::string& said, std::int64_t trials,
-                      std::int64_t jobs) {
+std::string tolerance(const PatternSource& source, const std::string& design_text,
+                      std::int64_t trials, std::int64_t jobs) {
   ToleranceOptions options = copies_of(trials, jobs);
   return unlocked([&] {
-    const schema::Design design = design_of(said).merged_over(source.sheet.design);
+    const schema::Design design = design_of(design_text).merged_over(source.sheet.design);
     if (!design.miscut_mm) {
       throw schema::UserError(
           schema::Cause::bad_request,
-          "amplitude_mm: is not said, nor does the design say miscut_mm; try 0.05");
+          "amplitude_mm: is not given, and the design has no miscut_mm; try 0.05");
     }
     options.amplitude_mm = *design.miscut_mm;
     check_miscut(options.amplitude_mm, source.pattern(), source.sheet.shifts_mm,

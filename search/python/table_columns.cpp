@@ -17,9 +17,10 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr int kStepsBetweenSignals = 1000000;  // of SQLite's machine: some hundredths of a second
+constexpr int kStepsBetweenSignals =
+    1000000;  // steps of SQLite's machine: some hundredths of a second
 
-// For SQLite, which ends the statement then; the exception is set.
+// Checks signals for SQLite, which then ends the statement; the exception is set.
 int is_interrupted(void*) {
   const py::gil_scoped_acquire lock;
   return PyErr_CheckSignals();
@@ -38,7 +39,7 @@ Cell cell_of(const SQLite::Column& column) {
   return schema::text_of(column);
 }
 
-// Numbers side by side while a column has no others; what is NULL is known by its place.
+// Stores numbers contiguously while a column has no others; the places of NULL are kept.
 class Column {
  public:
   void add(Cell cell) {

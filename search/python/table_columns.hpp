@@ -1,4 +1,4 @@
-// The rows of a query as columns.
+// Returns the rows of a query as columns.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -8,8 +8,8 @@
 
 namespace misalign::search::python {
 
-/// {name: column}: an array of int64 where all are whole numbers, of float64 where all are numbers
-/// or NULL (NaN), else a list of what there is. UserError as from read_query.
+/// Returns {name: column}: an array of int64 if all values are whole numbers, of float64 if all are
+/// numbers or NULL (NaN), else a list. UserError as from read_query.
 pybind11::dict table_of_query(SQLite::Database& database, const std::string& sql);
 
 }  // namespace misalign::search::python

@@ -11,14 +11,14 @@ void expect_one_layout(const std::vector<RankInfo>& ranks) {
     if (ranks[k].layout == ranks[0].layout) continue;
     throw schema::UserError(
         schema::Cause::foreign,
-        fmt::format("rank {} on {} sends its results in another layout than rank 0 on {} (another "
-                    "build); put the same program on every host",
+        fmt::format("rank {} on {} sends its results in another layout than rank 0 on {} (it is "
+                    "another build); install the same build on every host",
                     k, ranks[k].host, ranks[0].host));
   }
 }
 
 void say_nothing_began() {
-  spdlog::warn("stopped before anything was done; the same command begins again");
+  spdlog::warn("stopped before any work was done; the same command starts again");
 }
 
 void expect_joined(const MpiSession& mpi) {
@@ -27,18 +27,18 @@ void expect_joined(const MpiSession& mpi) {
   throw schema::UserError(
       schema::Cause::bad_request,
       fmt::format(
-          "{0} has started {1} tasks ({2}), and MPI says 1 rank in each of them (it knows nothing "
-          "of the others: no PMIx), so that all would make the same draws; start them with the "
-          "mpirun of its MPI, or with srun --mpi=pmix where that MPI has PMIx, or give each task "
-          "draws of its own with {3}, or say {4} where every task has a catalogue of its own",
+          "{0} has started {1} tasks ({2}), but MPI counts 1 rank in each (it cannot see the "
+          "others: no PMIx), so that all would make the same draws; start them with the mpirun of "
+          "its MPI, or with srun --mpi=pmix if that MPI has PMIx, or give each task its own draws "
+          "with {3}, or use {4} if every task has its own catalogue",
           tasks->launcher, tasks->count, tasks->variable, schema::parameter("range"),
           schema::parameter("ranks", "1")));
 }
 
-std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& own) {
+std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& info) {
   std::vector<RankInfo> ranks;
-  const auto hosts = mpi.gather(own.host), layouts = mpi.gather(own.layout),
-             verdicts = mpi.gather(own.golden_verdicts);
+  const auto hosts = mpi.gather(info.host), layouts = mpi.gather(info.layout),
+             verdicts = mpi.gather(info.golden_verdicts);
   for (std::size_t k = 0; k < hosts.size(); ++k) {
     ranks.push_back({hosts[k], layouts[k], verdicts[k]});
   }
@@ -54,8 +54,8 @@ std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds b
     throw schema::UserError(
         schema::Cause::foreign,
         fmt::format("rank {} on {} gives other verdicts on the golden draws than rank 0 on {} "
-                    "(another build, or a broken machine); put the same program on every host, or "
-                    "use {} if you know that the difference does no harm",
+                    "(it is another build, or its machine is broken); install the same build on "
+                    "every host, or use {} if you know that the difference is harmless",
                     k, ranks[k].host, ranks[0].host, schema::parameter("allow_mixed_builds")));
   }
   return fmt::to_string(fmt::join(different, " "));

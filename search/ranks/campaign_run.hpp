@@ -1,5 +1,5 @@
-// Runs one campaign on all ranks: rank 0 opens its catalogue, all make the campaign ready and say
-// what they are, work until rank 0 has enough, and meet.
+// Runs one campaign on all ranks: rank 0 opens its catalogue, all prepare the campaign and report
+// their builds, work until rank 0 has enough, and meet.
 #pragma once
 
 #include <spdlog/spdlog.h>
@@ -20,32 +20,33 @@
 
 namespace misalign::search {
 
-/// What a rank is, for rank 0 to compare.
+/// Host and build of a rank, which rank 0 compares.
 struct RankInfo {
   std::string host;
-  std::string layout;                ///< of what it sends
-  std::string golden_verdicts = {};  ///< where ranks may differ in them
+  std::string layout;                ///< layout of its messages
+  std::string golden_verdicts = {};  ///< empty if they are not compared
 };
 
-/// UserError (foreign) if the results of a rank would be read as something else.
+/// UserError (foreign) if a rank sends its results in another layout.
 void expect_one_layout(const std::vector<RankInfo>& ranks);
-/// On rank 0 everyone's, in the order of the ranks, and of one layout; nothing elsewhere.
-std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& own);
+/// Returns on rank 0 the information of all ranks, in their order and of one layout; elsewhere
+/// nothing.
+std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& info);
 
-/// The fingerprint of all ranks; UserError (foreign) if they differ and must not.
+/// Returns the golden verdicts of all ranks; UserError (foreign) if they differ and must not.
 std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds builds);
 
-/// How long rank 0 waits for the others, see MpiSession::meet.
+/// Time that rank 0 waits for the others, see MpiSession::meet.
 inline constexpr double kMeet_s = 0.8;
 
-/// Where a signal came before a catalogue was there.
+/// Warns that a signal came before a catalogue was opened.
 void say_nothing_began();
 
-/// UserError (bad_request) if this process believes to be alone and is one of several tasks, which
-/// MPI does not join: each would make the same draws.
+/// UserError (bad_request) if this process is one of several tasks that MPI does not join: each
+/// would make the same draws.
 void expect_joined(const MpiSession& mpi);
 
-/// The exit code of `work`, 0 if it throws nothing; what it throws is said.
+/// Returns the exit code of `work`, 0 if it throws nothing; an exception is logged.
 template <class Work>
 int exit_code_of(const Border& border, const Work& work) {
   try {
@@ -58,13 +59,13 @@ int exit_code_of(const Border& border, const Work& work) {
   }
 }
 
-// Rank 0 alone reads files. The others get its exit code, the campaign as it resolved it, and once
-// every rank has said what it is, its exit code again.
+// Rank 0 alone reads files. The others get its exit code and the resolved campaign, and its exit
+// code again once every rank has sent its RankInfo.
 template <class Zero, class Options>
 int run_rank_zero(const Options& options, MpiSession& mpi) {
   std::optional<Zero> zero;
   const auto code_of = [&](auto work) { return exit_code_of(options.border, work); };
-  // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
+  // mpirun counts a rank that exits with 0 as done, and the others would wait for it.
   const int leave_code = has_starter() ? kLeftWithStarter : EXIT_FAILURE;
   Departure departure(
       launched_by_mpi() ? kPatience_s : kPatienceAlone_s, LeftFrom::safe_places, [&] {
@@ -104,15 +105,15 @@ int run_other_rank(const Options& options, MpiSession& mpi) {
     refused = mpi.broadcast(0);
     if (!refused) workspace.work(mpi);
   });
-  if (failure) mpi.abort(failure);  // rank 0 would wait for ever
+  if (failure) mpi.abort(failure);  // otherwise rank 0 would wait for ever
   if (!refused) mpi.meet();
   return refused;
 }
 
-/// The loop of ranks above 0: jobs are done until an empty one comes. One under way is cut short,
-/// and sent as far as it is done, when a signal asks to stop, rank 0 has already sent the next one,
-/// or its results take all that they may. `begin` makes a job's work from its bytes (UnitWork,
-/// PieceWork), `end` a result's bytes from the work, and from whether a signal stopped it.
+/// Does jobs on a rank above 0 until an empty one comes. A job is cut short, and sent as far as it
+/// is done, if a signal requests a stop, rank 0 has already sent the next job, or the results are
+/// full. `begin` makes a job's work from its bytes (UnitWork, PieceWork); `end` makes a result's
+/// bytes from the work and a flag: true if a signal stopped it.
 template <class Begin, class End>
 void run_worker(const MpiSession& mpi, const Begin& begin, const End& end) {
   for (;;) {
@@ -130,8 +131,8 @@ void run_worker(const MpiSession& mpi, const Begin& begin, const End& end) {
 /// Returns this rank's exit code. Rank 0 is a `Zero`(options), which opens the files: `campaign()`;
 /// `begin(ranks)` once all are ready; `run(mpi, heartbeat)`, whose exit code ends every rank at
 /// once if it is not 0; `conclude()` once all have met, with the exit code. Each other rank makes a
-/// `Zero::Workspace`(campaign, options) and does jobs in `work(mpi)`; `info(options, campaign)` is
-/// what it is. Where rank 0 MayBeLeft and was asked to leave, `leave()` commits what waits, says so
+/// `Zero::Workspace`(campaign, options) and does jobs in `work(mpi)`; `info(options, campaign)`
+/// describes it. If rank 0 MayBeLeft and was asked to leave, `leave()` commits what waits, says so
 /// and returns the exit code, in another thread.
 template <class Zero, class Options>
 int run_campaign(const Options& options) {

@@ -1,4 +1,4 @@
-// The messages of `misalign certify` between ranks, as bytes.
+// Packs the messages of `misalign certify` between ranks.
 #pragma once
 
 #include <optional>
@@ -10,28 +10,29 @@
 
 namespace misalign::search {
 
-/// What a worker is to do with one sheet.
+/// A worker's order for one sheet.
 struct CertifyOrder {
   std::uint64_t draw = 0;
   double asked_deg = 0;
-  Eigen::Matrix2Xd shifts_mm;                            ///< one column per vertex of the sheet
-  std::optional<schema::CertificateRecord> stored = {};  ///< to be checked, instead of made
+  Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
+  std::optional<schema::CertificateRecord> stored =
+      {};  ///< the certificate to check; none to make one
 };
 
-/// What came of it: a certificate that was made, or what is wrong with the one that was checked.
+/// The result: a certificate that was made, or a finding about the checked one.
 struct CertifyResult {
   std::optional<schema::CertificateRecord> made;
   std::optional<schema::CertificateFinding> finding;
 };
 
-/// What a worker sends back of its sheets: of the first ones, all if it was not interrupted.
+/// Results of a worker's first sheets; of all sheets unless it was interrupted.
 struct SentResults {
   std::vector<CertifyResult> results;
   double seconds = 0;
-  bool was_stopped = false;  ///< by a signal
+  bool was_stopped = false;  ///< true if a signal stopped it
 };
 
-/// How these are laid out: ranks of two builds understand each other where this is the same.
+/// Names the layout of these messages: ranks of two builds can work together if it is the same.
 std::string certify_layout();
 
 Bytes pack(const std::vector<CertifyOrder>& orders);

@@ -27,11 +27,11 @@ namespace {
 
 using schema::UserError;
 
-// A chosen candidate: what is asked of it, and what is there.
+// A chosen candidate, its requested angle and its certificate.
 struct Chosen {
   std::uint64_t draw;
   double asked_deg = 0;
-  Eigen::Matrix2Xd shifts_mm = {};  // where they are stored; a plain campaign's are made again
+  Eigen::Matrix2Xd shifts_mm = {};  // stored shifts; those of a plain campaign are drawn again
   std::optional<schema::NamedCertificate> done = {};
   std::string end = {};  // of the certificate that is checked
 };
@@ -50,7 +50,7 @@ double deploys_from_deg(SQLite::Database& database, const schema::Campaign& camp
 
 std::string name_of_draw(std::uint64_t draw) { return SheetKey{draw, ""}.name(); }
 
-// What a rank makes of the campaign.
+// A rank's model and certifier.
 struct CertifyWorkspace {
   static RankInfo info(const CertifyOptions&, const schema::Campaign&) {
     return {host_name(), certify_layout()};
@@ -77,7 +77,7 @@ struct CertifyWorkspace {
   RowCertifier certifier;
 };
 
-// Private to rank 0: the catalogue, the progress and what is left to do.
+// Private to rank 0: the catalogue, the progress and the remaining work.
 class CertifyZero {
  public:
   using Workspace = CertifyWorkspace;
@@ -93,7 +93,7 @@ class CertifyZero {
     }
     report_.check.of = options.check ? open_.size() : 0;
     if (options.check && open_.empty()) throw nothing_to_check();
-    // The writer's lock must not end with another connection of this process: see WriterLock.
+    // Another connection of this process would end the writer's lock: see WriterLock.
     if (!options.check) database_.reset();
   }
 
@@ -148,8 +148,8 @@ class CertifyZero {
  private:
   UserError nothing_to_check() const {
     return {schema::Cause::bad_input,
-            fmt::format("{}: of {} none has a certificate, so that there is nothing to check; make "
-                        "them: misalign certify {} --all",
+            fmt::format("{}: there is nothing to check (none of {} has a certificate); make them: "
+                        "misalign certify {} --all",
                         options_.path, count_text(sheets_.size(), "candidate"),
                         shell_word(options_.path))};
   }
@@ -191,8 +191,8 @@ class CertifyZero {
       order.stored = schema::read_certificate(*database_, sheet.draw);
       order.shifts_mm = shifts_of_number(*database_, ready_.campaign, sheet.draw);
       if (!order.stored) {
-        throw schema::damaged(*database_,
-                              name_of_draw(sheet.draw) + " has lost its certificate meanwhile");
+        throw schema::damaged(
+            *database_, name_of_draw(sheet.draw) + " has lost its certificate during this run");
       }
       sheet.end = order.stored->end;
     } else if (!ready_.campaign.search.stores_sheets()) {
@@ -206,17 +206,17 @@ class CertifyZero {
     show_work(options_.check ? "candidates checked" : "candidates certified", kept_, open_.size());
     if (options_.check) {
       report_.check.checked += done.size();
-      for (auto& one : done) {
-        if (one.result.finding) {
-          report_.check.findings.push_back(std::move(*one.result.finding));
+      for (auto& finished : done) {
+        if (finished.result.finding) {
+          report_.check.findings.push_back(std::move(*finished.result.finding));
         } else {
-          ++report_.check.ends[sheets_[open_[one.sheet]].end];
+          ++report_.check.ends[sheets_[open_[finished.sheet]].end];
         }
       }
       return;
     }
     std::vector<schema::CertificateRecord> rows;
-    for (auto& one : done) rows.push_back(std::move(*one.result.made));
+    for (auto& finished : done) rows.push_back(std::move(*finished.result.made));
     const std::vector<std::uint64_t> gone = catalogue_->keep(rows);
     gone_.insert(gone_.end(), gone.begin(), gone.end());
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -227,17 +227,18 @@ class CertifyZero {
 
   void say_what_is_gone() const {
     spdlog::warn(
-        "{}: {} candidates are not in it any more, draw {} among them (another catalogue took its "
-        "place); their certificates are not kept",
+        "{}: {} candidates are gone, such as draw {} (another catalogue has replaced this one); "
+        "their certificates are not stored",
         options_.path, gone_.size(), gone_.front());
   }
 
   const CertifyOptions& options_;
-  std::unique_ptr<SQLite::Database> database_;  // of a check; otherwise closed before writing
+  std::unique_ptr<SQLite::Database>
+      database_;  // open during a check; otherwise closed before writing
   CertifyWorkspace ready_;
   std::vector<Chosen> sheets_;
-  std::vector<std::size_t> open_;  // of the sheets, those that are to be worked on
-  std::size_t kept_ = 0;           // of these
+  std::vector<std::size_t> open_;  // indices of sheets still to do
+  std::size_t kept_ = 0;           // count of these
   std::optional<schema::Catalogue> catalogue_;
   std::optional<CertifyTask> task_;
   std::vector<std::uint64_t> gone_;

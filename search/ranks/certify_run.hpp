@@ -1,4 +1,4 @@
-// `misalign certify` on a catalogue: certificates of its candidates, alone or under mpirun.
+// Runs `misalign certify` on a catalogue: certificates of its candidates, alone or under mpirun.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -13,10 +13,11 @@
 
 namespace misalign::search {
 
-/// What rank 0 knows in the end.
+/// Rank 0's results.
 struct CertifyReport {
-  std::vector<schema::NamedCertificate> sheets;  ///< in their order; none of a check
-  std::uint64_t left = 0;                        ///< not done, because a signal asked to stop
+  std::vector<schema::NamedCertificate>
+      sheets;              ///< certificates in the draws' order; empty after a check
+  std::uint64_t left = 0;  ///< not done because of a signal
   schema::CertificateCheck check;
 };
 
@@ -24,12 +25,12 @@ struct CertifyOptions {
   Border border;
   std::string path;
   std::function<std::vector<std::uint64_t>(SQLite::Database&)> choose;  ///< the draws
-  std::optional<double> to_deg;  ///< instead of the design's angle of use, or each D
-  bool contact = false;          ///< also that no panels meet
-  bool again = false;            ///< those anew that have a certificate already
-  bool alone_is_meant = false;   ///< also where other tasks were started beside it
-  bool check = false;            ///< none is made: those that there are, are checked
-  std::function<void(const CertifyReport&)> show;  ///< is called on rank 0 once all is stored
+  std::optional<double> to_deg;  ///< replaces the design's angle of use, or each D
+  bool contact = false;          ///< certify also that no panels meet
+  bool again = false;            ///< renew existing certificates
+  bool alone_is_meant = false;   ///< allow one rank beside other started tasks
+  bool check = false;            ///< check the existing certificates, make none
+  std::function<void(const CertifyReport&)> show;  ///< called on rank 0 once all is stored
 };
 
 /// Returns the exit code.

@@ -31,7 +31,8 @@ CertifyTask::CertifyTask(RowCertifier& certifier, CertifyList sheets, int ranks)
   std::iota(open_.begin(), open_.end(), std::size_t{0});
 }
 
-// What takes about a quarter of a second, and less towards the end, so that all end together.
+// Sheets for about a quarter of a second, and fewer towards the end, so that all workers end
+// together.
 std::size_t CertifyTask::job_size(const Worker& worker) const {
   constexpr double kJob_s = 0.25, kMostSheets = 64;
   if (worker.seconds_each <= 0) return 1;

@@ -1,4 +1,4 @@
-// Certificates: some sheets are a job, their certificates, or what a check finds, the result.
+// Makes or checks certificates: a job is some sheets, its result their certificates or findings.
 #pragma once
 
 #include <deque>
@@ -11,7 +11,7 @@
 
 namespace misalign::search {
 
-/// Some sheets being worked off, one at a time.
+/// Work on some sheets, one at a time.
 class CertifyWork {
  public:
   CertifyWork(RowCertifier& certifier, std::vector<CertifyOrder> orders)
@@ -32,7 +32,7 @@ class CertifyWork {
 struct CertifyList {
   std::size_t count;
   std::function<CertifyOrder(std::size_t)> order_of;
-  /// Of sheets that are done: keeps what came of them, in one transaction.
+  /// A finished sheet and its result; `keep` stores them in one transaction.
   struct Done {
     std::size_t sheet;
     CertifyResult result;
@@ -51,7 +51,7 @@ class CertifyTask final : public RankTask {
   bool compute_one_block() override;
   void hand_in_own() override {}
   std::size_t rows_waiting() const override { return waiting_.size(); }
-  /// At first, and then about once a second.
+  /// Commits about once a second.
   void commit() override;
   void commit_all() override;
   bool anything_open() const override { return !open_.empty(); }
@@ -60,8 +60,8 @@ class CertifyTask final : public RankTask {
 
  private:
   struct Worker {
-    std::vector<std::size_t> sheets;  // that it has
-    double seconds_each = 0;          // of its last ones; 0: not known yet
+    std::vector<std::size_t> sheets;  // its job
+    double seconds_each = 0;          // time per sheet of its last job; 0: not known yet
   };
   std::size_t job_size(const Worker& worker) const;
 

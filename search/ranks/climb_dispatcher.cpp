@@ -11,9 +11,9 @@
 namespace misalign::search {
 namespace {
 
-// Before a worker's speed is known; and so many as fill the lanes.
+// Sizes of a worker's first pieces; the least size fills the lanes.
 constexpr std::uint32_t kFirstDraws = 4096, kFirstParticles = 128, kLeastParticles = 64;
-// A piece is what a kill can cost each rank.
+// Duration of a piece, which a kill can cost each rank.
 constexpr double kPiece_s = 2;
 
 }  // namespace
@@ -43,7 +43,7 @@ bool ClimbDispatcher::restore(PieceResult result) {
   return true;
 }
 
-// Nothing if it is done, or not wanted.
+// Returns null if the population is done, or not needed.
 Population* ClimbDispatcher::begin(std::uint32_t number) {
   if (!populations_.take({number, std::uint64_t{number} + 1})) return nullptr;
   return &climbing_.try_emplace(number, ladder_, number, most_found_).first->second;
@@ -79,7 +79,7 @@ std::uint32_t ClimbDispatcher::piece_size(const Worker& worker, bool is_first,
                                           std::uint64_t open) const {
   const double per_s = is_first ? worker.first_per_s : worker.particles_per_s;
   if (per_s <= 0) return is_first ? kFirstDraws : kFirstParticles;
-  // Where nothing else is left to begin, all of them share what there is.
+  // All workers share the open particles if no further population can begin.
   const int sharing =
       populations_.open_draws() > 0 && !level_finder_ ? 1 : static_cast<int>(workers_.size());
   const std::uint64_t size = unit_draws(per_s, kPiece_s, open, sharing);
@@ -126,8 +126,8 @@ void ClimbDispatcher::cut(std::uint64_t end) {
 
 bool ClimbDispatcher::anything_open() const {
   if (level_finder_) return level_finder_->open() > 0;
-  return populations_.open_draws() > 0 || std::ranges::any_of(climbing_, [&](const auto& one) {
-           return one.first < end_ && one.second.open() > 0;
+  return populations_.open_draws() > 0 || std::ranges::any_of(climbing_, [&](const auto& climb) {
+           return climb.first < end_ && climb.second.open() > 0;
          });
 }
 
@@ -136,7 +136,7 @@ std::string ClimbDispatcher::under_way() const {
   if (climbing_.empty()) return "";
   const Population& lowest = climbing_.begin()->second;
   if (lowest.is_at_ends()) {
-    return fmt::format("population {} from its sheets to better ones", lowest.number());
+    return fmt::format("population {}, optimising its sheets", lowest.number());
   }
   return fmt::format("population {} at level {} of {}", lowest.number(), lowest.level(),
                      ladder_.top());

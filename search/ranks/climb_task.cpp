@@ -11,7 +11,7 @@
 namespace misalign::search {
 namespace {
 
-// The catalogue's goal and ledger are in numbers, of which each population has as many.
+// Converts numbers, which the catalogue's goal and ledger count, to populations.
 DrawRange populations_of(const DrawRange& numbers) {
   return {numbers.lo / schema::kNumbersOfPopulation, numbers.hi / schema::kNumbersOfPopulation};
 }
@@ -22,7 +22,7 @@ Ledger ledger_of(const schema::Catalogue& catalogue, const schema::Goal& goal) {
   return {populations_of({goal.range.lo, catalogue.goal_end()}), done};
 }
 
-// Kept pieces are committed this often at least: what a kill can cost besides what is under way.
+// Least interval between commits of pieces, which a kill can cost besides the pieces under way.
 constexpr double kCommitEvery_s = 2;
 
 }  // namespace
@@ -41,7 +41,7 @@ ClimbTask::ClimbTask(Climber& climber, schema::Catalogue& catalogue, const schem
   restore();
 }
 
-// Pieces of populations that are in the ledger, or that another build made, are of no use.
+// Skips pieces of populations that are in the ledger, or that another build made.
 void ClimbTask::restore() {
   for (const schema::PieceRow& row : catalogue_.pieces(piece_layout())) {
     auto result = unpack_kept(catalogue_.result_of(row), climber_.campaign(),
@@ -52,8 +52,8 @@ void ClimbTask::restore() {
       dispatcher_.restore(std::move(*result));
     } else {
       spdlog::warn(
-          "population {}: particles {} to {} at level {} are not as they were stored; they are "
-          "made again",
+          "population {}: particles {} to {} at level {} are damaged in the catalogue; they are "
+          "computed again",
           row.population, row.lo, row.hi, row.level);
     }
     if (dispatcher_.take_news_of_levels()) write_levels();
@@ -112,7 +112,7 @@ void ClimbTask::hand_in_own() {
   take_back(0, std::move(result));
 }
 
-// Populations at once; pieces of others now and then.
+// Commits populations at once, and pieces of others now and then.
 void ClimbTask::commit() {
   rows_ = 0;
   if (dispatcher_.take_news_of_levels()) write_levels();

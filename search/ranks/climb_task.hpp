@@ -1,4 +1,4 @@
-// A splitting search: pieces of populations are jobs; populations are units of the ledger.
+// Runs a splitting search: its jobs are pieces of populations, which are units of the ledger.
 #pragma once
 
 #include "schema/catalogue/catalogue.hpp"
@@ -11,8 +11,8 @@ namespace misalign::search {
 
 class ClimbTask final : public RankTask {
  public:
-  /// All must outlive this object; the catalogue's run has begun already. Goes on from what it
-  /// holds of populations under way.
+  /// All must outlive this object; the catalogue's run has begun already. Resumes populations under
+  /// way from the catalogue.
   ClimbTask(Climber& climber, schema::Catalogue& catalogue, const schema::Goal& goal, int ranks);
 
   std::optional<Bytes> assign(int worker) override;

@@ -10,7 +10,7 @@
 namespace misalign::search {
 namespace {
 
-// Jobs are cut into blocks of less: the log is folded in once a minute at least.
+// Blocks of jobs are shorter, so that the log is folded in at least once a minute.
 constexpr double kTidyEvery_s = 30;
 
 class Coordinator {
@@ -74,7 +74,7 @@ class Coordinator {
     return true;
   }
 
-  // What has arrived is one transaction. Whoever sent it has its next job before that is written.
+  // Writes all arrived results in one transaction. Their senders get their next jobs first.
   bool receive_all() {
     bool received = false;
     while (task_.rows_waiting() < kMostRows) {
@@ -100,7 +100,7 @@ class Coordinator {
     for (int rank = 1; rank < mpi_.ranks(); ++rank) mpi_.send_job(rank, {});
   }
 
-  // Where the signal leaves no time, what a worker has not sent by then is drawn again one day.
+  // Results that arrive after the patience is over are lost; a later run computes them again.
   void wait_for_workers() {
     const auto is_waited_for = [&](int rank) {
       return task_.has_job(rank) && !heartbeat_.lost() && seconds_since_leave() < kPatience_s;
@@ -132,7 +132,7 @@ class Coordinator {
   Backoff backoff_;
   Stopwatch since_tidy_;
   std::vector<int> idle_;            // workers without a job
-  bool worker_was_stopped_ = false;  // one of them saw a signal that rank 0 did not
+  bool worker_was_stopped_ = false;  // by a signal that rank 0 did not get
 };
 
 }  // namespace

@@ -50,9 +50,8 @@ void Departure::wait(const std::stop_token& stop) {
     if (from_ == LeftFrom::anywhere || leave_main_thread()) depart();
     if (since_s < patience_s_ + kLastWord_s || told_.exchange(true)) continue;
     spdlog::warn(
-        "asked to stop while the catalogue is being written, which takes its time; should this be "
-        "killed before it has ended, what was committed is good, and the same command goes on from "
-        "there");
+        "asked to stop while the catalogue is being written, which takes some time; if this is "
+        "killed before its end, committed results are kept, and the same command resumes");
   }
 }
 

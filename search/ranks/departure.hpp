@@ -1,4 +1,4 @@
-// Ends a process that was asked to leave where its main thread does not come to it in time.
+// Ends a process that was asked to leave if its main thread does not leave in time.
 #pragma once
 
 #include <atomic>
@@ -7,13 +7,13 @@
 
 namespace misalign::search {
 
-/// How long a main thread may take to leave by itself. Under mpirun, which kills its ranks a second
-/// after it was asked to stop, the rest of that second is for committing, folding in the log and
-/// the sentence, on a busy machine too. Other ranks are let go by rank 0, or leave soon after.
+/// Time that a main thread may take to leave by itself. mpirun kills its ranks one second after a
+/// request to stop; the rest of that second is for committing, folding in the log and the message.
+/// Rank 0 releases the other ranks, or they leave soon after.
 inline constexpr double kPatience_s = 0.35, kPatienceAlone_s = 2, kRelease_s = 3;
 
-/// While one of these lives, the main thread touches nothing that a Departure touches: it computes
-/// or waits. Once it was left it goes no farther.
+/// Marks a time in which the main thread computes or waits, and touches nothing that a Departure
+/// touches. A main thread that was left does not continue.
 class MayBeLeft {
  public:
   MayBeLeft();
@@ -22,10 +22,10 @@ class MayBeLeft {
   MayBeLeft& operator=(const MayBeLeft&) = delete;
 };
 
-/// From where the main thread is left.
+/// Places where the main thread can be left.
 enum class LeftFrom {
   anywhere,
-  safe_places  ///< where it MayBeLeft
+  safe_places  ///< while it MayBeLeft
 };
 
 /// A thread that waits for a request to leave. Once the patience is over and the main thread can be
@@ -35,7 +35,7 @@ class Departure {
   using Leave = std::function<int()>;
   Departure(double patience_s, LeftFrom from, Leave leave);
 
-  /// The main thread has told how the run ended: nobody else needs to.
+  /// The main thread has reported the end of the run; no other message is needed.
   void told() { told_ = true; }
 
  private:

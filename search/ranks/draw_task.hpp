@@ -1,4 +1,4 @@
-// Plain draws: ranges of them are jobs, units of the ledger are results.
+// Makes plain draws: a job is a range of them, its result a unit of the ledger.
 #pragma once
 
 #include "schema/catalogue/catalogue.hpp"
@@ -10,7 +10,7 @@ namespace misalign::search {
 
 struct DrawTaskOptions {
   UnitSize unit_size;
-  std::size_t unit_bytes = kMostUnit_bytes;  ///< at which a unit ends early
+  std::size_t unit_bytes = kMostUnit_bytes;  ///< size at which a unit ends early
 };
 
 class DrawTask final : public RankTask {

@@ -23,7 +23,8 @@ void Heartbeat::beat() {
   constexpr auto kLook = std::chrono::milliseconds(50);
   constexpr double kGrace_s = 3;
   const Stopwatch watch;
-  const int peers = mpi_.rank() == 0 ? mpi_.ranks() : 1;  // ranks below this, without this one
+  const int peers =
+      mpi_.rank() == 0 ? mpi_.ranks() : 1;  // ranks below this number, except this rank
   std::vector<double> heard_s(peers, 0);
   double next_beat_s = 0, lost_s = 0;
   while (!stop_) {
@@ -38,13 +39,13 @@ void Heartbeat::beat() {
     for (int peer = 0; peer < peers && !lost_; ++peer) {
       if (peer == mpi_.rank() || now_s - heard_s[peer] < kSilence_s) continue;
       spdlog::error(
-          "rank {}: nothing was heard from rank {} for {} s (its host or the link to it is down); "
-          "this rank ends, what was committed is good, and the same command goes on from there",
+          "rank {}: no message from rank {} for {} s (its host or the link to it is down); this "
+          "rank ends, committed results are kept, and the same command resumes",
           mpi_.rank(), peer, kSilence_s);
       lost_s = now_s;
       lost_ = true;
     }
-    // Rank 0 commits what it has, but it may hang in MPI.
+    // Rank 0 commits its results, but may hang in MPI.
     if (lost_ && (mpi_.rank() > 0 || now_s - lost_s > kGrace_s)) _exit(EXIT_FAILURE);
     std::this_thread::sleep_for(kLook);
   }

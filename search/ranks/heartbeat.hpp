@@ -1,4 +1,4 @@
-// Detects lost ranks, in a thread of its own: neither a long path nor a slow disk may look like a
+// Detects lost ranks in a thread of its own, since a long path or a slow disk must not look like a
 // lost host.
 #pragma once
 
@@ -9,20 +9,20 @@
 
 namespace misalign::search {
 
-/// Every rank sends rank 0 a beat every kBeat_s, and rank 0 every rank. Open MPI itself notices a
-/// link that was cut after 480 s.
+/// Every rank sends rank 0 a beat every kBeat_s, and rank 0 every rank. Open MPI notices a cut link
+/// only after 480 s.
 inline constexpr double kBeat_s = 4, kSilence_s = 20;
 
 class Heartbeat {
  public:
-  /// Beats from now on, if there is more than one rank.
+  /// Starts to send beats if there are several ranks.
   explicit Heartbeat(MpiSession& mpi);
   ~Heartbeat();
   Heartbeat(const Heartbeat&) = delete;
   Heartbeat& operator=(const Heartbeat&) = delete;
 
-  /// Whether some rank has been silent for kSilence_s. Rank 0 is to end then, within seconds, the
-  /// others are ended.
+  /// Returns whether a rank has been silent for kSilence_s. Rank 0 must then end within seconds;
+  /// the others are ended.
   bool lost() const { return lost_; }
 
  private:

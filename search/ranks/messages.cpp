@@ -21,7 +21,7 @@ void unit_fields(Wire& wire, Unit& unit) {
   list(wire, unit.fault_sample, [&](auto& draw) { wire.field(draw); });
 }
 
-// `screened` is the unit's map as a list.
+// Writes or reads a unit, with its map as the list `screened`.
 template <class Wire, class Sent, class Screened>
 void sent_unit_fields(Wire& wire, Sent& sent, Screened& screened) {
   wire.field(sent.was_stopped);
@@ -75,9 +75,9 @@ SentUnit unpack_unit(const Bytes& bytes) {
 int message_length(std::size_t bytes, std::size_t most) {
   if (bytes <= most) return static_cast<int>(bytes);
   throw schema::UserError(schema::Cause::failure,
-                          "the results of one unit take " + std::to_string(bytes) +
-                              " bytes (one message may have " + std::to_string(most) +
-                              "); give smaller units with " + schema::parameter("unit_draws"));
+                          "the results of one unit have " + std::to_string(bytes) +
+                              " bytes (a message has at most " + std::to_string(most) +
+                              "); make units smaller with " + schema::parameter("unit_draws"));
 }
 
 }  // namespace misalign::search

@@ -1,4 +1,4 @@
-// The messages between ranks, as bytes. All ranks run the same program on the same kind of machine.
+// Packs the messages between ranks, which run the same program on the same kind of machine.
 #pragma once
 
 #include <limits>
@@ -9,26 +9,26 @@
 
 namespace misalign::search {
 
-/// What a worker sends back of its range.
+/// A worker's result of its range.
 struct SentUnit {
   schema::UnitRecord unit;
-  bool was_stopped = false;  ///< by a signal, before the range was done
+  bool was_stopped = false;  ///< true if a signal stopped it before the range's end
 };
 
-/// What a worker is to do.
+/// Packs a worker's order.
 Bytes pack(const schema::DrawRange& range);
 schema::DrawRange unpack_range(const Bytes& bytes);
 
-/// Which metrics a packed candidate holds, in their order, and how large its parts are.
+/// Names the metrics of a packed candidate in their order, and the sizes of its parts.
 std::string candidate_layout();
-/// The same of a packed unit: ranks of two builds understand each other where this is the same.
+/// Names the layout of a packed unit: ranks of two builds can work together if it is the same.
 std::string message_layout();
 
 Bytes pack(const SentUnit& sent);
 SentUnit unpack_unit(const Bytes& bytes);
 
-/// The length of a message as MPI counts it. UserError (failure) where that is more than `most`,
-/// which units are kept far below (see UnitWork::is_full).
+/// Returns the length of a message as MPI counts it. UserError (failure) above `most`; units stay
+/// far below it (see UnitWork::is_full).
 int message_length(std::size_t bytes, std::size_t most = std::numeric_limits<int>::max());
 
 }  // namespace misalign::search

@@ -28,7 +28,7 @@ MpiSession::MpiSession(Alone alone) : has_begun_(alone == Alone::with_mpi || lau
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_MULTIPLE, &threads);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
-  // Without threads in MPI there are no beats, and a cut link is noticed by MPI alone, in minutes.
+  // Beats need threads in MPI; without them MPI alone notices a cut link, after minutes.
   if (threads < MPI_THREAD_MULTIPLE) return;
   beats_ = std::make_unique<Beats>();
   MPI_Comm_dup(MPI_COMM_WORLD, &beats_->comm);
@@ -89,7 +89,7 @@ void MpiSession::send_result(const Bytes& result) const {
 
 namespace {
 
-// A message that has arrived.
+// Receives a message that has arrived.
 Bytes received(int from, int tag, const MPI_Status& status) {
   int size = 0;
   MPI_Get_count(&status, MPI_BYTE, &size);
@@ -171,8 +171,9 @@ int launched_rank() {
 
 bool launched_by_mpi() { return launched_rank_text() != nullptr; }
 
-// The innermost launcher first. SLURM_NTASKS says in a batch script what was allocated, where
-// SLURM_STEP_NUM_TASKS says what srun has started; Flux takes all of these out of its scripts.
+// Tries the innermost launcher first. In a batch script SLURM_NTASKS is the allocation, but
+// SLURM_STEP_NUM_TASKS counts tasks that srun has started; Flux removes all of these from its
+// scripts.
 std::optional<LaunchedTasks> launched_tasks() {
   for (const auto& [variable, launcher] : {std::pair{"OMPI_COMM_WORLD_SIZE", "mpirun"},
                                            {"FLUX_JOB_SIZE", "flux"},

@@ -1,4 +1,4 @@
-// The MPI calls that the program uses.
+// Wraps the MPI calls that the program uses.
 #pragma once
 
 #include <limits>
@@ -11,8 +11,8 @@
 
 namespace misalign::search {
 
-/// The ranks that a launcher started, or this process alone: then MPI need not begin, which takes
-/// longer than a short search and can fail on a machine where nothing else does.
+/// The ranks that a launcher started, or this process alone. Alone, MPI is not initialised: that
+/// takes longer than a short search, and can fail on a machine where all else works.
 class MpiSession {
  public:
   enum class Alone { without_mpi, with_mpi };
@@ -24,38 +24,38 @@ class MpiSession {
   int rank() const { return rank_; }
   int ranks() const { return ranks_; }
 
-  /// From rank 0 to all.
+  /// Sends rank 0's value to all ranks.
   int broadcast(int value) const;
   std::string broadcast(const std::string& text) const;
-  /// On rank 0 everyone's text, in the order of the ranks; nothing elsewhere.
+  /// Returns on rank 0 the texts of all ranks, in their order; elsewhere nothing.
   std::vector<std::string> gather(const std::string& text) const;
-  /// Returns once every rank has called it; sleeps meanwhile. False if that takes longer than so
-  /// long after a request to leave.
+  /// Returns once every rank has called it; sleeps meanwhile. False if that takes longer than
+  /// `patience_s` after a request to leave.
   bool meet(double patience_s = std::numeric_limits<double>::infinity()) const;
 
-  /// To rank 0: what was done of a job. UserError: see message_length.
+  /// Sends a job's result to rank 0. UserError: see message_length.
   void send_result(const Bytes& result) const;
-  /// On rank 0: the next result that has arrived; none if there is none.
+  /// A result that has arrived on rank 0; receive_result() returns the next one, or none.
   struct Arrived {
     int from;
     Bytes result;
   };
   std::optional<Arrived> receive_result() const;
 
-  /// From rank 0: a job to work off; an empty one ends the worker.
+  /// Sends a job from rank 0; an empty one ends the worker.
   void send_job(int to, const Bytes& job) const;
   bool job_waiting() const;
-  /// Sleeps until there is one.
+  /// Waits for a job, sleeping.
   Bytes receive_job() const;
 
-  /// Whether this MPI can carry signs of life, which want a thread of their own.
+  /// Returns whether this MPI supports heartbeats, which need threads.
   bool has_beats() const { return beats_ != nullptr; }
-  /// A sign of life; never waits.
+  /// Sends a heartbeat; never waits.
   void send_beat(int to) const;
-  /// From whom the next beat is that has arrived; none if there is none.
+  /// Returns the sender of the next beat that has arrived; none without one.
   std::optional<int> receive_beat() const;
 
-  /// Ends every rank at once: only after a failure that leaves the others waiting.
+  /// Ends every rank at once, after a failure that leaves the others waiting.
   [[noreturn]] void abort(int exit_code) const;
 
  private:
@@ -65,7 +65,7 @@ class MpiSession {
   std::unique_ptr<Beats> beats_;
 };
 
-/// Sleeps that grow from 0 to 1 ms: a blocking MPI call would burn a core.
+/// Sleeps for 0 to 1 ms, ever longer: a blocking MPI call would keep a core busy.
 class Backoff {
  public:
   void reset() { microseconds_ = 0; }
@@ -75,13 +75,13 @@ class Backoff {
   int microseconds_ = 0;
 };
 
-/// The rank that a launcher gave this process, before or without MPI; 0 if there was no launcher.
+/// Returns the launcher's rank of this process, before or without MPI; 0 without a launcher.
 int launched_rank();
-/// Whether mpirun or the like started this process. To be asked before MPI begins.
+/// Returns whether mpirun or the like started this process. Call it before MPI_Init.
 bool launched_by_mpi();
 
-/// How many tasks the launcher of this process has started, by a variable of the environment that
-/// it sets in each of them; nothing without one. A script within a larger allocation is no task.
+/// Number of tasks that this process's launcher has started, from an environment variable that it
+/// sets in each. A script within a larger allocation is no task.
 struct LaunchedTasks {
   std::string launcher, variable;
   int count;

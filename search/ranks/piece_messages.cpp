@@ -83,7 +83,7 @@ bool are_metrics(const solver::Metrics& metrics, const schema::Campaign& campaig
          metrics.deploys_from_sample >= campaign.threshold_sample();
 }
 
-// Such as the catalogue takes.
+// Returns whether the catalogue would accept this ascent.
 bool is_ascent(const schema::AscentRecord& ascent) {
   const auto is_value = [](const auto& value) { return !value || std::isfinite(*value); };
   return std::ranges::count(schema::kAscentEnds, ascent.ended) == 1 && ascent.steps >= 0 &&
@@ -91,7 +91,7 @@ bool is_ascent(const schema::AscentRecord& ascent) {
          (!ascent.limited_by || schema::Json::accept(*ascent.limited_by));
 }
 
-// Each met in another place, from which its number is made.
+// Returns whether the candidates are possible and met at different places, which number them.
 bool are_met(const PieceResult& result, const schema::Campaign& campaign,
              const solver::Mechanism& mechanism) {
   const std::uint32_t first = result.level == 0 ? 0 : 1;
@@ -109,7 +109,7 @@ bool are_met(const PieceResult& result, const schema::Campaign& campaign,
   });
 }
 
-// Draws or moves of its particles, each once at least.
+// Returns whether the counts are possible: at least one draw or move of each particle.
 bool are_counts(const PieceResult& result, const schema::Campaign& campaign) {
   const std::uint64_t particles = result.hi - result.lo;
   return result.tried >= particles &&

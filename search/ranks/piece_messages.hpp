@@ -1,4 +1,4 @@
-// The messages of a splitting search between ranks, as bytes; results are kept in catalogues too.
+// Packs the messages of a splitting search between ranks; catalogues store packed results too.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace misalign::search {
 
-/// What a worker sends back of its piece.
+/// A worker's result of its piece.
 struct SentPiece {
   PieceResult result;
-  bool was_stopped = false;  ///< by a signal, before the piece was done
+  bool was_stopped = false;  ///< true if a signal stopped it before the piece's end
 };
 
-/// How a packed result is laid out: those that are kept are of use where this is the same.
+/// Names the layout of a packed result: a stored one is usable if its layout is the same.
 std::string piece_layout();
 
 Bytes pack(const PieceOrder& order);
@@ -22,8 +22,8 @@ PieceOrder unpack_order(const Bytes& bytes);
 Bytes pack(const SentPiece& sent);
 SentPiece unpack_piece(const Bytes& bytes);
 
-/// A result that was kept in a file, which may say anything; nothing if it is none of a piece of
-/// this campaign's sheets. What it says of them may still be wrong.
+/// Unpacks a result from a file, which may hold anything; nothing unless it is a possible piece of
+/// this campaign. Its values may still be wrong.
 std::optional<PieceResult> unpack_kept(const std::string& bytes, const schema::Campaign& campaign,
                                        const ShiftCode& code, const solver::Mechanism& mechanism);
 

@@ -21,14 +21,14 @@ namespace misalign::search {
 namespace {
 
 constexpr const char* kStarterVariable = "MISALIGN_STARTER";
-// Ignored by whoever does not wait for it, should the number of the process be another's by now.
+// Other processes ignore this signal, should the process number have been reused.
 constexpr int kHereIAm = SIGURG;
 
 using schema::UserError;
 
 std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>& words) {
   const std::string count = std::to_string(ranks);
-  // As many slots as ranks, also where there are fewer cores.
+  // There are as many slots as ranks, even with fewer cores.
   std::vector<std::string> command = {"mpirun",
                                       "--host",
                                       "localhost:" + count,
@@ -41,18 +41,18 @@ std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>&
   return command;
 }
 
-// Child, before it execs mpirun.
+// Prepares the child process before it execs mpirun.
 bool prepare_mpirun(const sigset_t& mask, pid_t starter, int printed) {
-  // A group of its own: Ctrl-C is for the starter, which says it to rank 0.
+  // A separate process group: Ctrl-C reaches the starter alone, which tells rank 0.
   setpgid(0, 0);
   dup2(printed, STDOUT_FILENO);
   setenv(kStarterVariable, std::to_string(starter).c_str(), 1);
   setenv("COLUMNS", std::to_string(terminal_width(STDERR_FILENO)).c_str(), 1);
-  // What a rank has said needs no eleven lines about its exit code. Open MPI 4 and 5 each know one
-  // of these, where --quiet is an option of 4 alone.
+  // These suppress eleven lines about a rank's exit code. Open MPI 4 and 5 each know one of them;
+  // --quiet is an option of 4 alone.
   setenv("OMPI_MCA_orte_execute_quiet", "1", 1);
   setenv("PRTE_MCA_prte_execute_quiet", "1", 1);
-  if (geteuid() == 0) {  // who runs this as root has decided so
+  if (geteuid() == 0) {  // whoever runs this as root means it
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   }
@@ -63,21 +63,21 @@ bool prepare_mpirun(const sigset_t& mask, pid_t starter, int printed) {
 void expect_started(const ChildProcess& launcher) {
   if (launcher.error() == 0) return;
   const std::string option = schema::parameter("ranks"),
-                    without = "leave " + option + " out: one core";
+                    without = "omit " + option + " to use one core";
   const std::string why =
       launcher.error() == ENOENT
-          ? ": there is no mpirun in PATH (it starts the ranks); install Open MPI's programs "
+          ? ": mpirun is not in PATH (it starts the ranks); install Open MPI's programs "
             "(Debian: openmpi-bin), or "
           : std::string(": mpirun cannot be started (") + std::strerror(launcher.error()) + "); ";
   throw UserError(schema::Cause::failure, option + why + without);
 }
 
-// Passes on what the ranks print: mpirun says nothing of what it could not write, and whoever asked
-// for the ranks would take it for written.
+// Passes on the ranks' output: mpirun does not report failed writes, and the output would seem
+// complete.
 class Printed {
  public:
   explicit Printed(int from) : from_(from), thread_([this] { pass_on(); }) {}
-  /// All that has come by then is passed on.
+  /// Passes on all output that has arrived.
   ~Printed() {
     launcher_ended_ = true;
     thread_.join();
@@ -117,7 +117,7 @@ class Starter {
     }
   }
 
-  /// 0, SIGINT or SIGTERM: what asked the search to leave, the last one.
+  /// The last signal that asked the search to leave; 0 without one.
   int asked_by() const { return asked_by_; }
   bool asked_twice() const { return asked_twice_; }
   bool ranks_began() const { return rank_zero_ > 0; }
@@ -127,7 +127,7 @@ class Starter {
     switch (info.si_signo) {
       case kHereIAm:
         rank_zero_ = info.si_pid;
-        // It may have been asked before it could listen.
+        // A request may have come before rank 0 could listen.
         if (asked_by_) kill(rank_zero_, SIGTERM);
         break;
       case SIGINT:
@@ -143,8 +143,8 @@ class Starter {
         break;
       case SIGTSTP:
         std::fputs(
-            "Ctrl-Z: this goes on (ranks that stand still are taken for lost); Ctrl-C ends it, and "
-            "the same command goes on later\n",
+            "Ctrl-Z is ignored (suspended ranks would count as lost); Ctrl-C ends the search, and "
+            "the same command resumes it later\n",
             stderr);
         break;
       default:  // a child has ended
@@ -152,8 +152,8 @@ class Starter {
     }
   }
 
-  // Rank 0 lets the others go, and mpirun, asked by nobody, ends as they end. A second time, or
-  // while rank 0 cannot be reached for long: mpirun ends them.
+  // Asks rank 0, which ends the other ranks; then mpirun ends. The second request goes to mpirun
+  // too, which ends all ranks.
   void ask_to_leave(int signal) {
     asked_twice_ = asked_by_ != 0;
     asked_by_ = signal;
@@ -179,11 +179,11 @@ int exit_code(int code, const Starter& starter, int ranks, int stopped_exit) {
                                                 "); mpirun --host localhost:" + count + " -n " +
                                                 count + " true says why");
   }
-  if (code <= 128) return code;  // a rank has said why
-  throw UserError(schema::Cause::failure,
-                  std::string("a rank was ended from outside (") + strsignal(code - 128) +
-                      "; memory may have run out); what was committed is good, and the same "
-                      "command goes on");
+  if (code <= 128) return code;  // a rank has reported the reason
+  throw UserError(
+      schema::Cause::failure,
+      std::string("a rank was killed from outside (") + strsignal(code - 128) +
+          "; memory may have run out); committed results are kept, and the same command resumes");
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ int run_under_mpirun(int ranks, const std::vector<std::string>& words, int stopp
   }
   struct sigaction hang_up {};
   sigaction(SIGHUP, nullptr, &hang_up);
-  if (hang_up.sa_handler != SIG_IGN) sigaddset(&watched, SIGHUP);  // else under nohup
+  if (hang_up.sa_handler != SIG_IGN) sigaddset(&watched, SIGHUP);  // otherwise nohup ignores it
   pthread_sigmask(SIG_BLOCK, &watched, &before);
   Pipe pipe;
   ChildProcess launcher(mpirun_words(ranks, words), [&, starter = getpid()] {

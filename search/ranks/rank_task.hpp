@@ -1,5 +1,5 @@
-// The task that the ranks of a campaign share, as its coordinator sees it: jobs that go out,
-// results that come back and are written.
+// Defines the task that the ranks share, as the coordinator sees it: jobs, results, and their
+// commits.
 #pragma once
 
 #include <optional>
@@ -13,29 +13,29 @@ class RankTask {
  public:
   virtual ~RankTask() = default;
 
-  /// A job for a worker that has none; nothing if none is open.
+  /// Gives a job to a worker that has none; nothing if none is open.
   virtual std::optional<Bytes> assign(int worker) = 0;
   virtual bool has_job(int worker) const = 0;
-  /// What a worker has done of its job; the rest is open again. Waits for commit(). Whether the
-  /// worker was stopped by a signal.
+  /// Takes a worker's result, which waits for commit(); the rest of its job is open again. Returns
+  /// whether a signal stopped the worker.
   virtual bool take_back(int worker, const Bytes& result) = 0;
-  /// Rank 0 does a part of a job of its own, about a tenth of a second; false if it has none. While
-  /// that is computed it MayBeLeft, and commit_all() may be called instead.
+  /// Computes about a tenth of a second of rank 0's own job; false if it has none. Meanwhile rank 0
+  /// MayBeLeft, and commit_all() may be called instead.
   virtual bool compute_one_block() = 0;
-  /// Takes back what it has done of it.
+  /// Takes the finished part of rank 0's own job.
   virtual void hand_in_own() = 0;
 
-  /// Of the results that wait, roughly.
+  /// Returns roughly the rows of the waiting results.
   virtual std::size_t rows_waiting() const = 0;
-  /// Writes them, in one transaction; some may wait a little longer.
+  /// Writes waiting results in one transaction; some may wait a little longer.
   virtual void commit() = 0;
-  /// The last time: all of them.
+  /// Writes all waiting results, at the end.
   virtual void commit_all() = 0;
 
   virtual bool anything_open() const = 0;
-  /// Nothing is left below the goal's end.
+  /// Returns whether all below the goal's end is done.
   virtual bool complete() const = 0;
-  /// With what rank 0 has under way, so that the numbers move although jobs take seconds.
+  /// Counts also rank 0's job under way, so that the numbers move although jobs take seconds.
   virtual ProgressCounts counts() const = 0;
 };
 

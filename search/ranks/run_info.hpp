@@ -9,7 +9,7 @@ namespace misalign::search {
 
 std::string host_name();
 
-/// This program on this machine, as a run's row says it.
+/// Describes this program on this machine for a run's row.
 schema::RunInfo run_info(const std::string& golden_verdicts, int ranks);
 
 }  // namespace misalign::search

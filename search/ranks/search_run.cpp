@@ -29,20 +29,21 @@
 namespace misalign::search {
 namespace {
 
-// UserError (bad_request) where what was typed counts something else than the campaign is made of.
+// UserError (bad_request) if an option counts draws where the campaign counts populations, or the
+// reverse.
 void check_counts(const SearchOptions& options, const schema::Campaign& campaign) {
   const auto refuse = [](const char* name, const char* why, const std::string& instead) {
     throw schema::UserError(solver::OptionFault{name, {}, why, instead});
   };
   if (campaign.search.splitting && options.draws) {
-    refuse("draws", "this campaign splits, and is made of populations",
+    refuse("draws", "this campaign splits, and counts populations",
            "give " + schema::parameter("populations", "N"));
   }
   if (campaign.search.splitting && options.unit_draws) {
-    refuse("unit_draws", "this campaign splits, and cuts its work by time", "take it out");
+    refuse("unit_draws", "this campaign splits, and divides its work by time", "omit it");
   }
   if (!campaign.search.splitting && options.populations) {
-    refuse("populations", "this campaign is one of plain draws",
+    refuse("populations", "this campaign makes plain draws",
            "give " + schema::parameter("draws", "N"));
   }
   if (campaign.search.splitting && options.range && options.range->hi > schema::kEndOfPopulations) {
@@ -53,20 +54,20 @@ void check_counts(const SearchOptions& options, const schema::Campaign& campaign
 schema::Campaign resolved_campaign(const SearchOptions& options) {
   if (!random_numbers_as_published()) {
     throw schema::UserError(schema::Cause::failure,
-                            "the random-number generator does not give its published numbers (this "
-                            "build is broken); build it again and run the tests");
+                            "the random-number generator does not reproduce its published numbers "
+                            "(this build is broken); build it again and run the tests");
   }
   schema::Campaign campaign = schema::read_campaign_file(options.campaign_path);
   if (options.seed) campaign.seed = *options.seed;
   if (options.accepted) campaign.stop.accepted = options.accepted;
   if (options.relative_error) campaign.stop.relative_error = options.relative_error;
   if (options.max_time_s) campaign.stop.wall_s = options.max_time_s;
-  // A range asked for by hand is meant as a whole, unless --draws says otherwise.
+  // A given range counts as a whole, unless --draws limits it.
   if (options.range || options.draws) campaign.stop.draws = options.draws;
   if (options.range || options.populations) campaign.stop.populations = options.populations;
   check_counts(options, campaign);
   need_part(!campaign.certify || options.parts.certifier, "certifies nothing");
-  need_part(!campaign.search.optimisation || options.parts.ascend, "makes no sheet better");
+  need_part(!campaign.search.optimisation || options.parts.ascend, "does not optimise");
   return campaign;
 }
 
@@ -90,12 +91,12 @@ schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campa
 
 std::string place_of(const SearchOptions& options, const schema::Campaign& campaign) {
   if (!options.catalogue_path.empty()) return options.catalogue_path;
-  std::error_code ignored;  // opening the catalogue says what is wrong
+  std::error_code ignored;  // opening the catalogue reports the fault
   std::filesystem::create_directories("results", ignored);
   return default_catalogue_path(campaign);
 }
 
-// The campaign made ready on one rank: for plain draws, or for populations.
+// One rank's workspace for plain draws or for populations.
 struct SearchWorkspace {
   static RankInfo info(const SearchOptions& options, const schema::Campaign& campaign) {
     return {host_name(), message_layout(),
@@ -134,7 +135,7 @@ struct SearchWorkspace {
   std::optional<Climber> climber;
 };
 
-// Judges again what no run could decide so far.
+// Judges undecided draws again.
 void retry_undecided(DrawEvaluator& evaluator, schema::Catalogue& catalogue) {
   const std::vector<std::uint64_t> draws = catalogue.undecided();
   std::size_t decided = 0;
@@ -158,9 +159,8 @@ SearchWorkspace made_ready(const SearchOptions& options) {
 
 void warn_of_network(const std::string& path) {
   spdlog::warn(
-      "{}: lies on a file system that machines share ({}), where a write-ahead log is not safe: a "
-      "rollback journal and an exclusive lock are used, and status and query have to wait until "
-      "this run ends",
+      "{}: is on a shared file system ({}), where a write-ahead log is not safe: a rollback "
+      "journal and an exclusive lock are used, and status and query must wait until this run ends",
       path, schema::file_system_of(path).name);
 }
 
@@ -190,13 +190,13 @@ class SearchZero {
     }
     spdlog::info("campaign {} ({}), {}, catalogue {}{}", campaign().name,
                  schema::identity(campaign()).substr(0, 8), count_text(ranks.size(), "rank"), path_,
-                 catalogue_ ? "" : ": complete already, nothing is written");
+                 catalogue_ ? "" : ": already complete, nothing is written");
     for (const std::string& sentence : campaign().pattern.reading) {
       spdlog::info("{}: {}", options_.campaign_path, sentence);
     }
     if (!catalogue_) return;
     if (is_talkative() && !options_.command_for_all.empty()) {
-      spdlog::info("one core of {} at work; all of them: {}", usable_threads(),
+      spdlog::info("using one core of {}; to use all: {}", usable_threads(),
                    options_.command_for_all);
     }
     if (options_.retry_undecided && ready_.evaluator)
@@ -232,8 +232,7 @@ class SearchZero {
       return options_.border.stopped;
     }
     spdlog::warn(
-        "stopped without the draws under way, for which there is no time; the same command makes "
-        "them again");
+        "stopped without the draws under way, for lack of time; the same command makes them again");
     if (task_) task_->commit_all();
     end_ = task_ && task_->complete() ? RunEnd::complete : RunEnd::stopped;
     end_run();
@@ -289,8 +288,8 @@ class SearchZero {
   SearchWorkspace ready_;
   const std::string path_;
   const schema::Goal goal_;
-  std::optional<schema::Catalogue> catalogue_;  // none where it holds all already
-  bool has_begun_ = false;                      // its run has a row
+  std::optional<schema::Catalogue> catalogue_;  // null if the file is complete already
+  bool has_begun_ = false;                      // the run has a row
   std::unique_ptr<RankTask> task_;
   RunEnd end_ = RunEnd::complete;
 };

@@ -1,4 +1,4 @@
-// `misalign search`: campaign file to catalogue, alone or under mpirun.
+// Runs `misalign search`: from campaign file to catalogue, alone or under mpirun.
 #pragma once
 
 #include <optional>
@@ -21,18 +21,18 @@ struct SearchOptions {
   std::optional<std::uint64_t> unit_draws;
   std::size_t unit_bytes = kMostUnit_bytes;
   ProgressStyle progress = ProgressStyle::automatic;
-  std::optional<schema::Storage> storage;  ///< instead of what the file system says
+  std::optional<schema::Storage> storage;  ///< replaces the file system's kind
   schema::Builds builds = schema::Builds::same;
   bool retry_undecided = false;
-  bool alone_is_meant = false;  ///< also where other tasks were started beside it
-  std::string command_for_all;  ///< what would use every core, if this does not
+  bool alone_is_meant = false;  ///< allow one rank beside other started tasks
+  std::string command_for_all;  ///< the command that uses every core, if this one does not
   solver::InstructionSet instruction_set = solver::available_instruction_sets().back();
 };
 
-/// Runs or resumes; returns the exit code.
+/// Runs or resumes the campaign; returns the exit code.
 int run_search(const SearchOptions& options);
 
-/// "results/miura-6x6-1a2b3c4d.db"
+/// Returns "results/miura-6x6-1a2b3c4d.db".
 std::string default_catalogue_path(const schema::Campaign& campaign);
 
 }  // namespace misalign::search

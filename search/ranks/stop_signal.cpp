@@ -21,7 +21,7 @@ constexpr int kLeaveSignals[] = {SIGTERM, SIGINT, SIGHUP, SIGXCPU, SIGALRM};
 constexpr Nanoseconds kSameRequest = std::chrono::milliseconds(500);
 
 volatile std::sig_atomic_t drain_seen = 0, status_seen = 0;
-std::atomic<Nanoseconds::rep> leave_since = 0;  // 0: nobody has asked
+std::atomic<Nanoseconds::rep> leave_since = 0;  // 0: no request
 static_assert(std::atomic<Nanoseconds::rep>::is_always_lock_free);
 
 Nanoseconds now() {
@@ -37,12 +37,12 @@ void note_status(int) { status_seen = 1; }
 
 void note_leave(int signal) {
   static constexpr char kWhy[] =
-      "misalign: asked twice to stop, this ends at once; what was committed is good, and the same "
-      "command goes on from there\n";
+      "misalign: asked twice to stop, this ends at once; committed results are kept, and the same "
+      "command resumes\n";
   const Nanoseconds time = now();
   Nanoseconds::rep first = 0;
   if (leave_since.compare_exchange_strong(first, time.count())) return;
-  // SIGXCPU comes again every second.
+  // SIGXCPU is repeated every second.
   const bool is_insisting = signal == SIGTERM || signal == SIGINT;
   if (!is_insisting || time - Nanoseconds(first) < kSameRequest) return;
   leave_live_line();
@@ -50,18 +50,17 @@ void note_leave(int signal) {
   _exit(128 + signal);
 }
 
-// SQLite maps the index of its log, which another program may cut short. Nothing is half-written
-// by that: whoever opens the catalogue next makes the index anew from the log.
+// Ends the process if another program truncates the index of SQLite's log, which is mapped. No
+// write is lost: the next program that opens the catalogue rebuilds the index from the log.
 void end_for_lost_page(int signal, siginfo_t* info, void*) {
-  if (info->si_code != BUS_ADRERR) {  // an error of this program, or sent by another one
+  if (info->si_code != BUS_ADRERR) {  // an error of this program, or a signal of another one
     std::signal(signal, SIG_DFL);
     std::raise(signal);
     return;
   }
   static constexpr char kWhy[] =
-      "misalign: a file that was in use lost a part (another program cut it short, perhaps the "
-      "-shm file beside the catalogue, or there is no room for it); what was committed is good, "
-      "and the same command goes on from there\n";
+      "misalign: a file in use was truncated (by another program, perhaps the -shm file beside the "
+      "catalogue, or the disk is full); committed results are kept, and the same command resumes\n";
   leave_live_line();
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kWhy, sizeof kWhy - 1);
   _exit(EXIT_FAILURE);
@@ -95,7 +94,7 @@ void watch_for_signals() {
   for (const int signal : kLeaveSignals) {
     struct sigaction before {};
     sigaction(signal, nullptr, &before);
-    const bool is_asked = signal == SIGTERM || signal == SIGINT;  // by whoever sends it
+    const bool is_asked = signal == SIGTERM || signal == SIGINT;  // a deliberate request
     if (is_asked || before.sa_handler != SIG_IGN) std::signal(signal, note_leave);
   }
   std::signal(SIGUSR1, note_drain);

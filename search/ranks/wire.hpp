@@ -1,4 +1,4 @@
-// Fields of messages as bytes: the same list of them is written or read.
+// Converts fields of messages to bytes and back, by one list of fields.
 #pragma once
 
 #include <cstring>
@@ -14,7 +14,7 @@ namespace misalign::search {
 
 using Bytes = std::vector<char>;
 
-/// `Wire`, below, is one of these two.
+/// Writes fields. `Wire`, below, is a Writer or a Reader.
 class Writer {
  public:
   template <class T>
@@ -33,7 +33,7 @@ class Writer {
   Bytes bytes_;
 };
 
-/// Bytes that end too early leave fields as they are, and lists empty.
+/// Reads fields. Bytes that end too early leave fields unchanged, and lists empty.
 class Reader {
  public:
   explicit Reader(const Bytes& bytes) : bytes_(bytes) {}
@@ -51,12 +51,12 @@ class Reader {
     text.assign(bytes_.data() + at_, size);
     at_ += size;
   }
-  /// Whether there are so many items of at least so many bytes.
+  /// Returns whether the bytes left hold `items` of at least `bytes_each`.
   bool has(std::size_t items, std::size_t bytes_each) {
     if (items > (bytes_.size() - at_) / bytes_each) is_whole_ = false;
     return is_whole_;
   }
-  /// Whether every byte was read, and none was missing.
+  /// Returns whether every byte was read, and none was missing.
   bool is_whole() const { return is_whole_ && at_ == bytes_.size(); }
 
  private:
@@ -79,7 +79,7 @@ void list(Reader& wire, std::vector<T>& items, Each&& each) {
   if constexpr (std::is_arithmetic_v<T>) {
     items.resize(wire.has(size, sizeof(T)) ? size : 0);
     for (T& item : items) each(item);
-  } else {  // one after another, so that memory is taken for what is there alone
+  } else {  // one by one, so that memory is taken only for existing items
     while (items.size() < size && wire.has(1, 1)) each(items.emplace_back());
     if (!wire.has(0, 1)) items.clear();
   }
@@ -99,7 +99,7 @@ void optional_field(Reader& wire, std::optional<T>& value, Each&& each) {
   if (is_there) each(value.emplace());
 }
 
-/// The bytes of a value, and the value of bytes, by `fields`(wire, value).
+/// Converts a value to bytes, and bytes to a value, by `fields`(wire, value).
 template <class Value, class Fields>
 Bytes packed(const Value& value, const Fields& fields) {
   Writer wire;
@@ -134,7 +134,7 @@ inline void shifts_fields(Reader& wire, Eigen::Matrix2Xd& shifts) {
   for (Eigen::Index k = 0; k < shifts.size(); ++k) wire.field(shifts.data()[k]);
 }
 
-/// All of a schema::CertificateRecord.
+/// Writes or reads a whole schema::CertificateRecord.
 template <class Wire, class Row>
 void certificate_fields(Wire& wire, Row& row) {
   wire.field(row.draw);
@@ -149,7 +149,7 @@ void certificate_fields(Wire& wire, Row& row) {
   wire.text(row.hash);
 }
 
-/// All of a schema::AscentRecord.
+/// Writes or reads a whole schema::AscentRecord.
 template <class Wire, class Ascent>
 void ascent_fields(Wire& wire, Ascent& ascent) {
   for (auto* value : {&ascent.start_value, &ascent.end_value}) {
@@ -161,7 +161,7 @@ void ascent_fields(Wire& wire, Ascent& ascent) {
   optional_field(wire, ascent.limited_by, [&](auto& text) { wire.text(text); });
 }
 
-/// Without its certificate, which none has in a splitting search.
+/// Writes or reads a candidate without its certificate, which it lacks in a splitting search.
 template <class Wire, class Candidate>
 void candidate_fields(Wire& wire, Candidate& candidate) {
   wire.field(candidate.draw);

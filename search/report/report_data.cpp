@@ -28,7 +28,7 @@ namespace {
 
 using schema::Json;
 
-// Details may take about so much of the page; large sheets get fewer of them.
+// Approximate largest size of all details on the page; it holds fewer large sheets.
 constexpr std::size_t kMostDetailBytes = 24 << 20;
 
 std::string now() {
@@ -45,10 +45,10 @@ std::vector<std::uint64_t> first_in_table(const Json& candidates, std::uint64_t 
   return draws;
 }
 
-// Whose folding the page carries, none twice; the first `asked_for` whatever it takes.
+// Different draws with details; the first `requested` have them whatever their size.
 struct DetailedDraws {
   std::vector<std::uint64_t> draws;
-  std::size_t asked_for = 0;
+  std::size_t requested = 0;
 
   void add(const std::vector<std::uint64_t>& more) {
     for (const std::uint64_t draw : more) {
@@ -61,7 +61,7 @@ DetailedDraws detailed_draws(SQLite::Database& database, const Json& candidates,
                              const ReportCall& call) {
   DetailedDraws detailed;
   detailed.add(call.draws);
-  detailed.asked_for = detailed.draws.size();
+  detailed.requested = detailed.draws.size();
   Choice choice = call.choice;
   const bool counted = choice.best || choice.diverse;
   if (!choice.chooses()) {
@@ -70,7 +70,7 @@ DetailedDraws detailed_draws(SQLite::Database& database, const Json& candidates,
     if (!counted) choice.best = call.details;
     detailed.add(chosen_draws(database, choice));
   }
-  if (counted) detailed.asked_for = detailed.draws.size();
+  if (counted) detailed.requested = detailed.draws.size();
   return detailed;
 }
 
@@ -82,7 +82,7 @@ Json detail_json(SQLite::Database& database, const schema::Campaign& campaign, F
   Json ascent = schema::read_ascent(database, draw);
   if (!ascent.is_object()) return json;
   ascent["limited_by"] = schema::json_of(ascent["limited_by"]);
-  if (!campaign.search.splitting) {  // whose starts would have to be found again
+  if (!campaign.search.splitting) {  // its starts are not stored
     const solver::Sheet start = model.sheet(shifts_of_draw(campaign, draw));
     ascent["start"] = schema::path_json({campaign.pattern, start});
   }
@@ -97,11 +97,12 @@ Json details_json(SQLite::Database& database, const schema::Campaign& campaign, 
   const bool is_large = campaign.pattern.base.sheet.vertex_count() > call.largest_detailed;
   std::size_t bytes = 0;
   for (std::size_t k = 0; k < detailed.draws.size(); ++k) {
-    if (k >= detailed.asked_for && (is_large || bytes >= kMostDetailBytes)) break;
+    if (k >= detailed.requested && (is_large || bytes >= kMostDetailBytes)) break;
     if (call.is_stopped && call.is_stopped()) {
-      throw schema::UserError(schema::Cause::failure, "stopped before all sheets were looked at");
+      throw schema::UserError(schema::Cause::failure,
+                              "stopped before the details of all sheets were computed");
     }
-    show_work("sheets looked at closely", k, detailed.draws.size());
+    show_work("details computed", k, detailed.draws.size());
     json.push_back(detail_json(database, campaign, model, detailed.draws[k], details));
     bytes += json.back().dump().size();
   }
@@ -124,7 +125,7 @@ Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mec
   return diagonals;
 }
 
-// The options that were given, for the page's commands.
+// Returns the given options of a design, for the page's commands.
 std::string options_of(const schema::Design& design) {
   std::string text;
   if (design.from_deg) text += " --from " + schema::shown_number(*design.from_deg);
@@ -138,7 +139,7 @@ std::string options_of(const schema::Design& design) {
   return text;
 }
 
-// Whom the page shows, in its own words' terms.
+// Describes the choice of draws with details.
 Json chosen_json(const ReportCall& call) {
   const Choice& choice = call.choice;
   return {{"draws", call.draws.size()},
@@ -148,7 +149,7 @@ Json chosen_json(const ReportCall& call) {
           {"by", schema::or_null(choice.by)}};
 }
 
-// What SQL finds of each candidate for the studies that were asked for.
+// Returns the SQL functions of the requested studies and columns.
 std::vector<std::string_view> functions_of(const ReportCall& call) {
   std::vector<std::string_view> functions;
   for (const auto& [name, is_asked] : call.studies) {
@@ -174,7 +175,7 @@ std::vector<std::string_view> functions_of(const ReportCall& call) {
   return functions;
 }
 
-// What the page's commands are made of: it shows how to go on from what it shows.
+// Returns the parts of the commands that the page suggests.
 Json commands_json(const ReportCall& call) {
   std::string choice = text_of(call.choice);
   if (call.details != ReportCall().details) {
@@ -192,7 +193,7 @@ Json commands_json(const ReportCall& call) {
           {"output", shell_path(call.output)}};
 }
 
-// What the catalogue says, all of it of one moment: a search may be writing.
+// Reads the catalogue at one moment, since a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
                     const ReportCall& call, DetailedDraws& detailed) {
   const std::vector<std::string_view> functions = functions_of(call);
@@ -209,7 +210,7 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
   });
 }
 
-// What is folded, and by what.
+// Describes the sheet, its diagonals and springs.
 Json folding_json(const FoldingModel& model) {
   const solver::Actuators actuators = model.actuators();
   return {{"sheet", schema::sheet_json(model.base(), model.mechanism())},
@@ -219,15 +220,16 @@ Json folding_json(const FoldingModel& model) {
             {"stroke_limit", schema::or_null(actuators.stroke_limit)}}}};
 }
 
-// The manual's site, seen from the page: of this machine's folders no more than that says.
+// Returns the relative path from the page to the manual's site, which reveals no more of this
+// machine's folders.
 Json manual_json(const ReportCall& call) {
   const auto site = place_of_site();
   if (!site || call.output.empty()) return nullptr;
-  const auto here = std::filesystem::absolute(call.output).parent_path();
-  return std::filesystem::proximate(*site, here).generic_string();
+  const auto folder = std::filesystem::absolute(call.output).parent_path();
+  return std::filesystem::proximate(*site, folder).generic_string();
 }
 
-// Who wrote the page, of what, and how it can be written again.
+// Describes the page's program, its source, and the commands that write it again.
 Json origin_json(const ReportCall& call) {
   return {{"format", 1},
           {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
@@ -238,21 +240,21 @@ Json origin_json(const ReportCall& call) {
           {"commands", commands_json(call)}};
 }
 
-// Those of a result of `misalign stress` are looked at whatever room they take, and are to be among
-// those that are shown.
+// Gives draws with a result of `misalign stress` details of any size. UserError (bad_input) if one
+// is not among those shown.
 void require_stressed_draws(const ReportCall& call, const std::vector<std::uint64_t>& stressed,
                             DetailedDraws& detailed) {
   for (std::size_t k = 0; k < stressed.size(); ++k) {
     const auto at = std::find(detailed.draws.begin(), detailed.draws.end(), stressed[k]);
     if (at == detailed.draws.end()) {
-      throw schema::UserError(schema::Cause::bad_input,
-                              fmt::format("{}: is of draw {}, which is not among those that can be "
-                                          "looked at closely on this page; add {}",
-                                          call.detail.stress_files[k], stressed[k],
-                                          schema::parameter("draw", std::to_string(stressed[k]))));
+      throw schema::UserError(
+          schema::Cause::bad_input,
+          fmt::format("{}: is a result for draw {}, which has no details on this page; add {}",
+                      call.detail.stress_files[k], stressed[k],
+                      schema::parameter("draw", std::to_string(stressed[k]))));
     }
-    detailed.asked_for =
-        std::max(detailed.asked_for, static_cast<std::size_t>(at - detailed.draws.begin()) + 1);
+    detailed.requested =
+        std::max(detailed.requested, static_cast<std::size_t>(at - detailed.draws.begin()) + 1);
   }
 }
 

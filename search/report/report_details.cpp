@@ -17,7 +17,7 @@ namespace {
 using schema::Json;
 using schema::UserError;
 
-// "draw 7 of the campaign 1a2b3c4d", "the pattern table1".
+// Names a result's sheet: "draw 7 of the campaign 1a2b3c4d", "the pattern table1".
 std::string owner(const schema::StressResult& result) {
   if (result.whose.contains("pattern")) {
     return "the pattern " + result.whose["pattern"].get<std::string>();
@@ -27,9 +27,9 @@ std::string owner(const schema::StressResult& result) {
 }
 
 UserError of_another(const schema::StressResult& result, const std::string& shown) {
-  return UserError(schema::Cause::bad_input, result.path + ": is of " + owner(result) +
-                                                 ", and what is reported is " + shown +
-                                                 "; name a result of `misalign stress` on that");
+  return UserError(schema::Cause::bad_input, result.path + ": is a result for " + owner(result) +
+                                                 ", but the report is on " + shown +
+                                                 "; give a result of `misalign stress` for that");
 }
 
 }  // namespace
@@ -52,8 +52,8 @@ std::vector<std::uint64_t> ReportDetails::draws_with_stress(
     const auto draw = result.whose["draw"].get<std::uint64_t>();
     if (std::find(draws.begin(), draws.end(), draw) != draws.end()) {
       throw UserError(schema::Cause::bad_request,
-                      result.path + ": is of draw " + std::to_string(draw) +
-                          ", as another --stress is; name one of the two");
+                      result.path + ": is a result for draw " + std::to_string(draw) +
+                          ", like another --stress; give one of the two");
     }
     draws.push_back(draw);
   }
@@ -65,7 +65,7 @@ void ReportDetails::check_stress(const std::string& path, const std::string& fin
     throw UserError(solver::OptionFault{
         "stress",
         {},
-        "is given " + std::to_string(stress_.size()) + " times, and " + path + " is one sheet",
+        "is given " + std::to_string(stress_.size()) + " times, but " + path + " holds one sheet",
         "give it once"});
   }
   for (const schema::StressResult& result : stress_) {
@@ -87,7 +87,7 @@ Json ReportDetails::of_draw(const solver::Sheet& sheet, std::uint64_t draw, bool
 
 Json ReportDetails::of_pattern(const solver::Sheet& sheet, const std::string& name) const {
   Json json = detail(sheet, 0, false);
-  json["draw"] = name;  // by which the page knows it
+  json["draw"] = name;  // the page's name for it
   json["accepted"] = nullptr;
   if (!stress_.empty()) json["stress"] = schema::stress_shown_json(stress_[0], model_.base());
   return json;
@@ -101,7 +101,7 @@ Json ReportDetails::detail(const solver::Sheet& sheet, std::uint64_t draw, bool 
   return json;
 }
 
-// Its deployment; null where it cannot be released.
+// Returns the sheet's motion after release; null if it cannot be released.
 Json ReportDetails::deployment(const solver::Sheet& sheet) const {
   solver::ReleaseOptions options = deploy_options(model_.design(), sheet);
   options.from_deg = from_of(sheet);
@@ -109,14 +109,14 @@ Json ReportDetails::deployment(const solver::Sheet& sheet) const {
   return study ? schema::page_deployment_json(*study) : Json();
 }
 
-// Null for its own D: where the angle of use lies beyond that, the page shows D's.
+// Returns the angle of use, or null for the sheet's D if the angle lies beyond that.
 std::optional<double> ReportDetails::from_of(const solver::Sheet& sheet) const {
   const auto from_deg = model_.design().from_deg;
   return from_deg && !solver::beyond_d(sheet, *from_deg) ? from_deg : std::nullopt;
 }
 
-// Where its panels meet, its corners trimmed by the usual or, where that leaves nothing of an edge,
-// by nothing; null where the path is lost.
+// Returns the contact of its panels, with corners trimmed as usual, or untrimmed if no edge would
+// remain; null if the path is lost.
 Json ReportDetails::contact(const solver::Sheet& sheet) const {
   solver::ContactOptions options{{}, from_of(sheet)};
   auto study = solver::contact(sheet, options);

@@ -1,4 +1,4 @@
-// The details that a report's page carries of each sheet that can be looked at closely.
+// Computes the details of each sheet that a report's page can show closely.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace misalign::search {
 
-/// What is asked for beyond what every page has.
+/// Details that a page has on request alone.
 struct DetailOptions {
-  bool contact = false;                   ///< where panels meet
-  std::vector<std::string> stress_files;  ///< of `misalign stress`
+  bool contact = false;                   ///< add the contact of panels
+  std::vector<std::string> stress_files;  ///< results of `misalign stress`
 };
 
 class ReportDetails {
@@ -20,15 +20,15 @@ class ReportDetails {
   /// Reads the files of `options`; UserError (bad_input). `model` must outlive this object.
   ReportDetails(const FoldingModel& model, const DetailOptions& options);
 
-  /// Of a draw of a campaign.
+  /// Returns the details of a campaign's draw.
   schema::Json of_draw(const solver::Sheet& sheet, std::uint64_t draw, bool accepted) const;
-  /// Of a pattern file's sheet, which nobody accepted.
+  /// Returns the details of a pattern file's sheet, which has no verdict of a campaign.
   schema::Json of_pattern(const solver::Sheet& sheet, const std::string& name) const;
 
-  /// The draws that the stress files are of. UserError (bad_input) where one is of no draw of this
-  /// campaign; bad request where two are of the same.
+  /// Returns the draws of the stress files. UserError: bad_input if a file is of no draw of this
+  /// campaign; bad_request if two are of the same draw.
   std::vector<std::uint64_t> draws_with_stress(const schema::Campaign& campaign) const;
-  /// UserError as above, of the file's only sheet.
+  /// Checks the stress files against a pattern file's only sheet; UserError as above.
   void check_stress(const std::string& path, const std::string& fingerprint) const;
 
  private:

@@ -35,7 +35,7 @@ std::string springs_summary(const solver::Mechanism& mechanism, const Actuation&
                         actuation.few->diagonals.size(), mechanism.diagonal_count(),
                         100 * actuation.few->share,
                         schema::diagonal_labels(mechanism, actuation.few->diagonals),
-                        actuation.few->proven ? "; no fewer do" : "; fewer might");
+                        actuation.few->proven ? " (proven minimum)" : " (perhaps not the minimum)");
   }
   if (actuation.over_stroke) {
     text += fmt::format("the stroke limit is first exceeded at {:g} deg; up to {} by {}\n",
@@ -78,7 +78,7 @@ std::string springs_text(const solver::Sheet& sheet, const Actuation& actuation)
                                                           actuation.few->diagonals.end(), d);
     text += fmt::format("{:>9} {:>11.3f} {:>9.3f} N {:>9.3f} % {}\n",
                         schema::diagonal_label(mechanism, d), actuation.free_mm[at], force_n,
-                        100 * longer_mm / flat_mm, kept ? " one of the few" : "");
+                        100 * longer_mm / flat_mm, kept ? " in that set" : "");
   }
   return text;
 }

@@ -11,7 +11,7 @@ namespace {
 
 using solver::BacklashTrial;
 
-// Radii that are tried for the largest: each halves the logarithm of what is left.
+// The number of bisections: each halves the logarithm of the interval of radii.
 int radii_tried(double least_mm, double most_mm) {
   return std::max(0, static_cast<int>(std::ceil(
                          std::log2(std::log(most_mm / least_mm) / std::log(kRadiusRatio)))));
@@ -30,19 +30,18 @@ class Trials {
     }
   }
 
-  // Everything about each of them.
   std::vector<BacklashTrial> all(double backlash_mm) {
     run(backlash_mm, false, options_.trials);
     return trials_;
   }
-  // How many move one way, if they are as many as wanted, and otherwise some number below that.
+  // The number of monotone trials; where it is below `wanted`, some number below that.
   std::uint64_t one_way(double backlash_mm, std::uint64_t wanted) {
     run(backlash_mm, true, options_.trials - wanted);
     return options_.trials - misses_;
   }
 
  private:
-  // Until more than so many do not move one way.
+  // Ends early once more than `most_misses` trials are not monotone.
   void run(double backlash_mm, bool only_whether, std::uint64_t most_misses) {
     trials_.assign(options_.trials, {});
     misses_ = 0;
@@ -76,8 +75,8 @@ class Trials {
   CopiesDone& copies_;
 };
 
-// By bisection between a backlash that is taken for good and one that is not, whatever was asked
-// about: so the answer is the same.
+// Bisects between a backlash that is taken for good and one that is not, whatever backlash was
+// requested: so the answer is the same.
 void find_largest(Trials& trials, std::uint64_t all, solver::Backlash& backlash) {
   const auto wanted =
       static_cast<std::uint64_t>(std::ceil(solver::kWantedShare * static_cast<double>(all)));

@@ -1,5 +1,5 @@
 // `misalign tolerance --backlash`: judges a sheet whose joints have play, many times, each time
-// with every joint settled somewhere else.
+// with other offsets of every joint.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace misalign::search {
 /// 64 k + 1, ... (One in two lies in it.)
 solver::Vec3<double> point_in_ball(std::uint64_t seed, std::uint64_t trial, std::uint32_t k);
 
-/// How the joints of trial t have settled, as a share of their play: points 2i and 2i + 1 are
+/// Offsets of the joints in trial t, as a share of their play: points 2i and 2i + 1 are
 /// crease i's at a and at b, in the mechanism's order, and then those of the ball joints.
 solver::JointOffsets trial_offsets(const solver::Mechanism& mechanism, std::uint64_t seed,
                                    std::uint64_t trial);
@@ -23,21 +23,21 @@ struct BacklashStudyOptions {
   double backlash_mm = 0;       ///< radius of the ball in which each joint's offsets lie
   std::uint64_t trials = 1000;  ///< trials 0 to this
   int jobs = 1;                 ///< threads; the answer does not depend on them
-  std::function<void(const CopiesDone&)> progress{};  ///< called now and then, by one at a time
+  std::function<void(const CopiesDone&)> progress{};  ///< called now and then, one call at a time
 };
 
-/// How well that is known: its logarithm is bisected until two radii are within this ratio, of
-/// which one is good and the other not. The share of 1,000 trials is known to 1.4 % only.
+/// Accuracy of the largest backlash: its logarithm is bisected until a good and a bad radius are
+/// within this ratio. The share of 1,000 trials is known to 1.4 % only.
 inline constexpr double kRadiusRatio = 1.01;
-/// It is looked for from here on, as a share of the panel width: 0.08 micrometres on 80 mm.
+/// The smallest backlash that is tried, as a share of the panel width: 0.08 micrometres on 80 mm.
 inline constexpr double kLeastBacklash_widths = 1e-6;
-/// solver::Backlash must be below this share of the shortest crease, and is looked for up to there:
-/// from there on a hinge's line may point anywhere near.
+/// The largest backlash that is tried, as a share of the shortest crease: beyond it a hinge's line
+/// may point anywhere near.
 inline constexpr double kMostBacklash_creases = 0.1;
 
 class BacklashStudy {
  public:
-  /// Of sheets of the campaign with these shifts (one column per vertex). Follows their own paths.
+  /// Follows the paths of the campaign's sheets with these shifts (one column per vertex).
   BacklashStudy(const schema::Campaign& campaign, const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                 const solver::BacklashOptions& options);
 

@@ -21,7 +21,7 @@ std::string quantiles_line(const char* what, const std::vector<double>& values) 
 
 std::string share_line(const solver::Backlash& backlash, double up_to_deg) {
   const schema::ShareOfTrials share = schema::one_way_share(backlash, up_to_deg);
-  return fmt::format("one way {:g} to {:<6g} {}, {:.4g} % (95 %: {:.4g} to {:.4g})\n",
+  return fmt::format("monotone {:g} to {:<6g} {}, {:.4g} % (95 %: {:.4g} to {:.4g})\n",
                      backlash.from_deg, up_to_deg, backlash.one_way_to(up_to_deg),
                      100 * share.share, 100 * share.low, 100 * share.high);
 }
@@ -33,7 +33,7 @@ std::string largest_words(const solver::Backlash& backlash) {
   return fmt::format("{:.3g} mm", backlash.largest_mm);
 }
 
-// Which faults end the stretch, the commonest in a legend first.
+// Faults that end the monotone range, the commonest in a legend first.
 std::string faults_line(const solver::Backlash& backlash) {
   std::string text;
   for (const solver::FaultEntry& entry : solver::fault_table()) {
@@ -51,26 +51,25 @@ std::string faults_line(const solver::Backlash& backlash) {
 std::string backlash_text(const NamedBacklash& named) {
   const solver::Backlash& backlash = named.backlash;
   std::string text =
-      fmt::format("{}, deploys from {:g} deg; {} trials, every joint off by up to {:g} mm\n",
-                  named.name, backlash.own_deg, backlash.trials.size(), backlash.backlash_mm);
-  text += quantiles_line("branch lost at", backlash.lost_deg());
-  text += quantiles_line("one way down to", backlash.one_way_from_deg());
-  text += quantiles_line("one way up to", backlash.one_way_to_deg());
+      fmt::format("{}, deploys from {:g} deg; {} trials, joint clearance {:g} mm\n", named.name,
+                  backlash.own_deg, backlash.trials.size(), backlash.backlash_mm);
+  text += quantiles_line("branch lost", backlash.lost_deg());
+  text += quantiles_line("monotone, lowest", backlash.one_way_from_deg());
+  text += quantiles_line("monotone, highest", backlash.one_way_to_deg());
   const std::vector<double> left = backlash.left_over();
   text += fmt::format(
-      "{:<18} {:.3g} backlashes, at most {:.3g}: what play at whole vertices has to take up\n",
-      "left over", solver::quantile(left, 0.5), left.back());
+      "{:<18} {:.3g} clearances, at most {:.3g}: play at whole vertices must close it\n",
+      "residual gap", solver::quantile(left, 0.5), left.back());
   text += faults_line(backlash);
   if (backlash.undecided() > 0) {
-    text +=
-        fmt::format("undecided          {}: the intervals allow for both\n", backlash.undecided());
+    text += fmt::format("undecided          {}: the intervals allow both\n", backlash.undecided());
   }
   text += share_line(backlash, backlash.own_deg);
   if (named.threshold_deg &&
       *named.threshold_deg<backlash.own_deg&& * named.threshold_deg> backlash.from_deg) {
     text += share_line(backlash, *named.threshold_deg);
   }
-  return text + fmt::format("{:g} % one way up to   {}\n", 100 * solver::kWantedShare,
+  return text + fmt::format("{:g} % clearance     {}\n", 100 * solver::kWantedShare,
                             largest_words(backlash));
 }
 
@@ -80,14 +79,15 @@ std::string backlashes_text(std::vector<NamedBacklash> several) {
   });
   const solver::Backlash& first = several.front().backlash;
   std::string text = fmt::format(
-      "{} trials each, every joint off by up to {:g} mm; the most tolerant last\n"
-      "{:24}  deploys from  one way from {:<6g} 95 %             branch lost at  {:g} % up to\n",
+      "{} trials each, joint clearance {:g} mm; the most tolerant last\n"
+      "{:24}  deploys from  monotone from {:<6g} 95 %             branch lost     {:g} % "
+      "clearance\n",
       first.trials.size(), first.backlash_mm, "", first.from_deg, 100 * solver::kWantedShare);
   for (const NamedBacklash& named : several) {
     const solver::Backlash& backlash = named.backlash;
     const schema::ShareOfTrials share = schema::one_way_share(backlash, backlash.own_deg);
     const std::vector<double> lost = backlash.lost_deg();
-    text += fmt::format("{:<24}  {:>12g}  {:>17.4g} % {:<16} {:>10} deg  {}\n", named.name,
+    text += fmt::format("{:<24}  {:>12g}  {:>18.4g} % {:<16} {:>10} deg  {}\n", named.name,
                         backlash.own_deg, 100 * share.share,
                         fmt::format("{:.4g} to {:.4g}", 100 * share.low, 100 * share.high),
                         lost.empty() ? "?" : fmt::format("{:.3g}", solver::quantile(lost, 0.5)),

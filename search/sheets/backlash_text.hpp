@@ -9,15 +9,14 @@
 
 namespace misalign::search {
 
-/// A sheet's name, "draw 17", what was found of it, and the threshold of its campaign, if it has
-/// one.
+/// A sheet's name, "draw 17", its backlash, and the threshold of its campaign, if it has one.
 struct NamedBacklash {
   std::string name;
   solver::Backlash backlash;
   std::optional<double> threshold_deg;
 };
 
-/// Of one sheet; what counts comes last.
+/// Text of one sheet; the result comes last.
 std::string backlash_text(const NamedBacklash& named);
 /// A line for each of several, the one that takes the most backlash last.
 std::string backlashes_text(std::vector<NamedBacklash> several);

@@ -18,15 +18,15 @@
 namespace misalign::search {
 namespace {
 
-// Up to where the sheet that was found is to be proven: the angle that is asked, or where that is
-// the goal the last sample before it.
+// The angle up to which the optimum must be proven: the requested one, or where an angle is the
+// goal the last sample before it.
 double asked_deg(const solver::Optimised& found, double sample_deg) {
   const double asked_deg = found.options.deploys_from_sample * sample_deg;
   if (!found.options.goal->is_proven_angle) return asked_deg;
   return std::max(asked_deg, std::floor(found.best().value / sample_deg) * sample_deg);
 }
 
-// The last sheet that is proven up to there; where not even the start is, all stay.
+// Keeps the last sheet proven up to there; all sheets where not even the start is.
 ProvenBetter proven(const Subject& subject, solver::Optimised found,
                     const std::function<void()>& watch) {
   if (!subject.sheet.base().springs.in_mid_plane()) return {std::move(found), {}};
@@ -47,7 +47,7 @@ ProvenBetter proven(const Subject& subject, solver::Optimised found,
   return {std::move(found), first};
 }
 
-// What moves together within the base's parallel family, of which the sheet is a member.
+// Restricts shifts to the base's parallel family, of which the sheet is a member.
 void keep_to_family(const solver::Sheet& sheet, solver::OptimiseOptions& options) {
   const auto refuse = [](const std::string& why, const char* instead) {
     throw schema::UserError(solver::OptionFault{"within_family", {}, why, instead});
@@ -65,26 +65,26 @@ void keep_to_family(const solver::Sheet& sheet, solver::OptimiseOptions& options
   options.moves = family.basis();
 }
 
-// Of two limits the one that holds.
+// Returns the tighter of two limits.
 std::optional<double> lower(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b ? std::min(*a, *b) : a ? a : b;
 }
 
-// What the start does not keep is called by the limit that says it, where that is none of springs.
+// Names the violated constraint by --subject-to where that, and no limit of springs, sets it.
 solver::StudyResult<solver::Optimised> called_by(const schema::OptimiseBounds& bounds,
                                                  solver::StudyResult<solver::Optimised> study) {
   if (!study.fault()) return study;
   solver::OptionFault fault = *study.fault();
-  for (const auto& [name, limit, own] :
+  for (const auto& [name, limit, bound] :
        {std::tuple("stroke_limit", "stroke_max", bounds.stroke_max),
         std::tuple("largest_force_n", "largest_force_n", bounds.largest_force_n)}) {
-    if (fault.name != name || !own || fault.value != fmt::format("{:g}", *own)) continue;
+    if (fault.name != name || !bound || fault.value != fmt::format("{:g}", *bound)) continue;
     fault = {"subject_to", std::string(limit) + " <= " + *fault.value, fault.why, fault.suggestion};
   }
   return fault;
 }
 
-// Whether the goal, or that of a floor, has this need.
+// Returns whether the goal, or that of a floor, has this need.
 bool needs(const solver::OptimiseOptions& options, bool solver::Goal::*need) {
   return options.goal->*need ||
          std::ranges::any_of(options.floors, need, &solver::OptimiseFloor::goal);
@@ -92,9 +92,9 @@ bool needs(const solver::OptimiseOptions& options, bool solver::Goal::*need) {
 
 using Range = solver::OptimiseOptions::Range;
 
-// What springs may have, with what they have to begin with in it.
+// The range of a spring's quantity, which contains its start.
 std::optional<Range> range_of(const char* option, std::string_view design_key,
-                              const std::vector<double>& bounds, double own) {
+                              const std::vector<double>& bounds, double start) {
   if (bounds.empty()) return {};
   const double least = bounds.front(), most = bounds.back();
   const std::string shown = fmt::format("{:g}", fmt::join(bounds, ","));
@@ -108,14 +108,14 @@ std::optional<Range> range_of(const char* option, std::string_view design_key,
     refuse(fmt::format("springs may have {:g} to {:g}", lowest, highest),
            "name limits within that");
   }
-  if (own < least || own > most) {
-    refuse(fmt::format("the springs that it starts from have {:g}", own),
-           "name limits on either side of that, or other springs to start from");
+  if (start < least || start > most) {
+    refuse(fmt::format("the springs that it starts from have {:g}", start),
+           "name limits on both sides of that, or other starting springs");
   }
   return Range{least, most};
 }
 
-// Copies are those of `misalign tolerance`, and deploy from where the sheet is asked to.
+// Copies are those of `misalign tolerance`, and deploy from the requested angle.
 void add_yield(const ChosenSheet& chosen, const OptimiseInput& input, const schema::Campaign& asked,
                solver::OptimiseOptions& options) {
   check_miscut(input.miscut_mm, chosen.base.base.sheet, chosen.shifts_mm, chosen.name());
@@ -202,7 +202,7 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   const solver::Sheet start(solver, shifts_mm, sheet.name());
   return proven(subject,
                 value_or_throw(called_by(input.bounds, solver::optimise(start, options)),
-                               sheet.name(), "no better sheet is looked for"),
+                               sheet.name(), "no better sheet is sought"),
                 input.watch);
 }
 

@@ -30,7 +30,7 @@ std::string find_calculix() {
   throw schema::UserError(
       schema::Cause::failure,
       "there is no ccx in PATH (CalculiX, which bends the panels; directories that do not begin "
-      "with / are not looked at); install it (Debian: calculix-ccx)");
+      "with / are ignored); install it (Debian: calculix-ccx)");
 }
 
 RunDirectory::RunDirectory(const std::string& parent, const std::string& job)
@@ -69,7 +69,7 @@ std::string job_file(const std::string& directory, const std::string& job, const
 CalculixEnd run_calculix(const std::string& ccx, const std::string& directory,
                          const std::string& job, const std::function<bool()>& goes_on) {
   constexpr auto kPollInterval = std::chrono::milliseconds(200);
-  constexpr int kLooksToEnd = 25;  // after it was asked to
+  constexpr int kLooksToEnd = 25;  // after SIGTERM
   const std::string log = job_file(directory, job, ".log");
   ChildProcess child({ccx, "-i", job}, [&] {
     const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);

@@ -1,4 +1,4 @@
-// Runs ccx, CalculiX's solver, on a deck, and looks after it.
+// Runs ccx, CalculiX's solver, on a deck, and supervises it.
 #pragma once
 
 #include <functional>
@@ -7,18 +7,18 @@
 namespace misalign::search {
 
 struct CalculixEnd {
-  bool was_stopped = false;  ///< by `goes_on`
+  bool was_stopped = false;  ///< true if `goes_on` ended it
   int exit_code = 0;         ///< 128 + n where signal n ended it
   double cpu_s = 0;
-  double memory_mb = 0;  ///< the most that it had
+  double memory_mb = 0;  ///< peak
 };
 
-/// The first ccx in the directories of PATH that are absolute: what the others mean depends on
-/// where one is. UserError (failure) if there is none.
+/// The first ccx in the absolute directories of PATH: relative ones depend on the current
+/// directory. UserError (failure) if there is none.
 std::string find_calculix();
 
-/// A fresh directory for a run, inside of another one: nothing in it can be read, run or followed
-/// that the run did not make. UserError (failure) if it cannot be made.
+/// A fresh directory for a run, inside another one: the run reads and follows no file that it did
+/// not make. UserError (failure) if it cannot be made.
 class RunDirectory {
  public:
   RunDirectory(const std::string& parent, const std::string& job);
@@ -28,8 +28,8 @@ class RunDirectory {
   RunDirectory& operator=(const RunDirectory&) = delete;
 
   const std::string& path() const { return path_; }
-  /// What the run has made of its job goes into the parent, in place of what an earlier run left,
-  /// and the directory is removed. UserError (failure) if it cannot; it stays here then.
+  /// Moves the job's files into the parent, replacing those of an earlier run, and removes the
+  /// directory. UserError (failure) if it cannot; it stays here then.
   void publish() const;
 
  private:
@@ -37,17 +37,17 @@ class RunDirectory {
   std::string path_;
 };
 
-/// Runs `ccx -i JOB` in a directory until it ends or `goes_on`, asked a few times a second, says
-/// no; what it prints goes to JOB.log there. It ends with this process. UserError (failure) if it
-/// cannot be started.
+/// Runs `ccx -i JOB` in a directory until it ends or `goes_on`, called a few times a second,
+/// returns false; its output goes to JOB.log there. It ends with this process. UserError (failure)
+/// if it cannot be started.
 CalculixEnd run_calculix(const std::string& ccx, const std::string& directory,
                          const std::string& job, const std::function<bool()>& goes_on);
 
-/// What ccx may leave of a job, deck and log among them.
+/// Endings of a job's files, deck and log among them.
 inline constexpr const char* kJobEndings[] = {".inp", ".dat", ".frd", ".sta",
                                               ".cvg", ".12d", ".log"};
 
-/// The directory's own name of a job's file.
+/// The absolute path of a job's file.
 std::string job_file(const std::string& directory, const std::string& job, const char* ending);
 
 }  // namespace misalign::search

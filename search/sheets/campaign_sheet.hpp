@@ -7,9 +7,9 @@
 
 namespace misalign::search {
 
-/// Of a plain campaign any draw's, made again; of a splitting one a candidate's, as stored: to make
-/// that again takes its whole population; of an optimising one a candidate's, as stored, or of any
-/// other draw its own. UserError: 2 it is none of its candidates, 3 the row is damaged.
+/// A plain campaign makes any draw again. A splitting one has those of its candidates stored: to
+/// make them again takes a whole population. An optimising one has candidates stored, and makes
+/// other draws again. UserError: 2 it is none of its candidates, 3 the row is damaged.
 Eigen::Matrix2Xd shifts_of_number(SQLite::Database& database, const schema::Campaign& campaign,
                                   std::uint64_t number);
 

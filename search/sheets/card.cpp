@@ -34,8 +34,8 @@ class CardMaker {
     if (d_deg <= 0) {
       throw schema::UserError(schema::Cause::bad_input,
                               sheet_.name() +
-                                  ": deploys from nothing (its D is 0), so that it has no card; "
-                                  "`misalign fold` says what is in the way");
+                                  ": the sheet does not deploy (D = 0), so it has no card; "
+                                  "`misalign fold` shows its first fault");
     }
     used_deg_ = std::min(design_.from_deg.value_or(d_deg), d_deg);
     springs_ = solver::actuate(sheet_, design_.actuators(),
@@ -69,38 +69,39 @@ class CardMaker {
   void deploys_from() {
     const bool is_decided = sheet_.verdict().first_fault != solver::Fault::undecided;
     const double d_deg = sheet_.deploys_from_deg();
-    ask("deploys_from_deg", "every diagonal goes one way, up to", "deg",
+    ask("deploys_from_deg", "Deployment angle D, every diagonal monotone", "deg",
         design_.from_deg.value_or(used_deg_), is_decided ? Number(d_deg) : std::nullopt,
         Bound::at_least,
         is_decided
             ? ""
-            : fmt::format("undecided: beyond {:.10g} deg its path is lost (a numerical failure)",
+            : fmt::format("undecided: the path is lost beyond {:.10g}° (a numerical failure)",
                           d_deg));
   }
 
   void geometry() {
     deploys_from();
     const auto [certified_deg, note] = certified();
-    ask("certified_deg", "the same, proven for every angle", "deg", used_deg_, certified_deg,
-        Bound::at_least, note);
+    ask("certified_deg", "Certified angle, proven between samples too", "deg", used_deg_,
+        certified_deg, Bound::at_least, note);
     const solver::ContactStudy contact = contact_of(sheet_, {{}, used_deg_});
-    ask("first_contact_deg", "panels do not meet, up to", "deg", used_deg_,
+    ask("first_contact_deg", "First panel contact", "deg", used_deg_,
         contact.first ? contact.first->pilot_deg : contact.known_until_deg);
     const bool is_reached = contact.reach_deg >= contact.used_from_deg;
     const Number thickness_mm =
         contact.thickness ? Number(is_reached ? contact.thickness->thickness_mm : 0) : std::nullopt;
     ask("thickness_mm",
-        fmt::format("plates may be as thick, tapered, corners trimmed by {:g} mm", contact.trim_mm),
+        fmt::format("Maximum panel thickness, tapered, corners trimmed by {:g} mm",
+                    contact.trim_mm),
         "mm", design_.thickness_mm, thickness_mm);
   }
 
   std::pair<Number, std::string> certified() const {
     if (!sheet_.base().springs.in_mid_plane()) {
-      return {{}, "springs off the mid-plane have no proof"};
+      return {{}, "no certificate exists for springs off the mid-plane"};
     }
     if (schema::is_overconstrained(sheet_.base())) {
       const auto proof = solver::prove_member(sheet_.base(), chosen_.shifts_mm, used_deg_);
-      if (proof.holds()) return {proof.certified_deg, "in rational numbers"};
+      if (proof.holds()) return {proof.certified_deg, "proven in rational numbers"};
       return {{}, proof.gap.why(sheet_.base().sheet)};
     }
     RowCertifier certifier(chosen_.base, sheet_.model());
@@ -111,47 +112,46 @@ class CardMaker {
   void bent() {
     const auto [material, panels, advice, preload] = bent_sheet(sheet_, release_, design_);
     const std::string bend =
-        fmt::format(", panels of {:g} mm {} bending", panels.thickness_mm, material.name);
-    const double own = release_.sheet.joints.friction_n_mm_per_mm;
+        fmt::format(", bending panels of {:g} mm {}", panels.thickness_mm, material.name);
+    const double hinge_friction = release_.sheet.joints.friction_n_mm_per_mm;
     const solver::BentFriction& friction = panels.friction;
-    margin("energy_margin", "energy margin over the hinges' friction" + bend,
+    margin("energy_margin", "Energy margin over hinge friction" + bend,
            design_.energy_margin.value_or(solver::kWantedMargin), friction.critical_n_mm_per_mm,
-           own);
+           hinge_friction);
     const Number least = friction.static_n_mm_per_mm;
     margin("static_margin",
-           fmt::format("static margin over it at every angle down to {:g} deg{}",
-                       panels.options.to_deg, bend),
-           design_.static_margin.value_or(solver::kWantedMargin), least, own);
-    tell("bent_critical_friction_n_mm_per_mm", "let go, it gets to flat with friction up to",
-         "N mm per mm", friction.critical_n_mm_per_mm);
+           fmt::format("Static margin over hinge friction, down to {:g}°{}", panels.options.to_deg,
+                       bend),
+           design_.static_margin.value_or(solver::kWantedMargin), least, hinge_friction);
+    tell("bent_critical_friction_n_mm_per_mm", "Critical friction, bending panels", "N mm/mm",
+         friction.critical_n_mm_per_mm);
     tell("static_friction_n_mm_per_mm",
-         fmt::format("moving slowly, least at {:.3g} deg, with", friction.static_deg),
-         "N mm per mm", least, *least > 0 ? "" : "there nothing drives it on to flat");
+         fmt::format("Static friction overcome, worst at {:.3g}°", friction.static_deg), "N mm/mm",
+         least, *least > 0 ? "" : "no moment drives the sheet towards flat there");
     const solver::BentAngle& most = panels.most_bent();
     ask("largest_stress_mpa",
-        fmt::format(
-            "largest stress in the panels, held, farther than {:g} of their width from corners",
-            solver::kCornerWidths),
+        fmt::format("Largest static panel stress, farther than {:g} panel widths from corners",
+                    solver::kCornerWidths),
         "MPa", material.strength_mpa, most.largest_stress_mpa, Bound::at_most);
-    tell("bent_energy_n_mm", "springs and panels hold", "N mm", panels.angles.back().bent.n_mm,
-         fmt::format("rigid: {:.4g} N mm", panels.angles.back().rigid_n_mm));
+    tell("bent_energy_n_mm", "Stored energy", "N mm", panels.angles.back().bent.n_mm,
+         fmt::format("rigid panels: {:.4g} N mm", panels.angles.back().rigid_n_mm));
     tell("useful_stiffness_n_per_mm",
-         fmt::format("{:g} % of what the stiffest springs overcome, from", 100 * solver::kUseful),
+         fmt::format("Spring rate for {:g} % of the attainable friction", 100 * solver::kUseful),
          "N/mm", advice.useful_stiffness_n_per_mm);
-    if (own > 0) {
+    if (hinge_friction > 0) {
       tell("least_thickness_mm",
-           fmt::format("a static margin of {:g}, of panels from", advice.wanted_margin), "mm",
-           advice.least_thickness_mm, advice.least_thickness_mm ? "" : "none is thick enough");
+           fmt::format("Panel thickness for a static margin of {:g}", advice.wanted_margin), "mm",
+           advice.least_thickness_mm, advice.least_thickness_mm ? "" : "no thickness is enough");
     }
     if (preload && preload->modes.unstable > 0) {
-      tell("unstable_modes_at_flat", "flat is not held by the preload", "", {},
-           fmt::format(
-               "{} of {} ways to leave flat are pushed on: a stop, a latch or a frame holds it",
-               preload->modes.unstable, preload->modes.rigid));
+      tell("unstable_modes_at_flat", "Unstable modes at flat", "", {},
+           fmt::format("{} of {} rigid-folding modes, by the preload; a stop, latch or frame must "
+                       "hold the sheet",
+                       preload->modes.unstable, preload->modes.rigid));
     }
   }
 
-  // Where it is let go: at the last sample that its way reaches, if that is less.
+  // The angle of release: the last sample that its way reaches, if that is less.
   double release_deg() const {
     const solver::FoldingWay* const way = sheet_.way();
     const double sample_deg = chosen_.sampling.sample_deg;
@@ -163,25 +163,26 @@ class CardMaker {
   void rigid() {
     const solver::StaticRelease study =
         value_or_throw(solver::static_release(sheet_, release_), sheet_.name(), "it has no card");
-    margin("energy_margin", "energy margin over the hinges' friction, panels rigid",
+    margin("energy_margin", "Energy margin over hinge friction, rigid panels",
            design_.energy_margin.value_or(solver::kWantedMargin),
            study.friction.critical_n_mm_per_mm, release_.sheet.joints.friction_n_mm_per_mm);
-    lines_.back().note = "panels that bend, and a static margin, are of springs on the vertices";
+    lines_.back().note = "bending panels and a static margin need springs on the vertices";
   }
 
-  // Of something that resists with `own`: asked only where there is some.
-  void margin(const char* key, const std::string& what, double wanted, Number most, double own) {
-    if (own > 0) {
-      ask(key, what, "", wanted, most ? *most / own - 1 : -1);
+  // Margin of the friction that is overcome over the design's; required where that is not 0.
+  void margin(const char* key, const std::string& what, double wanted, Number overcome,
+              double friction) {
+    if (friction > 0) {
+      ask(key, what, "", wanted, overcome ? *overcome / friction - 1 : -1);
     } else {
-      tell(key, what, "", {}, "no friction is named");
+      tell(key, what, "", {}, "the design names no friction");
     }
   }
 
   void released() {
     if (!has("SUNDIALS")) {
-      ask("landing_deg_per_s", "lands no faster than", "deg/s", design_.landing_deg_per_s, {},
-          Bound::at_most, schema::missing_text("SUNDIALS"));
+      ask("landing_deg_per_s", "Landing speed, rigid panels", "deg/s", design_.landing_deg_per_s,
+          {}, Bound::at_most, schema::missing_text("SUNDIALS"));
       return;
     }
     const solver::DeploymentStudy study = deployed(sheet_, release_);
@@ -192,23 +193,25 @@ class CardMaker {
       energy = row.kinetic_n_mm;
       break;
     }
-    ask("landing_deg_per_s", "lands with, panels rigid", "deg/s", design_.landing_deg_per_s, rate,
-        Bound::at_most, rate ? "" : "it does not get to flat");
-    tell("landing_energy_n_mm", "which a latch must take", "N mm", energy);
-    tell("mass_g", "panels weigh", "g", study.mass_t * 1e6);
+    ask("landing_deg_per_s", "Landing speed, rigid panels", "deg/s", design_.landing_deg_per_s,
+        rate, Bound::at_most, rate ? "" : "the sheet does not reach flat");
+    tell("landing_energy_n_mm", "Landing energy, taken by a latch", "N mm", energy);
+    tell("mass_g", "Panel mass", "g", study.mass_t * 1e6);
   }
 
   void pins() {
     const auto study = pins_of(sheet_, release_, design_);
     if (!study) return;
-    const double own = study->own_mm;
+    const double pin_friction_mm = study->own_mm;
     for (const auto& [pins, key, where] :
-         {std::tuple(&study->in_middle, "pin_margin_in_middle", "one in the middle of each hinge"),
-          std::tuple(&study->at_ends, "pin_margin_at_ends", "one at each end")}) {
-      margin(key, fmt::format("energy margin over pins' friction, {}, panels rigid", where),
-             design_.energy_margin.value_or(solver::kWantedMargin), pins->critical_mm, own);
-      if (const auto stall_deg = pins->stall_deg(own)) {
-        lines_.back().note = fmt::format("moving slowly it locks at {:.3g} deg", *stall_deg);
+         {std::tuple(&study->in_middle, "pin_margin_in_middle",
+                     "a pin in the middle of each hinge"),
+          std::tuple(&study->at_ends, "pin_margin_at_ends", "a pin at each end")}) {
+      margin(key, fmt::format("Energy margin over pin friction, {}, rigid panels", where),
+             design_.energy_margin.value_or(solver::kWantedMargin), pins->critical_mm,
+             pin_friction_mm);
+      if (const auto stall_deg = pins->stall_deg(pin_friction_mm)) {
+        lines_.back().note = fmt::format("quasi-static motion locks at {:.3g}°", *stall_deg);
       }
     }
   }
@@ -222,20 +225,19 @@ class CardMaker {
       return solver::line_label(diagonal.from, diagonal.to);
     };
     ask("least_stroke_mm",
-        design_.miscut_mm ? "every spring moves by what cutting is off by, or more"
-                          : "every spring moves by what can be cut, or more",
+        design_.miscut_mm ? "Smallest spring stroke, at least the cutting error"
+                          : "Smallest spring stroke, at least a usual cutting error",
         "mm", design_.miscut_mm.value_or(solver::kLeastStroke_mm), strokes_mm[least],
         Bound::at_least,
-        fmt::format("{} by the least, {} by the most: {:.4g} mm", label(least), label(most),
+        fmt::format("smallest at {}, largest at {}: {:.4g} mm", label(least), label(most),
                     strokes_mm[most]));
     double stroke = 0;
     for (std::size_t d = 0; d < strokes_mm.size(); ++d) {
       stroke = std::max(stroke, strokes_mm[d] / sheet_.history().flat_mm[d]);
     }
-    ask("stroke", "springs become longer or shorter by a share of", "", design_.stroke_limit,
-        stroke, Bound::at_most);
-    ask("largest_force_n", "a spring pulls or pushes with", "N", design_.largest_force_n,
-        springs_.largest_force_n(), Bound::at_most, "panels rigid");
+    ask("stroke", "Largest spring elongation", "", design_.stroke_limit, stroke, Bound::at_most);
+    ask("largest_force_n", "Largest spring force", "N", design_.largest_force_n,
+        springs_.largest_force_n(), Bound::at_most, "rigid panels");
   }
 
   // The first sample from the angle of use on: copies are judged at samples.
@@ -251,9 +253,10 @@ class CardMaker {
     const bool is_overconstrained = schema::is_overconstrained(sheet_.base());
     const Number& miscut_mm = design_.miscut_mm;
     if (miscut_mm && is_overconstrained) {
-      ask("yield", "of miscut copies deploy, a share of", "",
-          design_.yield.value_or(solver::kWantedShare), 0, Bound::at_least,
-          "no miscut copy with so few holes folds; misalign tolerance says how far joints open");
+      ask("yield", "Yield of miscut copies", "", design_.yield.value_or(solver::kWantedShare), 0,
+          Bound::at_least,
+          "no miscut copy of an overconstrained sheet folds; `misalign tolerance` gives its joint "
+          "gaps");
     } else if (miscut_mm) {
       check_miscut(*miscut_mm, sheet_.base().sheet, chosen_.shifts_mm, sheet_.name());
       ToleranceOptions study;
@@ -265,20 +268,20 @@ class CardMaker {
                                               [&](std::size_t) { return sheet_.name(); });
       const solver::Tolerance tolerance = study_tolerance(used, shifts_mm, study).front();
       const double survivors = static_cast<double>(tolerance.survivors());
-      ask("yield", fmt::format("of copies miscut by {:g} mm deploy, a share of", *miscut_mm), "",
+      ask("yield", fmt::format("Yield at ±{:g} mm cutting error", *miscut_mm), "",
           design_.yield.value_or(solver::kWantedShare),
           survivors / static_cast<double>(std::max<std::uint64_t>(1, tolerance.copies.decided())));
     }
     if (!design_.play_mm) return;
     if (is_overconstrained) {
-      ask("play_mm", "joints may be loose by", "mm", design_.play_mm, {}, Bound::at_least,
-          "with so few holes no joint may be loose");
+      ask("play_mm", "Largest joint clearance", "mm", design_.play_mm, {}, Bound::at_least,
+          "the joints of an overconstrained sheet allow none");
       return;
     }
     const BacklashStudy study(campaign, shifts_mm, {});
     const auto loose = study.run({*design_.play_mm, options_.trials, options_.jobs}).front();
-    ask("play_mm", fmt::format("joints may be loose by, from {:g} deg to its D", loose.from_deg),
-        "mm", design_.play_mm, loose.largest_mm);
+    ask("play_mm", fmt::format("Largest joint clearance, from {:g}° to D", loose.from_deg), "mm",
+        design_.play_mm, loose.largest_mm);
   }
 
   void facts() {
@@ -288,7 +291,7 @@ class CardMaker {
     Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, sheet_.vertices_mm().cols());
     flat_mm.topRows<2>() = sheet_.vertices_mm();
     if (springs_.from_row > 0) {
-      tell("stowed_mm", "stowed, without thickness", "", {},
+      tell("stowed_mm", "Stowed size, without thickness", "", {},
            box(solver::least_box_mm(
                sheet_.shapes_mm()[static_cast<std::size_t>(springs_.from_row - 1)])) +
                "; flat " + box(solver::least_box_mm(flat_mm)));

@@ -1,4 +1,4 @@
-// The card of one sheet: every study that its design asks for, beside what is asked.
+// The card of one sheet: its design's requirements beside the results of studies.
 #pragma once
 
 #include "schema/exchange/card_json.hpp"
@@ -8,7 +8,7 @@
 namespace misalign::search {
 
 struct CardOptions {
-  std::uint64_t trials = 1000;  ///< miscut copies, and times that loose joints settle anew
+  std::uint64_t trials = 1000;  ///< miscut copies, and settlings of loose joints
   int jobs = 1;
 };
 
@@ -17,7 +17,7 @@ struct StudiedCard {
   solver::Actuation springs;  ///< the design's, from the card's angle of use
 };
 
-/// UserError: 3 where the sheet deploys from nothing, 1 where its path is lost.
+/// UserError: 3 where the sheet does not deploy, 1 where its path is lost.
 StudiedCard card_of(const Subject& subject, const CardOptions& options);
 
 }  // namespace misalign::search

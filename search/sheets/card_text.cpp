@@ -10,7 +10,7 @@
 namespace misalign::search {
 
 std::string card_text(const schema::Card& card) {
-  std::vector<schema::Row> asked = {{"", "what", "asked", "found", "to spare"}}, facts;
+  std::vector<schema::Row> asked = {{"", "requirement", "required", "found", "margin"}}, facts;
   for (const schema::CardLine& line : card.lines) {
     if (line.is_asked()) {
       const auto margin = line.margin();
@@ -23,9 +23,8 @@ std::string card_text(const schema::Card& card) {
           {line.what, found + (found.empty() || line.note.empty() ? "" : "; ") + line.note});
     }
   }
-  return fmt::format("{}, used between {:.10g} deg and flat: {}\n\n{}\n{}", card.name,
-                     card.from_deg, card.verdict(),
-                     schema::aligned(asked, {false, false, true, true, true}),
+  return fmt::format("{}, used between {:.10g}° and flat: {}\n\n{}\n{}", card.name, card.from_deg,
+                     card.verdict(), schema::aligned(asked, {false, false, true, true, true}),
                      schema::aligned(facts, {false, false}));
 }
 
@@ -34,7 +33,7 @@ std::string cards_text(const schema::Card& before, const schema::Card& after) {
     const std::string found = line.found_text();
     return found.empty() ? line.note : found;
   };
-  std::vector<schema::Row> rows = {{"", "what", "asked", "before", "after"}};
+  std::vector<schema::Row> rows = {{"", "requirement", "required", "before", "after"}};
   for (const schema::CardLine& line : after.lines) {
     const auto earlier = std::ranges::find_if(before.lines, [&](const schema::CardLine& other) {
       return std::string_view(other.key) == line.key;

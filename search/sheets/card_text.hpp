@@ -7,7 +7,7 @@
 
 namespace misalign::search {
 
-/// Requirements as a table, then what is known besides.
+/// Requirements as a table, then facts and notes.
 std::string card_text(const schema::Card& card);
 
 /// Requirements and facts of two sheets of one design, side by side.

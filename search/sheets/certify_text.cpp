@@ -19,31 +19,31 @@ using solver::CertificateEnd;
 
 constexpr std::size_t kFew = 20;
 
-// Rounded down, but for what decimals cannot say: more is not certified.
+// Rounds down, but for the rounding of decimals: no more is certified.
 std::string shown_deg(double certified_deg) {
   constexpr double kParts = 1e4, kRounding = 1e-6;
   return fmt::format("{:.10g}", std::floor(certified_deg * kParts + kRounding) / kParts);
 }
 
-// What ends a certificate before the angle that was asked for.
+// The reason why a certificate ends before the requested angle.
 std::string reason(const schema::CertificateRecord& row) {
   switch (solver::certificate_end(row.end).value_or(CertificateEnd::flat_branch)) {
     case CertificateEnd::to_the_end:
       break;
     case CertificateEnd::reversal:
-      return "there the diagonal " + row.place + " turns back";
+      return "there diagonal " + row.place + " reverses";
     case CertificateEnd::over_folded:
-      return "there the crease " + row.place + " is folded past 180 deg";
+      return "there crease " + row.place + " folds past 180 deg";
     case CertificateEnd::sign_changed:
-      return "there the crease " + row.place + " becomes flat";
+      return "there crease " + row.place + " becomes flat";
     case CertificateEnd::contact:
-      return "beyond, the panels " + row.place + " are not proven apart";
+      return "beyond it panels " + row.place + " are not proven apart";
     case CertificateEnd::fold_limit:
-      return "there the proof stops, as it does next to a fold limit";
+      return "there the proof stops, next to a fold limit";
     case CertificateEnd::unclear_slope:
-      return "beyond, a diagonal or a crease is not proven to go on";
+      return "beyond it a diagonal or crease is not proven monotone";
     case CertificateEnd::flat_branch:
-      return "next to flat the branch cannot be proven";
+      return "the branch next to flat cannot be proven";
   }
   return "";
 }
@@ -55,10 +55,10 @@ auto median(std::vector<Value> values) {
   return *middle;
 }
 
-template <class Of>
-auto median_of(const std::vector<schema::NamedCertificate>& sheets, const Of& of) {
-  std::vector<decltype(of(sheets.front()))> values;
-  for (const schema::NamedCertificate& sheet : sheets) values.push_back(of(sheet));
+template <class Quantity>
+auto median_of(const std::vector<schema::NamedCertificate>& sheets, const Quantity& quantity) {
+  std::vector<decltype(quantity(sheets.front()))> values;
+  for (const schema::NamedCertificate& sheet : sheets) values.push_back(quantity(sheet));
   return median(std::move(values));
 }
 
@@ -72,28 +72,28 @@ schema::Row row_of(const std::string& end, const std::vector<double>& certified_
 std::string summary_of(const std::vector<schema::NamedCertificate>& sheets) {
   std::map<std::string, std::vector<double>> by_end;
   std::vector<double> all;
-  std::size_t there_already = 0;
+  std::size_t existing = 0;
   for (const schema::NamedCertificate& sheet : sheets) {
     by_end[sheet.row.end].push_back(sheet.row.certified_deg);
     all.push_back(sheet.row.certified_deg);
-    there_already += !sheet.is_new;
+    existing += !sheet.is_new;
   }
-  std::vector<schema::Row> rows = {{"end", "sheets", "least deg", "median deg", "most deg"}};
+  std::vector<schema::Row> rows = {{"end", "sheets", "smallest deg", "median deg", "largest deg"}};
   for (const auto& [end, certified_deg] : by_end) rows.push_back(row_of(end, certified_deg));
   if (by_end.size() > 1) rows.push_back(row_of("all", all));
   std::string text = schema::aligned(rows, {false, true, true, true, true});
   text += fmt::format(
-      "in the median {:.3g} ms, {} intervals and {:.3g} kB",
+      "median {:.3g} ms, {} intervals and {:.3g} kB",
       1e3 * median_of(sheets,
                       [](const schema::NamedCertificate& sheet) { return sheet.row.seconds; }),
       median_of(sheets, [](const schema::NamedCertificate& sheet) { return sheet.row.intervals; }),
       1e-3 * static_cast<double>(median_of(
                  sheets, [](const schema::NamedCertificate& sheet) { return sheet.bytes; })));
-  if (there_already > 0) text += fmt::format("; {} were there already", there_already);
+  if (existing > 0) text += fmt::format("; {} existed already", existing);
   return text + "\n";
 }
 
-// How many, and which: "3 (reversal 2, to_the_end 1)"; empty of none.
+// Counts ends: "3 (reversal 2, to_the_end 1)"; empty if there are none.
 std::string ends_text(const schema::CertificateCheck& check, bool proven) {
   std::uint64_t count = 0;
   std::string names;
@@ -105,14 +105,12 @@ std::string ends_text(const schema::CertificateCheck& check, bool proven) {
   return count == 0 ? "" : fmt::format("{} ({})", count, names);
 }
 
-// What is proven of why they end.
 std::string ends_text(const schema::CertificateCheck& check) {
   const std::string proven = ends_text(check, true), others = ends_text(check, false);
   std::string text;
-  if (!proven.empty()) text += "what ends it is proven of " + proven + "\n";
+  if (!proven.empty()) text += "proven ends: " + proven + "\n";
   if (!others.empty()) {
-    text += "what ends it is not proven of " + others +
-            ": there the proof stops, for whatever reason\n";
+    text += "unproven ends: " + others + "; the proof merely stops there\n";
   }
   return text;
 }
@@ -125,14 +123,14 @@ std::string certified_text(const schema::NamedCertificate& sheet) {
   if (row.intervals == 0) return text + "nothing is certified: " + reason(row) + "\n";
   text += fmt::format("certified from flat to {} deg", shown_deg(row.certified_deg));
   if (row.end == solver::name_of(CertificateEnd::to_the_end)) {
-    text += ", as asked";
+    text += ", as requested";
   } else {
-    text += fmt::format(" of {:.10g}; {}", row.asked_deg, reason(row));
+    text += fmt::format(" of {:.10g} requested; {}", row.asked_deg, reason(row));
   }
   if (row.contact) text += "; no panels meet";
   text += fmt::format(" ({}, {:.3g} ms, {:.3g} kB", count_text(row.intervals, "interval"),
                       1e3 * row.seconds, 1e-3 * static_cast<double>(sheet.bytes));
-  return text + (sheet.is_new ? ")\n" : ", there already)\n");
+  return text + (sheet.is_new ? ")\n" : ", existed already)\n");
 }
 
 std::string certified_text(const std::vector<schema::NamedCertificate>& sheets) {
@@ -166,13 +164,12 @@ std::string member_proof_text(const schema::Pattern& pattern, const std::string&
       fmt::format("{}: proven from flat to {} deg{}, in rational numbers\n", name,
                   shown_deg(proof.certified_deg), asked_deg >= 180 ? ", 180 not included" : "");
   if (proof.reversing_hole >= 0) {
-    text += fmt::format("beyond, diagonals of the hole {} do not go on one way\n",
+    text += fmt::format("beyond it the diagonals of hole {} are not monotone\n",
                         schema::facet_json(pattern, proof.reversing_hole).dump());
   }
   return text + fmt::format(
-                    "every loop closes by the base's own fold angles: that of a sheet whose shifts "
-                    "are within {:.1e} mm\nof this one's, on a base whose edges are within {:.1e} "
-                    "mm; solver/pattern/README.md\n",
+                    "every loop closes by the base's fold angles, for shifts within {:.1e} mm of "
+                    "these\nand base edges within {:.1e} mm; see solver/pattern/README.md\n",
                     proof.member_off_mm, proof.base_off_mm);
 }
 

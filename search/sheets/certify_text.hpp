@@ -12,12 +12,12 @@ namespace misalign::search {
 
 /// One line: "draw 7: certified from flat to 171 deg, ...".
 std::string certified_text(const schema::NamedCertificate& sheet);
-/// A line each of a few, a summary of many: how many end for which reason, how far, what they cost.
+/// A line each of a few, a summary of many: reasons of their ends, angles, costs.
 std::string certified_text(const std::vector<schema::NamedCertificate>& sheets);
 
 std::string check_text(const schema::CertificateCheck& check);
 
-/// Of a proof that holds.
+/// Text of a proof that holds.
 std::string member_proof_text(const schema::Pattern& pattern, const std::string& name,
                               const solver::MemberProof& proof, double asked_deg);
 

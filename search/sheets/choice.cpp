@@ -23,7 +23,7 @@ namespace {
 
 using schema::Json;
 
-// Of SQLite's words about a condition: which column or function is none.
+// Names the unknown column or function in SQLite's words about a condition.
 std::string unknown_column(const std::string& refused, const std::vector<std::string>& columns) {
   const auto& [kind, typed] = schema::unknown_word_of(refused);
   if (!kind) return "";
@@ -43,7 +43,7 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
   return draws;
 }
 
-// What says how a candidate differs from others, as it is stored.
+// Stored values in which candidates differ.
 struct Differences {
   Json displacements_mm, elongation;
 };
@@ -112,8 +112,8 @@ std::vector<std::vector<double>> shifts_of(const SQLite::Database& database,
   return shifts;
 }
 
-// Where candidates lie for a spread, a column for each: by their shifts, and by what the diagonals
-// do of it, which counts as much.
+// Points of the candidates for a spread, a column for each: shifts and elongations, of equal
+// weight.
 Eigen::MatrixXd places_of(const SQLite::Database& database,
                           const std::vector<Differences>& candidates) {
   const Eigen::MatrixXd shifts = standardized(shifts_of(database, candidates));
@@ -123,7 +123,7 @@ Eigen::MatrixXd places_of(const SQLite::Database& database,
   return places;
 }
 
-// Of these draws, each at its draw's place.
+// Reads the rows of these draws, in their order.
 std::vector<Differences> differences_of(SQLite::Database& database,
                                         const std::vector<std::uint64_t>& draws) {
   std::map<std::uint64_t, Differences> found;
@@ -145,8 +145,8 @@ std::vector<Differences> differences_of(SQLite::Database& database,
   return ordered;
 }
 
-// That it is an expression by itself, so that what it says is about the rows of candidates, and
-// what is wrong with it is said of the condition, not of a query around it.
+// Checks that the condition is a complete expression: it selects among candidates, and errors are
+// about the condition, not about a query around it.
 void check_condition(SQLite::Database& database, const Choice& choice) {
   const std::string where = schema::in_full(choice.where);
   const auto refuse = [&](const std::string& why) {
@@ -160,7 +160,7 @@ void check_condition(SQLite::Database& database, const Choice& choice) {
   const std::string reason = schema::reason_not_to_enclose(where);
   if (!reason.empty()) refuse(" (" + reason + ")");
   try {
-    // In brackets it must end, behind an operator it must begin as an expression.
+    // The brackets check its end, the operator its beginning.
     for (const std::string& condition : {"(" + where + "\n)", "0 OR " + where + "\n"}) {
       draws_of(database, "SELECT draw FROM candidates WHERE " + condition + " LIMIT 0");
     }
@@ -184,23 +184,23 @@ bool is_word_of_candidates(const std::string& typed, const std::vector<std::stri
 }
 
 void check_column(SQLite::Database& database, const Choice& choice) {
-  const std::string& by = *choice.by;
+  const std::string& column = *choice.by;
   const std::vector<std::string> columns = schema::columns_of_candidates(database);
-  if (is_word_of_candidates(by, columns)) return;
+  if (is_word_of_candidates(column, columns)) return;
   throw schema::UserError(solver::OptionFault{
-      "by", by,
-      "is no column of a candidate" + schema::column_meant(by.substr(0, by.find('(')), columns),
+      "by", column,
+      "is no column of a candidate" +
+          schema::column_meant(column.substr(0, column.find('(')), columns),
       fmt::format("choose one of {}", fmt::join(schema::words_of_candidates(columns), ", "))});
 }
 
-// In the order that "best" means, or by a column, the largest first, and the best first among
-// equals.
-std::string order_of(const std::optional<std::string>& by) {
+// Orders as "best" does, or by a column, the largest first, and the best first among equals.
+std::string order_of(const std::optional<std::string>& column) {
   const std::string best = schema::best_order(), head = "ORDER BY ";
-  return by ? head + schema::in_full(*by) + " DESC, " + best.substr(head.size()) : best;
+  return column ? head + schema::in_full(*column) + " DESC, " + best.substr(head.size()) : best;
 }
 
-// Of all that `where` lets through, in no order.
+// Selects all candidates that satisfy `where`, in no order.
 std::string all_sql(SQLite::Database& database, const std::string& columns, const Choice& choice) {
   if (!choice.where.empty()) check_condition(database, choice);
   return "SELECT " + columns + " FROM candidates" +

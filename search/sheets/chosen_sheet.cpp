@@ -52,7 +52,7 @@ schema::Campaign ChosenSheet::as_campaign() const {
 bool is_pattern_file(const std::string& path) {
   std::error_code ignored;
   const auto kind = std::filesystem::status(path, ignored).type();
-  // A pipe holds its text once only, and no catalogue.
+  // A pipe can be read once only, and is no catalogue.
   if (kind != std::filesystem::file_type::regular) {
     return kind == std::filesystem::file_type::fifo ||
            kind == std::filesystem::file_type::character;
@@ -130,8 +130,7 @@ void warn_beyond_d(const solver::Sheet& sheet, std::optional<double> from_deg) {
   const double d_deg = sheet.deploys_from_deg();
   if (!from_deg || d_deg <= 0 || !solver::beyond_d(sheet, *from_deg)) return;
   spdlog::warn(
-      "let go at {:.10g} deg, beyond D = {:.10g} deg of {}: there its diagonals do not all go one "
-      "way",
+      "released at {:.10g} deg, beyond D = {:.10g} deg of {}: not all diagonals are monotone there",
       *from_deg, d_deg, schema::printable(sheet.name()));
 }
 

@@ -10,14 +10,14 @@
 
 namespace misalign::search {
 
-/// Whose sheet it is: a draw's of a campaign, or a pattern file's.
+/// The key of a sheet: a draw of a campaign, or a pattern file.
 struct SheetKey {
   std::optional<std::uint64_t> draw;
   std::string pattern;  ///< name of a pattern file without its ending
 
   /// "draw 7", or the pattern's name.
   std::string name() const;
-  /// {"draw": 7}, or {"pattern": "table1"}: how data say whose they are.
+  /// {"draw": 7}, or {"pattern": "table1"}: the key that data carry.
   schema::Json json() const;
 };
 
@@ -26,31 +26,31 @@ struct ChosenSheet {
   schema::Sampling sampling;
   schema::Design design;
   Eigen::Matrix2Xd shifts_mm;
-  /// The campaign that drew it; none for a pattern file, which nobody accepted or turned away.
+  /// The campaign that drew it; none for a pattern file.
   struct Drawn {
     schema::Campaign campaign;
     std::uint64_t draw;
   };
   std::optional<Drawn> drawn;
-  std::string pattern;    ///< as in its key
-  schema::Json exported;  ///< what an exported candidate's file says of it; null otherwise
+  std::string pattern;    ///< the key's
+  schema::Json exported;  ///< an exported candidate's file; null otherwise
 
-  /// As a campaign of its own, from whose threshold the least sample on, with the default seed: an
-  /// exported candidate does not say its campaign's.
+  /// Makes a campaign of the sheet alone, with the first sample as threshold and the default seed:
+  /// an exported candidate does not say its campaign's.
   schema::Campaign as_campaign() const;
 
   SheetKey key() const { return {drawn ? std::optional(drawn->draw) : std::nullopt, pattern}; }
-  /// The same, beyond doubt: also the draw's "campaign", or a fingerprint of the pattern's "sheet".
+  /// The same with the draw's "campaign", or a fingerprint of the pattern's "sheet".
   schema::Json whose() const;
   /// "draw 7 of miura-6x6", or the pattern's name.
   std::string name() const { return key().name() + (drawn ? " of " + drawn->campaign.name : ""); }
 };
 
-/// Whether a file holds JSON or OBJ, and so a pattern, instead of a catalogue. False also for what
-/// cannot be read: whoever opens it as a catalogue says why.
+/// Returns whether a file holds JSON or OBJ, and so a pattern, instead of a catalogue. False also
+/// for unreadable files: opening them as a catalogue says why.
 bool is_pattern_file(const std::string& path);
 
-/// Messages of how its mesh was taken where the file leaves a choice.
+/// Logs how its mesh was read where the file leaves a choice.
 void say_reading(const std::string& source, const schema::Pattern& pattern);
 
 /// A pattern, an exported candidate, a FOLD or an OBJ file, sampled as `misalign fold` does, with
@@ -76,16 +76,16 @@ struct Subject {
   const solver::Sheet sheet;
 };
 
-/// That of a pattern file, or of a draw of a catalogue's campaign, accepted or not; what `options`
-/// say goes before the file's design. UserError: 2 no draw of a catalogue, or one of a pattern
+/// The sheet of a pattern file, or of a draw of a catalogue's campaign, accepted or not; `options`
+/// override the file's design. UserError: 2 no draw of a catalogue, or one of a pattern
 /// file; 3 as above and as from open_for_reading.
 Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
                      const schema::Design& options = {});
 
-/// What is asked at the angle of use needs a station there, where no sample is.
+/// A station at the angle of use, where no sample is.
 StationOptions station_of_use(const schema::Design& design, const schema::Sampling& sampling);
 
-/// Says so, where a sheet is let go beyond D: its diagonals do not go one way there.
+/// Warns where a sheet is released beyond D: not all of its diagonals are monotone there.
 void warn_beyond_d(const solver::Sheet& sheet, std::optional<double> from_deg);
 
 /// UserError (bad_request) with one sentence: a pattern file is one sheet, so `what` has no

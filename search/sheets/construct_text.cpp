@@ -8,15 +8,16 @@ std::string construct_text(const schema::Pattern& base, const solver::ConstructS
                            double at_deg) {
   std::string text = fmt::format(
       "stroke       every diagonal changes by {:.4g} % or more at {:g} deg\n"
-      "shifts       up to {:.6g} mm in x or y\n"
-      "folds        by the base's own fold angles, to 180 deg: creases keep their directions, and\n"
+      "shifts       up to {:.4g} mm in x or y\n"
+      "folds        by the base's fold angles, to 180 deg: creases keep their directions, and\n"
       "             opposite edges of holes change alike (to {:.1e} mm)\n",
       100 * study.stroke, at_deg, study.amplitude_mm, study.misfit_mm);
-  text += study.is_monotone()
-              ? "diagonals    each only grows or only shrinks from flat to 180 deg (closed form)\n"
-              : "diagonals    not all go one way to 180 deg; `misalign fold` says how far\n";
+  text +=
+      study.is_monotone()
+          ? "diagonals    all monotone from flat to 180 deg (closed form)\n"
+          : "diagonals    not all monotone to 180 deg; `misalign fold` shows up to which angle\n";
   text += fmt::format("family       {} coordinates\n\n", study.dimension);
-  text += "hole       delta_mm  epsilon_mm  stroke_%  goes one way\n";
+  text += "hole       delta_mm  epsilon_mm  stroke_%  monotone\n";
   for (const solver::ConstructStudy::Hole& hole : study.holes) {
     text += fmt::format("{:<9} {:>9.5f} {:>11.5f} {:>9.3f}  {}\n",
                         schema::facet_json(base, hole.facet).dump(), hole.delta_mm, hole.epsilon_mm,

@@ -13,15 +13,16 @@ std::string thickness_text(const schema::Pattern& base, const solver::Panels& pa
                            const solver::ContactStudy& study) {
   if (!study.thickness) return "";
   const solver::PlateThickness& plates = *study.thickness;
-  const std::string start =
-      fmt::format("thickness    up to {:.4g} mm reaches {:.10g} deg (corners trimmed by {:g} mm): ",
-                  plates.thickness_mm, study.reach_deg, study.trim_mm);
+  const std::string start = fmt::format(
+      "thickness      up to {:.4g} mm folds to {:.10g} deg (corners trimmed by {:g} mm), limited "
+      "by ",
+      plates.thickness_mm, study.reach_deg, study.trim_mm);
   if (plates.limit == solver::PlateThickness::Limit::taper) {
-    return start + "there tapers leave nothing of panel " +
+    return start + "the tapers of panel " +
            schema::facet_json(base, panels.facets[static_cast<std::size_t>(plates.panel)]).dump() +
-           " as thick\n";
+           "\n";
   }
-  return start + fmt::format("there {} meet at {:.4g} deg\n",
+  return start + fmt::format("contact of {} at {:.4g} deg\n",
                              schema::panels_text(base, panels, plates.pair), plates.pilot_deg);
 }
 
@@ -32,14 +33,14 @@ std::string contact_text(const schema::Pattern& base, const solver::Panels& pane
   std::string text;
   if (study.first) {
     text +=
-        fmt::format("first meet   {} at {:.4f} deg\n",
+        fmt::format("first contact  {} at {:.4f} deg\n",
                     schema::panels_text(base, panels, study.first->pair), study.first->pilot_deg);
   } else {
-    text += fmt::format("first meet   none up to {:.4f} deg\n", study.known_until_deg);
+    text += fmt::format("first contact  none up to {:.4f} deg\n", study.known_until_deg);
   }
   if (study.known_until_deg < study.end_deg - 1e-6) {
     text += fmt::format(
-        "not known    beyond {:.4f} deg: there the path, which ends at {:.4f} deg, turns too "
+        "unknown        beyond {:.4f} deg: there the path, which ends at {:.4f} deg, turns too "
         "sharply\n",
         study.known_until_deg, study.end_deg);
   }

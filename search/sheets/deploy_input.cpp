@@ -16,7 +16,7 @@ using schema::UserError;
 
 constexpr double kStandardGravity_mm_per_s2 = 9806.65;
 
-// All of a text as one number.
+// Reads a whole text as one number.
 template <class Number>
 bool read_number(std::string_view text, Number& number) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -87,7 +87,7 @@ double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sh
   }
   Eigen::VectorXd folds_rad, rates;
   way->find_creases(way->x_of(std::min(from_deg, way->end_deg())), folds_rad, rates);
-  // That which takes as much of all creases together as of each its own.
+  // The mean friction that takes as much energy as those of the creases together.
   const Eigen::VectorXd turned_mm =
       solver::crease_lengths_mm(*way).cwiseProduct(folds_rad.cwiseAbs());
   double taken_n_mm = 0;
@@ -119,10 +119,10 @@ solver::ReleaseOptions deploy_options(const schema::Design& design, const solver
 
 solver::ReleaseOptions DeployInput::of(const solver::Sheet& sheet,
                                        const schema::Design& of_file) const {
-  schema::Design said = design;
-  if (held) said.hold = place_of(*held);
-  if (gravity.size() == 3) said.gravity = {gravity[0], gravity[1], gravity[2]};
-  solver::ReleaseOptions fitted = deploy_options(said.merged_over(of_file), sheet, options);
+  schema::Design typed = design;
+  if (held) typed.hold = place_of(*held);
+  if (gravity.size() == 3) typed.gravity = {gravity[0], gravity[1], gravity[2]};
+  solver::ReleaseOptions fitted = deploy_options(typed.merged_over(of_file), sheet, options);
   if (density_g_per_cm3) fitted.sheet.plates.density_g_per_cm3 = *density_g_per_cm3;
   for (const std::string& text : other_rests) {
     fitted.sheet.springs.other_rests_deg.push_back(other_rest(sheet.mechanism(), text));

@@ -11,30 +11,31 @@
 namespace misalign::search {
 
 struct DeployInput {
-  solver::ReleaseOptions options;  ///< but for what follows
-  schema::Design design;           ///< what is said goes before the file's
+  solver::ReleaseOptions options;  ///< all but the members below
+  schema::Design design;           ///< overrides the file's
   std::optional<double> density_g_per_cm3;
   std::vector<std::string> other_rests;  ///< "A11-A17=60"
   std::optional<std::string> held;       ///< "0,0": row and column of a panel
   std::vector<double> gravity;           ///< x, y, z in standard gravities, or none
 
-  /// With the file's design. UserError (bad_request) where they do not fit its panels or diagonals.
+  /// The options merged with the file's design. UserError (bad_request) for unknown panels or
+  /// diagonals.
   solver::ReleaseOptions of(const solver::Sheet& sheet, const schema::Design& of_file) const;
 };
 
-/// The dry friction of a sheet's creases, as the design says it or as their films lose it from
-/// where it is let go.
+/// The dry friction of a sheet's creases: the design's, or the mean loss of their films from the
+/// angle of release.
 double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sheet& sheet);
 
-/// The options with which a sheet of this design is let go; `options` hold what no design says.
+/// The options of a sheet's release by its design; `options` hold what no design says.
 /// UserError (bad_request) where it has no such panel to hold.
 solver::ReleaseOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet,
                                       solver::ReleaseOptions options = {});
 
-/// How panels of this design bend: of its material, otherwise aluminium.
+/// The design's options of bending: its material, otherwise aluminium.
 solver::BentPanelsOptions bending(const schema::Design& design);
 
-/// Whether panels bend where nothing is said: a material is named, and springs end on the vertices.
+/// Returns whether panels bend by default: a material is named, and springs end on the vertices.
 inline bool panels_bend(const schema::Design& design, const solver::Sheet& sheet) {
   return design.material && sheet.base().springs.at_vertices();
 }

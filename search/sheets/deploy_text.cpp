@@ -19,14 +19,14 @@ std::string released_sheet_text(const DeploymentStudy& study) {
   const solver::Plates& plates = study.sheet.plates;
   const bool when_flat = springs.rest_deg == 0;
   std::string text = fmt::format(
-      "let go at rest at {:g} deg: {} of {:g} N/mm, relaxed {}{}; panels of {:g} mm, {:.4g} g in "
-      "all; {}\n",
+      "released at rest from {:g} deg: {} of {:g} N/mm, relaxed {}{}; panels of {:g} mm, mass "
+      "{:.4g} g; {}\n",
       study.options.from_deg, springs.pull_only ? "wires" : "springs", springs.stiffness_n_per_mm,
       when_flat ? "when flat" : fmt::format("at {:g} deg", springs.rest_deg),
-      springs.other_rests_deg.empty() ? "" : " (some elsewhere)", plates.thickness_mm,
+      springs.other_rests_deg.empty() ? "" : " (some at other angles)", plates.thickness_mm,
       study.mass_t * 1e6, study.sheet.held ? "one panel held" : "free in space");
   if (springs.preload.is_any()) {
-    text += fmt::format("preload: {} in each at flat, so they are relaxed {:.4g} mm off that\n",
+    text += fmt::format("preload: {} in each spring at flat, its free length up to {:.4g} mm off\n",
                         schema::preload_words(springs.preload),
                         springs.preload.largest_n() / springs.stiffness_n_per_mm);
   }
@@ -35,31 +35,29 @@ std::string released_sheet_text(const DeploymentStudy& study) {
   const auto add = [&](double value, const char* what) {
     if (value > 0) hinges += fmt::format("{}{} {:g}", hinges.empty() ? "" : ", ", what, value);
   };
-  add(joints.friction_n_mm_per_mm, "friction (N mm per mm of crease)");
+  add(joints.friction_n_mm_per_mm, "friction (N mm/mm)");
   add(joints.ball_friction_n_mm, "friction of ball joints (N mm)");
-  add(joints.damping_n_mm_s_per_mm, "damping (N mm s per mm of crease)");
-  add(joints.stiffness_n_mm_per_mm, "elastic creases (N mm/rad per mm)");
+  add(joints.damping_n_mm_s_per_mm, "damping (N mm s/mm)");
+  add(joints.stiffness_n_mm_per_mm, "crease stiffness (N mm/rad per mm)");
   return hinges.empty() ? text : text + "joints: " + hinges + "\n";
 }
 
-// Against a stop: how often, and the first time's speed and energy.
+// Bounces off a stop: their number, and the speed and energy of the first.
 std::string bounces_text(const DeploymentStudy& study) {
   for (const Deployment::Row& row : study.run.rows) {
     if (row.event != Deployment::Event::flat) continue;
-    return fmt::format(
-        ", against a stop from which it bounced {} times; first with {:.4g} deg/s, {:.4g} N mm",
-        study.run.bounces, std::abs(row.rate_deg_per_s), row.kinetic_n_mm);
+    return fmt::format(", after {} bounces off the stop; the first at {:.4g} deg/s, {:.4g} N mm",
+                       study.run.bounces, std::abs(row.rate_deg_per_s), row.kinetic_n_mm);
   }
   return "";
 }
 
 std::string damping_text(const DeploymentStudy& study) {
   if (!study.seeks_damping) return "";
-  if (!study.least_damping)
-    return "least damping: none is found with which it comes to rest flat\n";
+  if (!study.least_damping) return "least damping: none found that brings the sheet to rest flat\n";
   return fmt::format(
-      "least damping with which it comes to rest flat without passing through: {:.4g} N mm s per "
-      "mm of crease; then it takes {:.4g} s\n",
+      "least damping that stops the sheet at flat without passing through: {:.4g} N mm s/mm; "
+      "deployment time {:.4g} s\n",
       study.least_damping->damping_n_mm_s_per_mm, study.least_damping->time_s);
 }
 
@@ -72,14 +70,14 @@ std::string outcome_text(const DeploymentStudy& study) {
       return fmt::format("comes to rest flat ({:.3g} deg) {}{}\n", last.pilot_deg, when,
                          study.options.restitution ? bounces_text(study) : "");
     case Outcome::passed_flat:
-      return fmt::format("passes through flat {}, with {}: it needs a latch, or losses\n", when,
-                         speed);
+      return fmt::format("passes through flat {}, at {}: it needs a latch, friction or damping\n",
+                         when, speed);
     case Outcome::latched:
-      return fmt::format("latched flat {}, at {}: {:.4g} N mm to be caught\n", when, speed,
+      return fmt::format("latched flat {}, at {}: the latch takes {:.4g} N mm\n", when, speed,
                          last.kinetic_n_mm);
     case Outcome::stalled:
       if (!study.sheet.joints.slows_down()) {
-        return fmt::format("stays at {:.4g} deg: nothing drives it\n", last.pilot_deg);
+        return fmt::format("stays at {:.4g} deg: no moment drives it\n", last.pilot_deg);
       }
       return fmt::format("stalls at {:.4g} deg {}: friction holds it\n", last.pilot_deg, when);
     case Outcome::at_rest:
@@ -88,39 +86,37 @@ std::string outcome_text(const DeploymentStudy& study) {
       return fmt::format("turns round at {:.4g} deg {}: nothing slows it down\n", last.pilot_deg,
                          when);
     case Outcome::fold_limit:
-      return fmt::format("folds up to {:.4f} deg, as far as it can, {}\n", last.pilot_deg, when);
+      return fmt::format("folds up to {:.4g} deg, its fold limit, {}\n", last.pilot_deg, when);
     case Outcome::time_limit:
-      return fmt::format("still moves {}: at {:.4g} deg with {}\n", when, last.pilot_deg, speed);
+      return fmt::format("still moves {}: at {:.4g} deg, with {}\n", when, last.pilot_deg, speed);
     case Outcome::failed:
       break;
   }
-  return fmt::format("the integration gave up {}, at {:.4g} deg\n", when, last.pilot_deg);
+  return fmt::format("the integration failed {}, at {:.4g} deg\n", when, last.pilot_deg);
 }
 
 std::string friction_text(const DeploymentStudy& study) {
   const solver::FrictionLimits& limits = study.friction;
   const solver::JointResistance& joints = study.sheet.joints;
   std::string text =
-      limits.critical_n_mm_per_mm ? fmt::format(
-                                        "critical friction: {:.5g} N mm per mm of crease; with "
-                                        "more it does not get to flat\n",
-                                        *limits.critical_n_mm_per_mm)
+      limits.critical_n_mm_per_mm
+          ? fmt::format("critical friction: {:.4g} N mm/mm\n", *limits.critical_n_mm_per_mm)
       : joints.damping_n_mm_s_per_mm > 0
-          ? "critical friction: none, with this damping it does not get to flat in time\n"
-          : "critical friction: none, it does not get to flat by itself\n";
+          ? "critical friction: none; with this damping the sheet does not reach flat in time\n"
+          : "critical friction: none; the sheet does not reach flat\n";
   if (joints.friction_n_mm_per_mm <= 0 && joints.ball_friction_n_mm <= 0) return text;
-  text += fmt::format("moving slowly it would stall at {:.4g} deg\n", limits.static_stall_deg);
+  text += fmt::format("quasi-static motion would stall at {:.4g} deg\n", limits.static_stall_deg);
   if (limits.stiffness_needed_n_per_mm) {
-    text += fmt::format("to get to flat it needs springs of at least {:.5g} N/mm{}\n",
+    text += fmt::format("spring rate to reach flat: {:.4g} N/mm or more{}\n",
                         *limits.stiffness_needed_n_per_mm,
-                        joints.damping_n_mm_s_per_mm > 0 ? ", but for the damping" : "");
+                        joints.damping_n_mm_s_per_mm > 0 ? ", without the damping" : "");
   }
   return text;
 }
 
 std::string equilibria_text(const DeploymentStudy& study) {
   if (study.equilibria.empty()) {
-    return "no equilibrium as far as it folds (or all of it is one, where nothing drives it)\n";
+    return "no isolated equilibrium up to the fold limit\n";
   }
   constexpr double kNone_n_mm = 1e-12;  // lengths are known to 1e-10 mm
   std::string text;
@@ -128,15 +124,18 @@ std::string equilibria_text(const DeploymentStudy& study) {
   for (const solver::Equilibrium& at : study.equilibria) {
     if (at.x < 0) continue;  // mirror images
     if (at.is_well) ++wells;
-    text += fmt::format("{} at {:.5g} deg: {:.5g} N mm", at.is_well ? "well" : "top", at.pilot_deg,
-                        std::abs(at.energy_n_mm) < kNone_n_mm ? 0 : at.energy_n_mm);
-    text += std::abs(at.x) > 0 ? fmt::format(", {:.5g} N mm/rad\n", at.stiffness_n_mm) : "\n";
+    text +=
+        fmt::format("{} equilibrium at {:.4g} deg: {:.4g} N mm", at.is_well ? "stable" : "unstable",
+                    at.pilot_deg, std::abs(at.energy_n_mm) < kNone_n_mm ? 0 : at.energy_n_mm);
+    text += std::abs(at.x) > 0 ? fmt::format(", {:.4g} N mm/rad\n", at.stiffness_n_mm) : "\n";
   }
   if (wells == 1 && !study.sheet.springs.other_rests_deg.empty()) {
-    text += "one well only: diagonals are nearly in proportion, so all springs agree on an angle\n";
+    text +=
+        "one stable equilibrium only: diagonals are nearly proportional, so springs agree on an "
+        "angle\n";
   }
   if (const auto barrier = study.barrier_n_mm()) {
-    text += fmt::format("barrier to the mirror image, at flat: {:.5g} N mm\n", *barrier);
+    text += fmt::format("energy barrier to the mirror image, at flat: {:.4g} N mm\n", *barrier);
   }
   return text;
 }
@@ -151,7 +150,7 @@ std::string wires_text(const solver::Mechanism& mechanism, const DeploymentStudy
   return line("above", study.pulls_from_above) + line("below", study.pulls_from_below);
 }
 
-// The largest of each kind, and where.
+// The largest force or moment of each kind, with its place.
 std::string forces_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
   if (!study.forces) return "";
   const solver::JointForces& forces = *study.forces;
@@ -179,12 +178,12 @@ std::string forces_text(const solver::Mechanism& mechanism, const DeploymentStud
          largest(forces.crease_moment_n_mm, "moment in a hinge", "N mm", crease) +
          largest(forces.ball_force_n, "force in a ball joint", "N", ball) +
          fmt::format(
-             "{} reactions of rank {}: {} round whole vertices are shared by their creases, by "
-             "least squares\n",
+             "{} reactions of rank {}: statically indeterminate to degree {} at whole vertices, "
+             "shared by least squares\n",
              forces.reactions, forces.rank, forces.reactions - forces.rank);
 }
 
-// Every few degrees, and at events: some twenty rows a swing.
+// Rows every few degrees, and at events: some twenty a swing.
 std::string motion_text(const DeploymentStudy& study) {
   const double from_deg = std::abs(study.options.from_deg);
   const double every_deg = from_deg > 90 ? 10 : from_deg > 40 ? 5 : from_deg > 8 ? 2 : 0.5;
@@ -205,15 +204,14 @@ std::string motion_text(const DeploymentStudy& study) {
 std::string pins_text(const char* where, const solver::PinFriction& pins, double own_mm) {
   const solver::PinFriction::Row& locks = pins.locks_first();
   std::string text = fmt::format("pins {}: ", where);
-  text += pins.critical_mm
-              ? fmt::format("it gets to flat with friction times radius up to {:.4g} mm",
-                            *pins.critical_mm)
-              : "it does not get to flat by itself";
-  text += fmt::format("; held at {:.4g} deg, it stays there from {:.3g} mm on", locks.pilot_deg,
-                      locks.locks_mm());
+  text += pins.critical_mm ? fmt::format("critical friction coefficient times radius {:.4g} mm",
+                                         *pins.critical_mm)
+                           : "the sheet does not reach flat";
+  text +=
+      fmt::format("; locked at {:.4g} deg by {:.3g} mm or more", locks.pilot_deg, locks.locks_mm());
   const auto stall_deg = pins.stall_deg(own_mm);
   if (stall_deg && own_mm > 0)
-    text += fmt::format("; with {:g} mm from {:.4g} deg on", own_mm, *stall_deg);
+    text += fmt::format("; with {:g} mm it locks at {:.4g} deg", own_mm, *stall_deg);
   return text + "\n";
 }
 

@@ -75,7 +75,7 @@ std::string path_of(const ExportOptions& options, const std::string& stem) {
   return path_of_name(options, stem + ending(options.format));
 }
 
-// Flat, then these rows: each one's pilot angle and shape.
+// Calls `write_state` with the pilot angle and shape of flat, then of each row.
 void each_state(const solver::Sheet& sheet, const std::vector<Eigen::Index>& rows,
                 const std::function<void(double, const Eigen::Matrix3Xd&)>& write_state) {
   Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, sheet.vertices_mm().cols());
@@ -111,7 +111,7 @@ ExportFiles::ExportFiles(const FoldingModel& model, const ExportOptions& options
   }
 }
 
-// For what is followed anew: the same sheet, whatever states are written.
+// The sheet with samples alone, for studies: they do not depend on the states that are written.
 const solver::Sheet& ExportFiles::at_samples(const solver::Sheet& sheet,
                                              std::optional<solver::Sheet>& another) {
   if (!at_samples_) return sheet;
@@ -158,7 +158,7 @@ std::string ExportFiles::simulated(const solver::Sheet& sheet, const ExportLabel
   return schema::mjcf_model(released, mjcf);
 }
 
-// What comes of letting it go is null where it cannot be.
+// The deployment is null where there is none.
 schema::Json ExportFiles::data_of(const solver::Sheet& sheet, const schema::Json& origin) {
   const schema::FoldingView view(model_.base(), sheet);
   std::optional<solver::Sheet> another;
@@ -185,7 +185,6 @@ std::string ExportFiles::fold_text(const solver::Sheet& sheet, const ExportLabel
          "\n";
 }
 
-// None unless they are asked for.
 std::vector<solver::Filler> ExportFiles::fillers_of(const solver::Sheet& sheet,
                                                     const std::vector<Eigen::Index>& rows) const {
   if (!options_.joined) return {};
@@ -202,7 +201,7 @@ std::vector<solver::Filler> ExportFiles::fillers_of(const solver::Sheet& sheet,
           " (corners of its holes get wider on the way); take it out, and use the frames");
 }
 
-// A crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
+// Writes a crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
 void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& label) {
   const auto text_of = [&](schema::LineDrawing drawing) {
     if (options_.only_cut) drawing.keep_cuts();
@@ -267,12 +266,12 @@ void ExportFiles::write_plates(const solver::Sheet& sheet, const ExportLabel& la
     throw schema::UserError(solver::OptionFault{
         "thickness_mm", fmt::format("{:g}", thickness_mm),
         fmt::format(
-            "too thick (plates of {} reach {} if they have at most {:.4g} mm, trimmed by "
+            "too thick (plates of {} fold to {} up to a thickness of {:.4g} mm, trimmed by "
             "{:g} mm)",
             sheet.name(),
             options_.release.from_deg ? fmt::format("{:.10g} deg", study.used_from_deg) : "D",
             largest_mm, study.trim_mm),
-        "take less, or say more by " + schema::parameter("trim_mm")});
+        "take thinner plates, or trim more by " + schema::parameter("trim_mm")});
   }
   const auto solids = solver::plate_solids(sheet.panels(), sheet.vertices_mm(), thickness_mm,
                                            study.trim_mm, study.thickness->largest_rad);

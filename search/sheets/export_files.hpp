@@ -22,17 +22,17 @@ struct ExportOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
   std::string directory;
   ExportFormat format = ExportFormat::json;
-  double step_deg = 10;                        ///< between two states of `fold`, `obj` and `stl`
-  bool joined = false;                         ///< with `fold`: with fillers that join all panels
-  bool creases = false;                        ///< with `csv`: also the table of fold angles
-  double every_deg = 0;                        ///< with `csv`: as in diagonal_rows()
-  SimulationStart release;                     ///< of `mjcf` and `inp`; `stl` has its plates
-  std::optional<double> friction_n_mm_per_mm;  ///< of `mjcf`, instead of the design's
-  schema::DeckOptions deck;                    ///< of `inp`
-  std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern
-  bool only_cut = false;                  ///< with `svg` and `dxf`: without layers that are not cut
-  std::function<void(const std::string&)> warn;  ///< of what is not as it may seem
-  /// With `stl`: what is trimmed off the plates' corners (none: as ContactOptions has it).
+  double step_deg = 10;                          ///< step between states of `fold`, `obj`, `stl`
+  bool joined = false;                           ///< fillers join all panels of `fold`
+  bool creases = false;                          ///< also a table of fold angles beside `csv`
+  double every_deg = 0;                          ///< rows of `csv`, see diagonal_rows()
+  SimulationStart release;                       ///< `mjcf` and `inp` use it, `stl` its plates
+  std::optional<double> friction_n_mm_per_mm;    ///< `mjcf` uses it before the design's
+  schema::DeckOptions deck;                      ///< `inp` uses it
+  std::optional<schema::KitOptions> kit;         ///< replaces the crease pattern of `svg`, `dxf`
+  bool only_cut = false;                         ///< leaves other layers out of `svg`, `dxf`
+  std::function<void(const std::string&)> warn;  ///< gets warnings
+  /// Trim of the plates' corners in `stl` (none: that of ContactOptions).
   std::optional<double> trim_mm;
 
   bool in_states() const {
@@ -41,22 +41,21 @@ struct ExportOptions {
   }
   bool is_drawn() const { return format == ExportFormat::svg || format == ExportFormat::dxf; }
   bool is_simulated() const { return format == ExportFormat::mjcf || format == ExportFormat::inp; }
-  /// Whether it says what holds between the angle of use and flat.
+  /// Returns whether files depend on the angle of use.
   bool knows_angle_of_use() const {
     return format == ExportFormat::json || format == ExportFormat::fold ||
            format == ExportFormat::stl || is_simulated() || (kit && kit->guide);
   }
-  /// What the sheets' history has to have between the samples; 0: nothing.
+  /// Step of the stations that a history needs beside samples; 0: none.
   double look_deg() const { return in_states() ? step_deg : 0; }
 };
 
 /// UserError (failure) if there is no such directory and none can be made.
 void make_directory(const std::string& path);
 
-/// What a sheet's files say of whose they are.
+/// Names of a sheet's files, and the title in them.
 struct ExportLabel {
-  std::string stem;   ///< of their names
-  std::string title;  ///< in them
+  std::string stem, title;
 };
 
 /// One sheet's files, of any format but csv; prints their names. Refers to what it was made of.
@@ -91,9 +90,8 @@ class ExportFiles {
   std::optional<FoldingModel> at_samples_;  // of states between the samples nothing else depends
 };
 
-/// All sheets as one long table, and as another one of creases if that is asked for. A sheet's rows
-/// are written as soon as they are known: any number of sheets takes the room of one. UserError as
-/// above.
+/// All sheets as one long table, and on request another of creases. A sheet's rows are written as
+/// soon as they are known: any number of sheets takes the room of one. UserError as above.
 class ExportTables {
  public:
   ExportTables(const FoldingModel& model, const ExportOptions& options, const std::string& stem,

@@ -51,7 +51,7 @@ void check_shapes(const solver::Sheet& sheet, const std::vector<Eigen::Index>& r
       schema::Cause::check_failed,
       sheet.name() + ": its folded shape is not that of rigid panels (" +
           schema::shown_number(worst.length_mm) + " mm, " + schema::shown_number(worst.angle_deg) +
-          " deg off), so nothing is written of it; `misalign verify` says more");
+          " deg off), so nothing is written of it; `misalign verify` shows more");
 }
 
 }  // namespace misalign::search

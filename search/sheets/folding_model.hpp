@@ -1,5 +1,4 @@
-// A pattern's or a campaign's model, made ready once, with the solver of its sheets and its
-// design.
+// A pattern's or a campaign's model, made ready once, with the solver of its sheets and its design.
 #pragma once
 
 #include <string>
@@ -20,7 +19,7 @@ class FoldingModel {
   /// A campaign's, with its design.
   explicit FoldingModel(const schema::Campaign& campaign, const StationOptions& stations = {});
 
-  /// With these shifts, one column per vertex; what is found of it is found by this object.
+  /// The sheet with these shifts, one column per vertex; it refers to this object.
   solver::Sheet sheet(const Eigen::Matrix2Xd& shifts_mm, const std::string& name = "the sheet") {
     return {solver_, shifts_mm, name};
   }

@@ -18,7 +18,7 @@ namespace {
 using schema::Json;
 using schema::shown_number;
 
-// Diagonals whose strokes up to D are below what can be cut; empty where none is.
+// Names diagonals whose strokes up to D are below the cutting error; empty where none is.
 std::string shortest_strokes(const schema::FoldingView& view, double miscut_mm) {
   const double d_deg = view.history.verdict.deploys_from_sample * view.sample_deg;
   if (d_deg <= 0) return "";
@@ -114,14 +114,14 @@ Changes changes_up_to(double to_deg, const DiagonalPath& path) {
   return changes;
 }
 
-// What varies by less than a verdict takes for motion is rounding, and shown as its flat length.
+// Variations below the verdict's band are rounding, and shown as the flat length.
 void still_if_inactive(DiagonalPath& path, double panel_width_mm) {
   const auto [least, most] = std::minmax_element(path.length_mm.begin(), path.length_mm.end());
   if (*most - *least >= solver::kInactiveBand_widths * panel_width_mm) return;
   std::fill(path.length_mm.begin(), path.length_mm.end(), path.length_mm.front());
 }
 
-// Where a sparkline of so many columns shows the path up to D.
+// The angles of a sparkline's columns.
 struct Scale {
   double end_deg, d_deg;
   std::size_t columns;
@@ -137,14 +137,14 @@ struct Scale {
   }
 };
 
-// "0 ... 112|    156": the path's ends, and D where the sparklines have their bar.
+// "0 ... 112|    156": the path's ends, and D at the sparklines' bar.
 std::string scale_text(const Scale& scale) {
   const std::string end = fmt::format("{:.4g}", scale.end_deg),
                     d = fmt::format("{:g}|", scale.d_deg);
   std::string text(scale.columns + 1, ' ');
   text.replace(0, 1, "0");
   const std::size_t to_d = scale.columns_to_d();
-  // Where D is that near, its bar stands in the end's place.
+  // The bar of a D close to the end replaces the end's number.
   if (to_d == scale.columns || to_d + 1 < text.size() - end.size()) {
     text.replace(text.size() - end.size(), end.size(), end);
   }
@@ -165,7 +165,7 @@ std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions
   const double end_deg = history.stations.empty() ? 0 : history.stations.back().pilot_deg;
   if (end_deg <= 0) return "";
   const double d_deg = history.verdict.deploys_from_sample * view.sample_deg;
-  // Up to D is what can be used; what does not deploy at all is shown up to the end.
+  // Lengths are shown up to D, of a sheet that does not deploy up to the end.
   const double to_deg = d_deg > 0 ? std::min(d_deg, end_deg) : end_deg;
   const std::string to = shown_number(to_deg);
   std::vector<schema::Row> rows = {
@@ -216,7 +216,7 @@ std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions
   return options.paint.bold(table.substr(0, header)) + table.substr(header);
 }
 
-// The diagonals every 10 degrees and at D; what --step added is always shown.
+// Lengths every 10 degrees and at D, and always those that --step added.
 std::string lengths(const schema::FoldingView& view) {
   const solver::FoldingHistory& history = view.history;
   std::string text = "pilot_deg";

@@ -25,7 +25,7 @@ struct FoldingTextOptions {
 
 std::string folding_text(const schema::FoldingView& view, const FoldingTextOptions& options);
 
-/// To standard output, as what is behind it can show.
+/// Writes to standard output, as wide as the terminal.
 void put_folding(const schema::FoldingView& view, const schema::Design& design, bool table);
 
 }  // namespace misalign::search

@@ -35,7 +35,7 @@ std::string front_sql(SQLite::Database& database, const std::vector<std::string>
   }
   const std::string found = best_sql(database, fmt::format("draw, {}", fmt::join(columns, ", ")),
                                      {{}, {}, {}, {}, where});
-  // Whoever is beaten is so by one of the first, which are looked at first.
+  // A dominated candidate is dominated by one of the first, so these are tried first.
   const std::string order =
       fmt::format("ORDER BY \"{}\" {}", words.front(),
                   less_is_better(schema::in_full(words.front())) ? "" : "DESC");

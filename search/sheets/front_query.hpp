@@ -1,5 +1,4 @@
-// The front of several numbers of candidates: those than which no other is at least as good in all
-// of them and better in one.
+// The Pareto front of several numbers of candidates: those that no other candidate dominates.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -9,8 +8,8 @@
 
 namespace misalign::search {
 
-/// The SELECT of it: draw and these columns or functions of candidates, of those that `where`
-/// (which may be empty) lets through and that have all of them, by the first, the best first.
+/// The SELECT of draw and these columns or functions for the front of the candidates that satisfy
+/// `where` (which may be empty) and have all values; ordered by the first word, the best first.
 /// UserError (bad_request, "front", "where").
 std::string front_sql(SQLite::Database& database, const std::vector<std::string>& words,
                       const std::string& where);

@@ -12,11 +12,10 @@
 
 namespace misalign::search {
 
-/// Does pieces 0 to `pieces` - 1, begun in this order, on up to so many threads, this one among
-/// them. `begin(thread)` is called on each of them, numbered from 0 on, and gives what does a piece
-/// there; `take(k, result)` is called by one at a time, and returns false if no more pieces are
-/// wanted. What is thrown first ends the work, and is thrown again here once all threads have
-/// ended.
+/// Does pieces 0 to `pieces` - 1, begun in this order, on at most `threads` threads, this one among
+/// them. `begin(thread)` is called on each thread, numbered from 0, and returns its worker;
+/// `take(k, result)` is called by one thread at a time, and returns false to end the work. The
+/// first exception ends the work, and is thrown again once all threads have ended.
 template <class Begin, class Take>
 void on_threads(std::size_t threads, std::size_t pieces, const Begin& begin, const Take& take) {
   if (pieces == 0) return;

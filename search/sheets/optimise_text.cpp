@@ -9,51 +9,47 @@
 namespace misalign::search {
 namespace {
 
-// Diagonals that are named as what limits it.
+// Diagonals that are named among active limits.
 constexpr std::size_t kMostNamed = 4;
 
 std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimised& found) {
   const solver::Optimised::Limits& limits = *found.limits;
-  std::string text = "what limits it, to first order:\n";
+  std::string text = "active limits, and the goal's gain to first order:\n";
   if (limits.per_share_of_stroke > 0) {
-    text += fmt::format("  the stroke: a limit 1 % larger would give {:.3g} more\n",
-                        limits.per_share_of_stroke / 100);
+    text += fmt::format("  stroke limit: {:.3g} for 1 % more\n", limits.per_share_of_stroke / 100);
   }
   if (limits.per_n_of_force > 0) {
-    text += fmt::format("  the springs: 1 N more that they bear would give {:.3g} more\n",
-                        limits.per_n_of_force);
+    text += fmt::format("  largest spring force: {:.3g} for 1 N more\n", limits.per_n_of_force);
   }
   if (limits.per_mm_of_amplitude > 0) {
-    text += fmt::format("  the amplitude: 0.1 mm more would give {:.3g} more\n",
-                        limits.per_mm_of_amplitude / 10);
+    text += fmt::format("  amplitude: {:.3g} for 0.1 mm more\n", limits.per_mm_of_amplitude / 10);
   }
   if (limits.per_n_per_mm_of_stiffness > 0) {
-    text += fmt::format("  the springs' rate: 1 N/mm beyond its limit would give {:.3g} more\n",
+    text += fmt::format("  spring rate: {:.3g} for 1 N/mm beyond its limit\n",
                         limits.per_n_per_mm_of_stiffness);
   }
   if (limits.per_n_of_preload > 0) {
-    text += fmt::format("  the preload: 1 N beyond its limit would give {:.3g} more\n",
-                        limits.per_n_of_preload);
+    text += fmt::format("  preload: {:.3g} for 1 N beyond its limit\n", limits.per_n_of_preload);
   }
   for (std::size_t k = 0; k < found.options.floors.size(); ++k) {
     if (limits.per_floor[k] == 0) continue;
     const auto& [goal, least] = found.options.floors[k];
-    text += fmt::format("  the {}: 1 % less of it would give {:.3g} more\n", goal->words,
-                        limits.per_floor[k] * least / 100);
+    text +=
+        fmt::format("  {}: {:.3g} for 1 % less\n", goal->words, limits.per_floor[k] * least / 100);
   }
   for (std::size_t k = 0; k < std::min(kMostNamed, limits.turning.size()); ++k) {
     const auto& [diagonal, pilot_deg, per_mm] = limits.turning[k];
-    text += fmt::format("  {} would turn back near {:g} deg\n",
+    text += fmt::format("  diagonal {} reverses near {:g} deg\n",
                         schema::diagonal_label(mechanism, diagonal), pilot_deg);
   }
   if (limits.turning.size() > kMostNamed) {
-    text += fmt::format("  and {} more\n", limits.turning.size() - kMostNamed);
+    text += fmt::format("  and {} more diagonals\n", limits.turning.size() - kMostNamed);
   }
-  if (limits.by_fold_limit) text += "  it would not fold that far\n";
+  if (limits.by_fold_limit) text += "  fold limit\n";
   return text;
 }
 
-// Some goals are of an angle of use.
+// Some goals depend on an angle of use.
 std::string goal_text(const solver::Optimised& found) {
   const solver::Goal& goal = *found.options.goal;
   return goal.is_of_use ? fmt::format("{} from {:g} deg", goal.words, found.from_deg) : goal.words;
@@ -64,18 +60,19 @@ std::string springs_text(const solver::Optimised& found) {
   const solver::DesignPoint& best = found.best();
   if (found.options.stiffness_n_per_mm)
     text += fmt::format(" of {:.4g} N/mm", best.stiffness_n_per_mm);
-  if (found.options.preload_n) text += fmt::format(" left with {:.4g} N at flat", best.preload_n);
+  if (found.options.preload_n)
+    text += fmt::format(" preloaded with {:.4g} N at flat", best.preload_n);
   return text.empty() ? text : "springs" + text + "\n";
 }
 
-// A start below the floor is only kept from getting worse.
+// An ascent only keeps a start below the floor from getting worse.
 std::string slope_text(const solver::Sheet& sheet, const solver::Optimised& found) {
   const solver::OptimiseOptions& options = found.options;
   if (options.ternary || sheet.model().is_overconstrained()) return {};
   const double least =
       solver::least_slope_mm_per_deg(sheet, sheet.sample_deg(options.deploys_from_sample));
   if (least >= options.least_slope_mm_per_deg) return {};
-  return fmt::format("its least slope is {:.3g} mm/deg, less than the {:g} that was asked\n", least,
+  return fmt::format("least slope {:.3g} mm/deg, below the requested {:g}\n", least,
                      options.least_slope_mm_per_deg);
 }
 
@@ -85,10 +82,10 @@ std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
                           const ProvenBetter& better) {
   const auto& [found, certified_deg] = better;
   std::string text = fmt::format(
-      "{}: {} {:.4g} {}, now {:.4g}: {} steps, {} sheets folded{}\n", subject.sheet.name(),
+      "{}: {} {:.4g} {}, now {:.4g}; {} steps, {} sheets folded{}\n", subject.sheet.name(),
       goal_text(found), found.start().value, found.options.goal->unit_words, found.best().value,
       found.steps(), found.evaluations,
-      found.stop_reason == solver::Optimised::StopReason::most_steps ? ", and it goes on" : "");
+      found.stop_reason == solver::Optimised::StopReason::most_steps ? ", not converged" : "");
   text +=
       fmt::format("deploys from {:g} deg{}; largest stroke {:.3g} %, shifts up to {:.4g} mm\n",
                   sheet.deploys_from_deg(),

@@ -74,7 +74,7 @@ solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign) {
   const schema::Optimisation& search = *campaign.search.optimisation;
   const schema::Misalignment& draws = campaign.misalignment;
   solver::OptimiseOptions asked = options_of(search);
-  // Where nothing is asked of it any angle does at which all of them are on their way.
+  // Any angle that all of them reach will do if none is requested.
   asked.deploying.from_deg = search.from_deg.value_or(campaign.threshold_deg / 2);
   asked.deploying.sheet.springs.stiffness_n_per_mm = search.stiffness_n_per_mm;
   asked.deploying.sheet.springs.preload.each_n = search.preload_n;

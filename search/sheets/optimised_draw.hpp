@@ -1,4 +1,4 @@
-// An accepted draw of an optimising search, or a sheet that a population found, made better.
+// The ascent of an accepted draw of an optimising search, or of a sheet of a population.
 #pragma once
 
 #include "search/draws/ascents.hpp"
@@ -6,11 +6,10 @@
 
 namespace misalign::search {
 
-/// What the campaign asks of sheets that are made better: of the optimisation and the misalignment,
-/// all in its identity.
+/// The campaign's options of ascents: its optimisation and misalignment, all in its identity.
 solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign);
 
-/// An accepted draw, or a sheet that a population found, on its way to its end.
+/// The ascent from an accepted draw, or from a sheet of a population.
 std::unique_ptr<DrawAscent> optimised_draw(const schema::Campaign& campaign,
                                            const solver::Model& model, schema::Candidate start);
 

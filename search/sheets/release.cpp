@@ -19,8 +19,8 @@ double start_deg(const solver::Sheet& sheet, const SimulationStart& options) {
   if (!options.from_deg && deploys_from_deg <= 0) {
     throw UserError(schema::Cause::bad_request,
                     sheet.name() +
-                        " deploys from no angle, so none is where it would be let go by itself; "
-                        "name one with " +
+                        " does not deploy (D = 0), so it has no usual angle of release; name one "
+                        "with " +
                         schema::parameter("from_deg"));
   }
   return options.from_deg.value_or(std::min(solver::kDeployFrom_deg, deploys_from_deg));
@@ -31,7 +31,7 @@ double start_deg(const solver::Sheet& sheet, const SimulationStart& options) {
       solver::OptionFault{option, shown_number(pilot_deg), why, "name a smaller angle"});
 }
 
-// The pattern, if its unshifted sheet folds that far.
+// Returns the pattern if its unshifted sheet folds that far.
 const schema::Pattern& pattern_for(const schema::Pattern& base, const char* option,
                                    double pilot_deg, const std::string& name) {
   const double end_deg = base.base.folding.end_deg();
@@ -47,8 +47,8 @@ struct FoldedSheet {
   std::vector<double> fold_angle_deg;
 };
 
-// The sheet where its pilot has an angle, which an option named: followed closely to it, so that
-// all that is wrong before it is known.
+// Folds the sheet to a pilot angle, which an option named: followed closely, so that every fault
+// before it is found.
 FoldedSheet folded_to(const FoldingModel& model, const solver::Sheet& sheet, const char* option,
                       double pilot_deg) {
   // One sample is enough; the path takes shorter steps where it needs them.
@@ -84,7 +84,7 @@ Eigen::Matrix3Xd flat_shape(const solver::FlatVertices& vertices_mm) {
 
 schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& sheet,
                                const SimulationStart& options, const std::string& title) {
-  need_springs_at_vertices(sheet.base().springs, "what other programs simulate");
+  need_springs_at_vertices(sheet.base().springs, "simulations by other programs");
   if (const solver::Preload& preload = model.actuators().preload; preload.is_any()) {
     throw UserError(solver::OptionFault{
         "preload_n", shown_number(preload.largest_n()),

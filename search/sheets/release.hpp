@@ -17,7 +17,7 @@ struct SimulationStart {
 };
 
 /// `sheet` is of this model; `title` stands in files. UserError: 2 if the sheet has no such folded
-/// states, or no start is named for one that deploys from nothing; 6 as check_shapes.
+/// states, or no start is named for one that does not deploy; 6 as check_shapes.
 schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& sheet,
                                const SimulationStart& options, const std::string& title);
 

@@ -14,7 +14,7 @@ const solver::Model& with_loops_to_close(const solver::Model& model) {
   if (!model.is_overconstrained()) return model;
   throw schema::UserError(
       schema::Cause::bad_request,
-      "certify: sheets with so few holes are proven in closed form alone, which keeps no "
+      "certify: overconstrained sheets are proven in closed form alone, which keeps no "
       "certificate; `misalign certify` of a file or a draw proves them");
 }
 

@@ -15,14 +15,15 @@ class RowCertifier {
   /// Both must outlive this object; shifts of the base itself do not matter.
   RowCertifier(const schema::Pattern& base, const solver::Model& model, bool contact = false);
 
-  /// From flat to `asked_deg`, or as far as there is a proof. One column of shifts per vertex.
+  /// Certifies from flat to `asked_deg`, or as far as a proof exists. One column of shifts per
+  /// vertex.
   schema::CertificateRecord certify(std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
                                     double asked_deg);
 
-  /// Whether hash and columns are those of the proof, of this sheet.
+  /// The fault where hash or columns are not those of this sheet's proof.
   std::optional<schema::CertificateFinding> row_fault(const Eigen::Matrix2Xd& shifts_mm,
                                                       const schema::CertificateRecord& row) const;
-  /// That, and whether the proof is one: the second opinion, in ball arithmetic.
+  /// The same, or a fault of the proof itself: the second opinion, in ball arithmetic.
   /// UserError (failure) where this build is without FLINT.
   std::optional<schema::CertificateFinding> check(const Eigen::Matrix2Xd& shifts_mm,
                                                   const schema::CertificateRecord& row) const;
@@ -33,7 +34,7 @@ class RowCertifier {
   solver::Certifier certifier_;
 };
 
-/// Whether a certificate answers what is asked: no other would say more.
+/// Returns whether a certificate answers the request: no other would say more.
 bool answers(const schema::CertificateRecord& row, double asked_deg, bool contact);
 
 /// Certifies accepted draws of a campaign.

@@ -13,7 +13,7 @@ namespace {
 
 using Number = std::optional<double>;
 
-// What a sheet's numbers come from; each is found where one of them needs it.
+// Results of studies; each is computed where a wanted number needs it.
 struct Found {
   std::optional<solver::StaticRelease> standstill;
   Number springs_n_mm;
@@ -26,8 +26,7 @@ enum class Needs { standstill, springs, motion, contact, bent };
 struct StudyFunction {
   std::string_view name;  // in the table of studies
   Needs needs;
-  bool from_d;  // whether it is used from D where no angle is said: otherwise let go as `deploy`
-                // has it
+  bool from_d;  // true if the default angle of use is D, otherwise that of `deploy`
   Number (*number)(const Found&);
 };
 
@@ -36,7 +35,7 @@ Number first_contact_deg(const Found& found) {
   return found.contact->first->pilot_deg;
 }
 
-// Panels that meet on the way leave nothing of any plate.
+// Panels that meet on the way leave no thickness.
 Number thickness_mm(const Found& found) {
   if (!found.contact || !found.contact->thickness) return {};
   const solver::ContactStudy& study = *found.contact;

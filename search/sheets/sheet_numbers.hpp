@@ -1,4 +1,4 @@
-// The numbers of the table of studies, found of one sheet.
+// Computes the numbers of the table of studies of one sheet.
 #pragma once
 
 #include <array>
@@ -13,17 +13,16 @@ namespace misalign::search {
 inline constexpr std::size_t kNumberCount = 11;
 using WantedNumbers = std::array<bool, kNumberCount>;
 const std::array<std::string_view, kNumberCount>& sheet_number_names();
-/// Whether a build without SUNDIALS cannot find it.
+/// Returns whether the number needs SUNDIALS.
 bool needs_sundials(std::size_t number);
 
 struct StudyNumbers {
   WantedNumbers is_found{};
-  std::array<std::optional<double>, kNumberCount> numbers;  ///< none also where there is none
+  std::array<std::optional<double>, kNumberCount> numbers;  ///< none also where a study has none
 };
 
-/// Those that are wanted, of a sheet of this design that is used from `from_deg`: otherwise from
-/// the design's, or what each takes by itself. `is_candidate` spares finding D where it is
-/// known.
+/// The wanted numbers of a sheet of this design, used from `from_deg`, or from the design's angle,
+/// or from each number's default. `is_candidate` spares finding D where it is known.
 StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
                           std::optional<double> from_deg, const WantedNumbers& wanted,
                           bool is_candidate);

@@ -1,4 +1,4 @@
-// What knows springs on the vertices of the diagonals alone.
+// Refuses springs off the vertices of the diagonals, for studies that know no others.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,13 +17,13 @@ inline std::string where_springs_end(const solver::SpringEnds& springs) {
   return text;
 }
 
-/// UserError (bad_request): `what` are about springs `where` ("certify: proofs", "on the
-/// vertices"), and these end beside it.
+/// UserError (bad_request): `what` ("certify: proofs") need springs `where` ("on the vertices"),
+/// but these end elsewhere.
 [[noreturn]] inline void refuse_springs(const solver::SpringEnds& springs, const std::string& what,
                                         const std::string& where) {
   throw schema::UserError(
       schema::Cause::bad_request,
-      fmt::format("{} are of springs {}, and these end {} (\"springs.attach\"); take \"springs\" "
+      fmt::format("{} need springs {}, but these end {} (\"springs.attach\"); take \"springs\" "
                   "out of the pattern for a sheet with springs on its vertices",
                   what, where, where_springs_end(springs)));
 }
@@ -31,7 +31,7 @@ inline std::string where_springs_end(const solver::SpringEnds& springs) {
 inline void need_springs_at_vertices(const solver::SpringEnds& springs, const std::string& what) {
   if (!springs.at_vertices()) refuse_springs(springs, what, "on the vertices");
 }
-/// Off it lengths are not even in the pilot's angle.
+/// Lengths off the mid-plane are no even functions of the pilot angle.
 inline void need_springs_in_mid_plane(const solver::SpringEnds& springs, const std::string& what) {
   if (!springs.in_mid_plane()) refuse_springs(springs, what, "in the panels' mid-plane");
 }

@@ -13,7 +13,7 @@ namespace {
 
 using solver::StressStudy;
 
-// What has been added to a file since it was last looked at.
+// Reads the end that was added to a file since the last look.
 class GrowingFile {
  public:
   explicit GrowingFile(std::string path) : path_(std::move(path)) {}

@@ -1,4 +1,4 @@
-// Runs the study of stress: writes the deck, watches CalculiX, reads what it found.
+// Runs the study of stress: writes the deck, watches CalculiX, reads the results.
 #pragma once
 
 #include <functional>
@@ -12,15 +12,14 @@ namespace misalign::search {
 struct StressStudyOptions {
   schema::DeckOptions deck;
   schema::StressOptions stress;
-  /// Deployed when every crease is as close to flat as this at one moment; there the run ends. 0:
-  /// only at the end of time.
+  /// The run ends when every crease is as close to flat as this at one moment; 0: at the end of
+  /// time.
   double flat_deg = 5;
 };
 
-/// Runs ccx in a fresh directory inside of this one, whose files come here in the end, and reads
-/// what it found. `goes_on` gets the last row now and then, and ends the run by false: what was
-/// found until then is the result. UserError (failure): no ccx, nothing can be written, or ccx
-/// found nothing at all.
+/// Runs ccx in a fresh directory inside this one, moves its files here at the end, and reads the
+/// results. `goes_on` gets the last row now and then, and ends the run by false: the results so far
+/// are returned. UserError (failure): no ccx, nothing can be written, or no increment was made.
 solver::StressStudy study_stress(
     const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
     const std::string& directory, const std::string& job,

@@ -40,20 +40,20 @@ std::string stress_summary(const schema::SimulatedSheet& sheet, const StressStud
             : fmt::format("not deployed: after {:.4f} s creases are within {:.2f} deg", last.time_s,
                           last.widest_deg);
     text += fmt::format("{}{}\n", where,
-                        study.was_stopped ? "; there it was stopped"
-                        : study.gave_up   ? "; there ccx gave up"
+                        study.was_stopped ? "; stopped there"
+                        : study.gave_up   ? "; ccx gave up there"
                                           : "");
   }
   text += "largest von Mises stress\n";
   text += stress_line(
       fmt::format("outside discs of {:g} mm round every vertex", options.stress.disc_mm), sheet,
       study.stress.outside);
-  text += stress_line("anywhere, which grows as meshes get finer", sheet, study.stress.anywhere);
+  text += stress_line("anywhere, unbounded as meshes get finer", sheet, study.stress.anywhere);
   return text + fmt::format("CalculiX: {} increments, {:.0f} CPU s, {:.0f} MB\n",
                             study.rows.size() - 1, study.cpu_s, study.memory_mb);
 }
 
-// At most twenty rows, the last among them; stresses are the largest since the row before.
+// Shows at most twenty rows, the last among them; stresses are the largest since the row before.
 std::string motion_table(const solver::StressStudy& study) {
   std::string text =
       "\n   time_s pilot_deg rigid_deg widest_deg springs_n_mm bending_n_mm kinetic_n_mm "

@@ -18,7 +18,7 @@ using schema::Cause;
 using schema::UserError;
 using solver::NoResult;
 
-// A reason in the words of a sentence.
+// A reason as the parts of a sentence.
 struct Reason {
   NoResult reason;
   Cause cause;
@@ -28,21 +28,21 @@ struct Reason {
 
 constexpr Reason kReasons[] = {
     {NoResult::path_lost, Cause::failure, "its folding path is lost (a numerical failure)",
-     "`misalign fold` says how far it is known"},
+     "`misalign fold` shows how far it is known"},
     {NoResult::panels_not_stable, Cause::failure,
      "the stiffness of its panels is not positive (a numerical failure, as of panels that are too "
      "thin beside their width)",
      "take thicker panels"},
     {NoResult::overconstrained, Cause::bad_request,
-     "it has fewer holes than count to one degree of freedom (next to it only sheets of its "
-     "parallel family fold)",
+     "it is overconstrained: it has fewer holes than one degree of freedom needs (next to it only "
+     "sheets of its parallel family fold)",
      "`misalign construct` makes the best of these"}};
 
 void check_freedom(const schema::Pattern& base, const std::string& path) {
   const solver::PerforatedSheet& sheet = base.base;
   if (sheet.holes.empty()) {
     throw UserError(Cause::bad_input, path +
-                                          ": there is no hole (what is constructed are holes whose "
+                                          ": there is no hole (a constructed sheet has holes whose "
                                           "diagonals change); name inner panels in \"holes\"");
   }
   const auto mobility = solver::measured_mobility(sheet.sheet, sheet.holes, sheet.folding);
@@ -85,7 +85,7 @@ solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& des
 
 solver::DeploymentStudy deployed(const solver::Sheet& sheet,
                                  const solver::ReleaseOptions& options) {
-  return value_or_throw(solver::deploy(sheet, options), sheet.name(), "it cannot be let go");
+  return value_or_throw(solver::deploy(sheet, options), sheet.name(), "it cannot be released");
 }
 
 std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,

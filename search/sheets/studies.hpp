@@ -1,4 +1,4 @@
-// Studies of a sheet whose value is wanted: where there is none, a UserError says why.
+// Studies of a sheet that throw a UserError where there is no value.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 namespace misalign::search {
 
 /// A bad request for an option that does not fit. For a reason "`sheet`: why, so `consequence`;
-/// what to do", with the reason's own cause and advice, unless there is other advice.
+/// what to do", with the reason's cause and advice, unless `advice` is given.
 schema::UserError study_error(const solver::Obstacle& obstacle, const std::string& sheet,
                               const std::string& consequence, const std::string& advice = "");
 
@@ -33,7 +33,7 @@ solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& des
 /// The motion of the sheet after its release.
 solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::ReleaseOptions& options);
 
-/// The friction of pins that it overcomes; none where the design names no pins.
+/// The pin friction that it overcomes; none where the design names no pins.
 std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
                                         const solver::ReleaseOptions& deploying,
                                         const schema::Design& design);
@@ -42,10 +42,10 @@ std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
 schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& deploying,
                              const schema::Design& design);
 
-/// All that `misalign deploy` finds of a sheet.
+/// Results of `misalign deploy`.
 struct ReleasedSheet {
   solver::DeploymentStudy motion;
-  std::optional<schema::BentSheet> bent;  ///< where its panels bend
+  std::optional<schema::BentSheet> bent;  ///< none with rigid panels
   std::optional<solver::PinStudy> pins;
 };
 ReleasedSheet released_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& options,

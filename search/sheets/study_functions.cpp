@@ -23,7 +23,7 @@
 namespace misalign::search {
 namespace {
 
-// A call: of which draw, from which angle.
+// A call with its draw and angle of use.
 struct Call {
   std::uint64_t draw;
   std::optional<double> from_deg;
@@ -31,14 +31,14 @@ struct Call {
   auto operator<=>(const Call&) const = default;
 };
 
-// One for all functions of a connection.
+// Serves all functions of a connection.
 class StudyFunctions {
  public:
   // The catalogue's campaign is used where none is given.
   StudyFunctions(SQLite::Database& database, std::string path, const schema::Campaign* campaign)
       : database_(database), path_(std::move(path)), campaign_(campaign) {}
 
-  // That of a connection; null: it has none.
+  // The functions of a connection; null: it has none.
   static StudyFunctions* of(sqlite3* connection) {
     const std::lock_guard lock(mutex_);
     const auto found = all_.find(connection);
@@ -71,8 +71,8 @@ class StudyFunctions {
     return answers.numbers[function];
   }
 
-  // What the statement will ask for. Without a LIMIT all of that is needed: it is found at once,
-  // what costs least first, since what that says may spare the dearer.
+  // Records the calls of a statement. Without a LIMIT all of them are needed: numbers are found at
+  // once, the cheapest first, since those may spare the dearer.
   void look_ahead(const std::string& sql, bool has_limit) {
     do {
       record(sql);
@@ -80,12 +80,12 @@ class StudyFunctions {
   }
 
  private:
-  // Of longer queries so many at a time.
+  // The largest number of calls recorded at a time.
   static constexpr std::size_t kMostExpected = 100000;
-  // A query that passes over more rows, or never ends, is looked at no farther than so many turns
-  // of so many instructions of SQLite's machine: some seconds.
+  // A query that passes over more rows, or never ends, is recorded for at most kMostTurns turns of
+  // kTurn instructions of SQLite's machine: some seconds.
   static constexpr int kTurn = 1000, kMostTurns = 300'000;
-  // So many sheets at once and thread: little is lost where a LIMIT ends the query.
+  // Sheets at once per thread: little is lost where a LIMIT ends the query.
   static constexpr std::size_t kAtOnce = 8;
 
   struct Expected {
@@ -120,7 +120,7 @@ class StudyFunctions {
       while (statement.executeStep()) {
       }
     } catch (const SQLite::Exception&) {
-      // That was enough, or the statement itself will say why not.
+      // The record is long enough, or the statement itself will say why not.
     }
     sqlite3_progress_handler(connection_, 0, nullptr, nullptr);
     is_looking_ahead_ = false;
@@ -130,7 +130,7 @@ class StudyFunctions {
     return schema::study_column(sheet_number_names()[function])->cost;
   }
 
-  // The numbers of this cost among those.
+  // Keeps the wanted numbers of this cost.
   static WantedNumbers of_cost(const WantedNumbers& wanted, schema::Cost cost) {
     WantedNumbers some{};
     for (std::size_t k = 0; k < kNumberCount; ++k) some[k] = wanted[k] && cost_of(k) == cost;
@@ -139,31 +139,31 @@ class StudyFunctions {
 
   schema::Cost least_cost() const {
     schema::Cost least = schema::Cost::contact;
-    for (const Expected& one : expected_) {
+    for (const Expected& expected : expected_) {
       for (std::size_t k = 0; k < kNumberCount; ++k) {
-        if (one.wanted[k]) least = std::min(least, cost_of(k));
+        if (expected.wanted[k]) least = std::min(least, cost_of(k));
       }
     }
     return least;
   }
 
-  // Of all that is expected; false if nothing is.
+  // Finds the cheapest numbers of all expected calls; false if there are none.
   bool find_cheapest() {
     if (expected_.empty()) return false;
     const schema::Cost cost = least_cost();
     std::vector<Piece> pieces;
-    for (const Expected& one : expected_) {
-      const WantedNumbers wanted = of_cost(one.wanted, cost);
+    for (const Expected& expected : expected_) {
+      const WantedNumbers wanted = of_cost(expected.wanted, cost);
       if (std::ranges::find(wanted, true) != wanted.end()) {
-        pieces.push_back(piece_of(one.call, wanted));
+        pieces.push_back(piece_of(expected.call, wanted));
       }
     }
     find(pieces);
     return true;
   }
 
-  // This one, and those of the same cost that will be asked for next, unless something cheaper may
-  // spare them.
+  // Finds this call, and the next expected calls of the same cost, unless cheaper ones may spare
+  // them.
   void find_some(std::size_t function, const Call& call) {
     const schema::Cost cost = cost_of(function);
     const auto place = place_.find(call);
@@ -223,10 +223,10 @@ class StudyFunctions {
             is_candidate(call.draw)};
   }
 
-  // Whether it is one that deploys from kDeployFrom_deg for sure.
+  // Returns whether it is a candidate that certainly deploys from kDeployFrom_deg.
   bool is_candidate(std::uint64_t draw) {
     if (campaign().threshold_deg < solver::kDeployFrom_deg) return false;
-    // None that outlives the call: the connection must be able to close.
+    // The statement ends with the call: the connection must be able to close.
     SQLite::Statement candidate(database_, "SELECT 1 FROM candidate WHERE draw = ?");
     candidate.bind(1, static_cast<std::int64_t>(draw));
     return candidate.executeStep();
@@ -263,8 +263,8 @@ struct OneFunction {
 };
 
 void call(sqlite3_context* context, int count, sqlite3_value** values) {
-  const auto& one = *static_cast<const OneFunction*>(sqlite3_user_data(context));
-  if (!has("SUNDIALS") && needs_sundials(one.which)) {
+  const auto& function = *static_cast<const OneFunction*>(sqlite3_user_data(context));
+  if (!has("SUNDIALS") && needs_sundials(function.which)) {
     sqlite3_result_error(context, schema::missing_text("SUNDIALS").c_str(), -1);
     return sqlite3_result_error_code(context, SQLITE_ABORT);
   }
@@ -275,9 +275,9 @@ void call(sqlite3_context* context, int count, sqlite3_value** values) {
     return sqlite3_result_null(context);
   }
   try {
-    const std::optional<double> number = one.functions->number(
-        one.which, {static_cast<std::uint64_t>(sqlite3_value_int64(values[0])),
-                    has_angle ? std::optional(from_deg) : std::nullopt});
+    const std::optional<double> number = function.functions->number(
+        function.which, {static_cast<std::uint64_t>(sqlite3_value_int64(values[0])),
+                         has_angle ? std::optional(from_deg) : std::nullopt});
     number ? sqlite3_result_double(context, *number) : sqlite3_result_null(context);
   } catch (const std::bad_alloc&) {
     sqlite3_result_error_nomem(context);

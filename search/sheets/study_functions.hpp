@@ -1,5 +1,5 @@
-// SQL functions of the studies' numbers: found of a draw's sheet when a query asks for them, on all
-// cores, and stored nowhere.
+// SQL functions of the studies' numbers: computed for a draw's sheet when a query calls them, on
+// all cores, and stored nowhere.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -11,17 +11,17 @@
 namespace misalign::search {
 
 /// Adds to a catalogue's connection NAME(draw) and NAME(draw, from_deg) for each column of the
-/// table of studies that is found (schema/catalogue/study_table.cpp), of any draw of its campaign,
-/// with the campaign's design, as the study's verb says it: null where there is none. Models are
-/// made when first asked for; what was found is kept as long as the connection. A query that calls
+/// table of studies (schema/catalogue/study_table.cpp), for any draw of its campaign with the
+/// campaign's design: the value of the study's verb, null where there is none. Models are made on
+/// first use; results are kept as long as the connection. A query that calls
 /// one of a motion ends with SQLITE_ABORT where this build is without SUNDIALS.
 void add_study_functions(SQLite::Database& database, const std::string& path);
 /// The same by this campaign, with its design; it must outlive the queries.
 void add_study_functions(SQLite::Database& database, const schema::Campaign& campaign);
 
-/// Runs a statement with functions that find nothing, to learn of which draws they will be asked
-/// and in which order: from then on the connection finds several at once. Nothing where it calls no
-/// such function, or the connection has none.
+/// Runs a statement with functions that find nothing, to record their calls in order: from then on
+/// the connection finds several at once. Does nothing where the statement calls no such function,
+/// or the connection has none.
 void look_ahead(SQLite::Database& database, const std::string& sql);
 
 }  // namespace misalign::search

@@ -7,7 +7,7 @@
 
 namespace misalign::search {
 
-/// As `misalign contact`, `actuators`, `deploy`, `card` and `optimise` have it.
+/// The JSON of `misalign contact`, `actuators`, `deploy`, `card` and `optimise`.
 schema::Json study_json(const Subject& subject, const solver::ContactStudy& study);
 schema::Json study_json(const Subject& subject, const solver::Actuation& springs);
 schema::Json study_json(const Subject& subject, const ReleasedSheet& released);

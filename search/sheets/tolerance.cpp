@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::uint64_t kCopiesAtOnce = 256;  // full lanes, and pieces for every core
 
-// Some copies of one sheet, in one piece of work.
+// Copies of one sheet that are judged together.
 struct CopyRange {
   std::size_t sheet;
-  int vertex;  // off its place, or all of them if negative
+  int vertex;  // with an error; all of them if negative
   std::uint64_t first, count;
 };
 
-// What all threads share. A sheet is the base with shifts, a copy one with errors as well.
+// The state that threads share. A sheet is the base with shifts, a copy has errors as well.
 class Study {
  public:
   Study(const schema::Campaign& campaign, const std::vector<Eigen::Matrix2Xd>& shifts_mm,
@@ -175,7 +175,7 @@ std::vector<solver::Tolerance> study_tolerance(const schema::Campaign& campaign,
   if (options.trials > 0 && schema::is_overconstrained(campaign.pattern.base)) {
     throw study_error(solver::NoResult::overconstrained, "the sheet",
                       "no miscut copy folds and none can be counted",
-                      "`misalign tolerance` of one sheet says by how much its joints stay open");
+                      "`misalign tolerance` of one sheet gives its joint gaps");
   }
   return Study(campaign, shifts_mm, options).run();
 }

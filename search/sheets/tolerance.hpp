@@ -15,29 +15,28 @@ namespace misalign::search {
 void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::uint64_t trial,
                   double* errors_mm);
 
-/// How many copies are judged, of how many.
+/// The number of judged copies, and of all.
 struct CopiesDone {
   std::uint64_t done, all;
 };
 
 struct ToleranceOptions {
   double amplitude_mm = 0;
-  std::uint64_t trials = 1000;   ///< copies with every vertex off its place: trials 0 to this; none
-                                 ///< for the sheet's own D alone
-  bool vertices = false;         ///< copies with one vertex alone, too
+  std::uint64_t trials = 1000;   ///< copies with errors at every vertex; 0: only the sheet's D
+  bool vertices = false;         ///< also copies with an error at one vertex
   int jobs = 1;                  ///< threads; the answer does not depend on them
   solver::InstructionSet set{};  ///< nor on this
-  std::function<void(const CopiesDone&)> progress{};  ///< called now and then, by one at a time
+  std::function<void(const CopiesDone&)> progress{};  ///< called now and then, one call at a time
 };
 
-/// Trials with one vertex alone are made no more than this.
+/// The largest number of trials with one vertex alone.
 inline constexpr std::uint64_t kMostTrialsOfOneVertex = 200;
 
 /// UserError (bad_request) unless an amplitude is below that of this sheet.
 void check_miscut(double amplitude_mm, const solver::CreasePattern& base,
                   const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet);
 
-/// The campaign, from whose threshold copies are to deploy: this angle instead of its own.
+/// The campaign with this angle as the threshold of copies.
 /// UserError (bad_request) where it is no sample, or lies beyond D of a sheet, which `name_of`
 /// names.
 schema::Campaign used_from(const schema::Campaign& campaign, double from_deg,
@@ -45,8 +44,8 @@ schema::Campaign used_from(const schema::Campaign& campaign, double from_deg,
                            const ToleranceOptions& options,
                            const std::function<std::string(std::size_t)>& name_of);
 
-/// Of one sheet: copies are to deploy from this angle, or from its own D. UserError (bad_request)
-/// as above, and where it deploys from nothing.
+/// The tolerance of one sheet, whose copies must deploy from this angle, or from its D. UserError
+/// (bad_request) as above, and where the sheet does not deploy.
 solver::Tolerance study_sheet(const ChosenSheet& sheet, std::optional<double> from_deg,
                               const ToleranceOptions& options);
 

@@ -11,14 +11,14 @@ namespace {
 
 std::string share_line(const solver::Tolerance& t, double deg, std::uint64_t hits) {
   const schema::ShareOfTrials share = schema::share_of(hits, t.copies);
-  return fmt::format("still from {:<6g} {}, {:.4g} % (95 %: {:.4g} to {:.4g})\n", deg, hits,
+  return fmt::format("yield from {:<6g} {}, {:.4g} % (95 %: {:.4g} to {:.4g})\n", deg, hits,
                      100 * share.share, 100 * share.low, 100 * share.high);
 }
 
 std::string vertices_text(const solver::Tolerance& t) {
   std::string text = fmt::format(
       "one vertex alone, {} copies each, the most harmful first\n"
-      "vertex  still from {:g}  mean loss, deg\n",
+      "vertex  yield from {:g}  mean loss, deg\n",
       t.vertices.front().copies.trials, t.threshold_deg);
   for (const solver::Tolerance::Vertex& vertex : t.vertices) {
     const std::uint64_t survivors = vertex.copies.from(t.threshold_sample);
@@ -34,7 +34,7 @@ std::string vertices_text(const solver::Tolerance& t) {
 std::string tolerance_text(const NamedTolerance& named) {
   const solver::Tolerance& t = named.tolerance;
   std::string text = t.vertices.empty() ? "" : vertices_text(t);
-  text += fmt::format("{}, deploys from {:g} deg; {} copies, every vertex off by up to {:g} mm\n",
+  text += fmt::format("{}, deploys from {:g} deg; {} copies, cutting error up to {:g} mm\n",
                       named.name, t.own_sample * t.sample_deg, t.copies.trials, t.amplitude_mm);
   text += "deploy from      ";
   for (const double share : solver::kShownShares) {
@@ -42,7 +42,7 @@ std::string tolerance_text(const NamedTolerance& named) {
   }
   text += "\n";
   if (t.copies.undecided > 0) {
-    text += fmt::format("undecided         {}: the intervals allow for both\n", t.copies.undecided);
+    text += fmt::format("undecided         {}: the intervals allow both\n", t.copies.undecided);
   }
   if (t.own_sample > t.threshold_sample) {
     text += share_line(t, t.own_sample * t.sample_deg, t.copies.from(t.own_sample));
@@ -58,8 +58,8 @@ std::string tolerances_text(std::vector<NamedTolerance> several) {
                    [&](const auto& a, const auto& b) { return share(a).share < share(b).share; });
   const solver::Tolerance& first = several.front().tolerance;
   std::string text = fmt::format(
-      "{} copies each, every vertex off by up to {:g} mm; the most tolerant last\n"
-      "{:24}  deploys from  still from {:<6g} 95 %\n",
+      "{} copies each, cutting error up to {:g} mm; the most tolerant last\n"
+      "{:24}  deploys from  yield from {:<6g} 95 %\n",
       first.copies.trials, first.amplitude_mm, "", first.threshold_deg);
   for (const NamedTolerance& named : several) {
     const solver::Tolerance& t = named.tolerance;
@@ -74,9 +74,8 @@ std::string tolerances_text(std::vector<NamedTolerance> several) {
 std::string miscut_gap_text(const std::string& name, const solver::MiscutGap& gap) {
   const Eigen::Index worst = gap.worst_angle();
   std::string text = fmt::format(
-      "{}: miscut by up to {:g} mm, the joints of half of {} copies stay open by up to {:.4f} mm, "
-      "of\n95 % by up to {:.4f} mm ({:g} deg); play of that radius takes it, or panels that "
-      "bend\n\n"
+      "{}: largest joint gaps at a cutting error up to {:g} mm, of {} copies: median {:.4f} mm,\n"
+      "95 % quantile {:.4f} mm (at {:g} deg); play of that radius or bending panels close them\n\n"
       "pilot_deg  median_mm  95 %_mm  largest_mm\n",
       name, gap.amplitude_mm, gap.open_mm.rows(), gap.quantile_mm(0.5, worst),
       gap.quantile_mm(0.95, worst), gap.pilot_deg[static_cast<std::size_t>(worst)]);

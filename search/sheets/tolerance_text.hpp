@@ -9,18 +9,18 @@
 
 namespace misalign::search {
 
-/// A sheet's name, "draw 17", and what was found of it.
+/// A sheet's name, "draw 17", and its tolerance.
 struct NamedTolerance {
   std::string name;
   solver::Tolerance tolerance;
 };
 
-/// Of one sheet; what counts comes last.
+/// Text of one sheet; the result comes last.
 std::string tolerance_text(const NamedTolerance& named);
 /// A line for each of several, the one that copies survive best last.
 std::string tolerances_text(std::vector<NamedTolerance> several);
 
-/// The play that half of the copies need, and nearly all, then a line an angle.
+/// Median and 95 % quantile of the joint gaps, then a line an angle.
 std::string miscut_gap_text(const std::string& name, const solver::MiscutGap& gap);
 
 }  // namespace misalign::search

@@ -45,8 +45,8 @@ Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& s
   if (!is_possible) {
     throw schema::UserError(schema::Cause::bad_input,
                             "the levels in the catalogue of " + campaign.name +
-                                " are not those of its campaign (the file is damaged, or another "
-                                "program changed it); put a backup in its place");
+                                " do not fit its campaign (the file is damaged, or another program "
+                                "changed it); restore a backup");
   }
   ladder.scores = stored;
   return ladder;

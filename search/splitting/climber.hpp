@@ -1,5 +1,5 @@
-// The science of populations: draws -> those that reach a level -> copies -> moved within it ->
-// those that reach the next -> ... -> sheets that meet the criterion.
+// Runs populations: draws -> survivors at a level -> copies -> moves within it -> survivors at the
+// next -> ... -> sheets that meet the criterion.
 #pragma once
 
 #include "schema/campaign/splitting.hpp"
@@ -8,11 +8,11 @@
 
 namespace misalign::search {
 
-/// One campaign that splits made ready, and the workspace of this rank.
+/// The model of a splitting campaign, and the workspace of this rank.
 class Climber {
  public:
-  /// `campaign` must outlive this object. What populations find goes on to its end if the campaign
-  /// optimises, for which the part is needed.
+  /// `campaign` must outlive this object. If the campaign optimises, ascents start from the
+  /// candidates; this needs the part.
   Climber(const schema::Campaign& campaign, solver::InstructionSet set, const Parts& parts = {});
   Climber(const Climber&) = delete;
   Climber& operator=(const Climber&) = delete;
@@ -33,15 +33,15 @@ class Climber {
   const BeginAscent ascend_;
 };
 
-/// The ladder of a campaign, without levels where it names none.
+/// Returns the ladder of a campaign, without levels if it names none.
 Ladder named_ladder(const schema::Campaign& campaign);
-/// The same with the levels that its catalogue keeps, if a level finder has found them. UserError
-/// (3) if they can be none of this campaign.
+/// Returns it with the levels of a level finder that the catalogue stores. UserError (3) if the
+/// campaign cannot have these levels.
 Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& stored);
-/// The levels of a campaign: those that it names, or what a level finder finds.
+/// Returns it with the campaign's levels, or those that a level finder finds now.
 Ladder ladder_of(const schema::Campaign& campaign, Climber& climber);
 
-/// One population from its first draws to the last level, by one rank alone.
+/// Computes one population from its first draws to the last level, on one rank.
 PopulationRecord climbed(const Ladder& ladder, std::uint32_t number, Climber& climber);
 
 }  // namespace misalign::search

@@ -1,4 +1,4 @@
-// The sheets that a population has met, each where it was met first.
+// Collects the different sheets that a population has met, each where it was met first.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace misalign::search {
 
-/// Where a sheet was met.
+/// The place at which a sheet was met.
 struct Origin {
   std::uint32_t population, level, step, particle;
   friend auto operator<=>(const Origin&, const Origin&) = default;
@@ -25,20 +25,20 @@ struct FoundCandidate {
 
 inline constexpr std::uint64_t kAllSheets = std::numeric_limits<std::uint64_t>::max();
 
-/// Of all sheets only a fingerprint is kept; of those with the least origins, so many at most, what
-/// is known of them. What comes of it does not depend on the order in which they are added.
+/// Keeps a fingerprint of every sheet, and the candidates of the `most` smallest origins. The
+/// result does not depend on the order in which they are added.
 class FoundCandidates {
  public:
   explicit FoundCandidates(std::uint64_t most) : most_(most) {}
 
   void add(const Origin& origin, schema::Candidate candidate);
-  /// How many different ones were met at each level for the first time.
+  /// Counts the different sheets that were first met at each level.
   void count(std::vector<schema::LevelCount>& levels) const;
-  /// Those that were kept, by their origins; none are left.
+  /// Returns the kept candidates by their origins, and removes them.
   std::vector<FoundCandidate> take();
 
  private:
-  /// 128 bits of a sheet's shifts, of which a table of them takes the lower half.
+  /// A 128-bit hash of a sheet's shifts; hash tables use the lower half.
   struct Print {
     std::uint64_t low, high;
     friend bool operator==(const Print&, const Print&) = default;

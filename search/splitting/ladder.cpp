@@ -4,19 +4,19 @@ namespace misalign::search {
 
 PieceOrder order_of(std::uint32_t population, std::uint32_t level,
                     const schema::DrawRange& particles, const RungBounds& bounds,
-                    const ScoredParticles& here) {
+                    const ScoredParticles& scored) {
   PieceOrder order{population,
                    level,
                    static_cast<std::uint32_t>(particles.lo),
                    static_cast<std::uint32_t>(particles.hi),
                    bounds.within,
                    bounds.next,
-                   here.count() == 0,
+                   scored.count() == 0,
                    true,
                    {}};
   if (order.is_first) return order;
-  order.here.reserve(particles.size(), here.sheets.bytes_each);
-  for (std::uint64_t k = particles.lo; k < particles.hi; ++k) order.here.add(here, k);
+  order.here.reserve(particles.size(), scored.sheets.bytes_each);
+  for (std::uint64_t k = particles.lo; k < particles.hi; ++k) order.here.add(scored, k);
   return order;
 }
 

@@ -9,10 +9,10 @@
 namespace misalign::search {
 namespace {
 
-// How often a level is walked again before the level finder gives up.
+// Repetitions of a level before the level finder gives up.
 constexpr std::uint32_t kMostTries = 20;
 
-// The score that so many of these reach, or more of them where they have it in common.
+// Returns the largest score that at least `rank` of these reach.
 int score_of_rank(std::vector<int> scores, std::size_t rank) {
   assert(!scores.empty());
   const std::size_t place = std::min(std::max<std::size_t>(rank, 1), scores.size()) - 1;
@@ -34,7 +34,7 @@ LevelFinder::LevelFinder(std::uint64_t seed, std::uint32_t particles, std::uint3
 std::optional<PieceOrder> LevelFinder::take(std::uint32_t most) {
   const auto particles = pieces_.take(most);
   if (!particles) return std::nullopt;
-  // The scores of all are wanted.
+  // The scores of all particles are needed.
   const RungBounds bounds{reached(), least_score()};
   PieceOrder order = order_of(kNumber, level_, *particles, bounds, here_);
   order.is_catalogued = false;
@@ -61,7 +61,7 @@ void LevelFinder::end_level(const PieceResult& all) {
   if (all.there.scores.empty()) {
     end(false);
   } else if (looked_at_ < ladder_.first_draws) {
-    // Up to ten times as many, of which as many are enough to look at as these are.
+    // Takes up to ten times as many first draws; as many survivors as now are enough.
     const std::uint64_t now = looked_at_;
     looked_at_ = std::min(10 * now, std::uint64_t{ladder_.first_draws});
     from_ = std::min(last_,
@@ -78,12 +78,12 @@ void LevelFinder::end_level(const PieceResult& all) {
 
 void LevelFinder::go_on_from(int score, const PieceResult& all) {
   const int reached = this->reached();
-  if (score <= reached) {  // ties: the least above, if there is one
+  if (score <= reached) {  // for ties: the next higher score, if any
     score = last_;
     bool is_there = false;
-    for (const int one : all.there.scores) {
-      if (one <= reached) continue;
-      score = std::min(score, one);
+    for (const int higher : all.there.scores) {
+      if (higher <= reached) continue;
+      score = std::min(score, higher);
       is_there = true;
     }
     if (!is_there && ++tries_ > kMostTries) {

@@ -1,6 +1,6 @@
-// The Markov kernel's proposals: which sheet is tried next to a particle's. Each is as likely as
-// the way back, so that a particle which takes those of its level, and stays where it is otherwise,
-// keeps the plain distribution on that level (Metropolis et al., J. Chem. Phys. 21, 1953).
+// Makes the proposals of the Markov kernel. Each is as likely as its reverse, so that a particle
+// that accepts proposals within its level, and stays otherwise, keeps the plain distribution on
+// that level (Metropolis et al., J. Chem. Phys. 21, 1953).
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace misalign::search {
 
-/// The random words of one particle of a population at one step of one level; step 0 makes it, the
-/// others move it. Philox stream 3: counter = (population, particle, step and block, level and
-/// stream), sixteen bits each of step and block, and eight of the stream.
+/// Random words of a particle at one step of a level; step 0 makes it, the others move it. Philox
+/// stream 3: counter = (population, particle, step and block, level and stream), sixteen bits each
+/// of step and block, and eight of the stream.
 class StepWords {
  public:
   static constexpr std::uint32_t kMostSteps = 0xFFFF, kMostLevels = 0xFFFFFF;
@@ -20,7 +20,7 @@ class StepWords {
   StepWords(std::uint64_t seed, std::uint32_t population, std::uint32_t level, std::uint32_t step,
             std::uint32_t particle);
   std::uint32_t next();
-  /// Below `count`, all as likely up to one part in 2^32 / count.
+  /// Returns a number below `count`, uniform up to one part in 2^32 / count.
   std::size_t next_below(std::size_t count);
 
  private:
@@ -34,10 +34,10 @@ class Moves {
  public:
   Moves(const schema::Campaign& campaign);
 
-  /// A plain draw.
+  /// Makes a plain draw.
   void draw(StepWords words, ShiftCode::Particle sheet) const;
-  /// Instead of `sheet`: one in sixteen a mirror image, if the sheet has symmetries; otherwise one
-  /// shift is redrawn, two half as often, and so forth.
+  /// Replaces `sheet` with a proposal: one in sixteen is a mirror image, if the sheet has
+  /// symmetries; otherwise one shift is redrawn, two half as often, and so forth.
   void propose(StepWords words, ShiftCode::Particle sheet) const;
 
   const ShiftCode& code() const { return code_; }

@@ -1,4 +1,4 @@
-// The number of a sheet that a population has met, and where it was met.
+// Numbers the sheets that a population has met by where they were met.
 #pragma once
 
 #include "schema/campaign/splitting.hpp"
@@ -6,9 +6,9 @@
 
 namespace misalign::search {
 
-/// Population r has the numbers from r * kNumbersOfPopulation on: the first draws in turn, then for
-/// each level the moves of its first step in turn, of its second, and so forth. So the least number
-/// is the least (population, level, step, particle).
+/// Returns a sheet's number. Population r has the numbers from r * kNumbersOfPopulation up: first
+/// the first draws in turn, then for each level the moves of its first step in turn, of its second,
+/// and so forth. So numbers ascend with (population, level, step, particle).
 std::uint64_t number_of(const Origin& origin, const schema::Splitting& splitting);
 Origin origin_of(std::uint64_t number, const schema::Splitting& splitting);
 

@@ -1,4 +1,4 @@
-// Sheets as whole numbers: what particles are, and what travels between ranks.
+// Stores sheets as whole numbers, which are particles and travel between ranks.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +9,28 @@
 
 namespace misalign::search {
 
-/// How a campaign's shifts are written as whole numbers: a ternary level is 0, 1 or 2, one byte; a
-/// uniform one its random word, four.
+/// The code of a campaign's shifts as whole numbers: a ternary level is 0, 1 or 2 in one byte; a
+/// uniform one is its random word in four.
 class ShiftCode {
  public:
   explicit ShiftCode(const schema::Misalignment& misalignment);
 
-  /// Shifts of a sheet: x and y of each shifted vertex.
+  /// Number of shifts of a sheet: x and y of each shifted vertex.
   std::size_t shifts() const { return shifts_; }
   std::size_t bytes() const { return shifts_ * width_; }
   bool is_ternary() const { return width_ == 1; }
 
   using Particle = std::span<std::uint8_t>;
   using ConstParticle = std::span<const std::uint8_t>;
-  /// The k-th shift as a plain draw has it from this random word.
+  /// Draws the k-th shift from a random word, as a plain draw does.
   void draw(Particle sheet, std::size_t k, std::uint32_t word) const;
-  /// Another value for the k-th, from a random word, every other one as likely (of a uniform shift:
-  /// any).
+  /// Redraws the k-th shift from a random word: every other value has the same probability (of a
+  /// uniform shift: every value).
   void redraw(Particle sheet, std::size_t k, std::uint32_t word) const;
-  /// The k-th becomes the source's `from`-th, or its opposite.
+  /// Sets the k-th shift to the source's `from`-th, or to its opposite.
   void copy(Particle sheet, std::size_t k, ConstParticle source, std::size_t from,
             bool negated) const;
-  /// All shifts in mm.
+  /// Writes all shifts in mm.
   void write_mm(ConstParticle sheet, double* shifts_mm) const;
 
  private:
@@ -42,7 +42,7 @@ class ShiftCode {
   std::size_t shifts_, width_;
 };
 
-/// Sheets one after another, in one piece of memory.
+/// Sheets one after another in contiguous memory.
 struct Particles {
   std::size_t bytes_each = 0;
   std::vector<std::uint8_t> bytes;
@@ -74,7 +74,7 @@ struct ScoredParticles {
   std::vector<int> scores;
 
   std::size_t count() const { return scores.size(); }
-  /// Room for so many, and no more.
+  /// Reserves memory for exactly `sheets_count` sheets.
   void reserve(std::size_t sheets_count, std::size_t bytes_each) {
     sheets.bytes.reserve(sheets_count * bytes_each);
     scores.reserve(sheets_count);

@@ -9,7 +9,7 @@
 namespace misalign::search {
 namespace {
 
-// More at once are no faster, and a step of a block is what a signal waits for.
+// Largest block: more are no faster, and a signal waits for a step of a block.
 constexpr std::uint32_t kMostOfBlock = 1024;
 
 }  // namespace
@@ -27,13 +27,13 @@ void PieceResult::append(PieceResult next) {
 }
 
 bool PieceResult::are_all_from(int score) const {
-  return std::ranges::all_of(there.scores, [&](int one) { return one >= score; });
+  return std::ranges::all_of(there.scores, [&](int reached) { return reached >= score; });
 }
 
 bool PieceResult::has_one_each() const {
   if (met.size() != hi - lo) return false;
   return std::ranges::all_of(
-      met, [&](const MetCandidate& one) { return one.particle == lo + (&one - met.data()); });
+      met, [&](const MetCandidate& end) { return end.particle == lo + (&end - met.data()); });
 }
 
 PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& scorers,
@@ -108,7 +108,7 @@ void PieceWork::make_proposals() {
   }
 }
 
-// Of the first draws those that reach the next level; later those that stay within theirs.
+// Takes first draws that reach the next level, and moves that stay within their level.
 void PieceWork::take_good_ones() {
   const int least = order_.is_first ? order_.next : order_.within;
   const std::vector<int>& scores = scorers_.from(least).score(shifts_);
@@ -127,7 +127,7 @@ void PieceWork::take_good_ones() {
   }
 }
 
-// Met sheets -> metrics, of those that are new.
+// Measures new sheets among those met.
 void PieceWork::collect_met() {
   solver::ShiftBlock shifts;
   const std::size_t each = moves_.code().shifts(), known = result_.met.size();

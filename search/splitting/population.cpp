@@ -11,7 +11,7 @@ Population::Population(const Ladder& ladder, std::uint32_t number, std::uint64_t
     : ladder_(ladder),
       number_(number),
       pieces_(ladder.first_draws),
-      found_(ladder.starts > 0 ? std::min<std::uint64_t>(ladder.starts, most_found) : most_found) {
+      met_(ladder.starts > 0 ? std::min<std::uint64_t>(ladder.starts, most_found) : most_found) {
   record_.population = number;
 }
 
@@ -35,7 +35,7 @@ bool Population::add(std::uint32_t end_of_order, PieceResult result) {
       record_.found[met.particle].candidate = std::move(met.candidate);
       continue;
     }
-    found_.add({number_, level_, met.step, met.particle}, std::move(met.candidate));
+    met_.add({number_, level_, met.step, met.particle}, std::move(met.candidate));
   }
   const DrawRange taken{result.lo, end_of_order};
   if (!pieces_.add(taken, std::move(result))) return false;
@@ -81,7 +81,7 @@ void Population::end_level(const PieceResult& all) {
   record_.levels.push_back({level_, ladder_.size(level_), survivors,
                             static_cast<std::uint32_t>(different.size()), all.tried, all.taken,
                             all.undecided, 0, all.seconds});
-  if (survivors == 0) return end_climb();  // it died, or there is nowhere to go on to
+  if (survivors == 0) return end_climb();  // no survivors, or no further level
   ++level_;
   here_.clear();
   here_.reserve(ladder_.particles, all.there.sheets.bytes_each);
@@ -96,8 +96,8 @@ void Population::end_level(const PieceResult& all) {
 }
 
 void Population::end_climb() {
-  found_.count(record_.levels);
-  record_.found = found_.take();
+  met_.count(record_.levels);
+  record_.found = met_.take();
   is_done_ = ladder_.starts == 0 || record_.found.empty();
   if (is_done_) return;
   level_ = ladder_.of_ends();

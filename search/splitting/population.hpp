@@ -1,6 +1,6 @@
-// One population on its way up: which particles are done, given out and open at its level, and who
-// goes on from there; and behind its last level the sheets that it starts ascents from. A pure
-// state machine, without clock, file or message.
+// Moves one population up the ladder: particles that are done, given out and open at its level, the
+// survivors, and after the last level the starts of ascents. A pure state machine, without clock,
+// file or message.
 #pragma once
 
 #include "search/splitting/found_candidates.hpp"
@@ -11,9 +11,8 @@ namespace misalign::search {
 
 struct PopulationRecord {
   std::uint32_t population;
-  std::vector<schema::LevelCount>
-      levels;  ///< from 0 on, as far as it came; the last level's has none after
-  /// By their origins, each sheet once; not all if so wanted. Of starts where they end.
+  std::vector<schema::LevelCount> levels;  ///< levels 0 to the last one reached
+  /// Kept sheets by their origins, each once; for starts their optima.
   std::vector<FoundCandidate> found;
 
   double share(std::uint32_t level) const { return schema::share_reaching(level, levels); }
@@ -21,26 +20,26 @@ struct PopulationRecord {
 
 class Population {
  public:
-  /// `ladder` must outlive this object. `most_found`: so many sheets are kept, those with the least
-  /// origins; all are counted.
+  /// `ladder` must outlive this object. The `most_found` sheets with the smallest origins are kept;
+  /// all are counted.
   Population(const Ladder& ladder, std::uint32_t number, std::uint64_t most_found = kAllSheets);
 
   std::uint32_t number() const { return number_; }
   std::uint32_t level() const { return level_; }
-  /// The next particles of its level that are open, at most so many, now given out; of starts one.
+  /// Gives out the next open particles of its level, at most `most`; one if they are starts.
   std::optional<PieceOrder> take(std::uint32_t most);
-  /// What has come back of an order that ended at this particle; what it leaves of that is open
-  /// again. True if it ended the level.
+  /// Takes the result of an order that ended at this particle; the rest of it is open again.
+  /// Returns true if that ended the level.
   bool add(std::uint32_t end_of_order, PieceResult result);
-  /// What an earlier run has done. False if it does not belong to the level that this one is at, or
-  /// says of particles that they survived that cannot have.
+  /// Takes an earlier run's result. Returns false if it is of another level, or has survivors whose
+  /// scores are too low.
   bool restore(PieceResult result);
   bool is_at_first() const { return level_ == 0; }
   bool is_at_ends() const { return level_ == ladder_.of_ends(); }
   bool is_done() const { return is_done_; }
-  /// Particles of its level that nobody has.
+  /// Returns the number of open particles of its level.
   std::uint64_t open() const { return pieces_.open(); }
-  /// Once it is done.
+  /// Returns the record, once it is done.
   PopulationRecord record();
 
  private:
@@ -53,9 +52,9 @@ class Population {
   std::uint32_t level_ = 0;
   bool is_done_ = false;
   LevelPieces pieces_;
-  ScoredParticles here_;  // at its level
+  ScoredParticles here_;  // particles of its level
   std::vector<std::uint32_t> ancestors_;
-  FoundCandidates found_;
+  FoundCandidates met_;
   PopulationRecord record_;
 };
 

@@ -1,4 +1,4 @@
-// The build of this program, recorded with every run.
+// Describes the build of this program, which every run records.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@
 namespace misalign::search {
 namespace {
 
-// In the child: execs the program; where it cannot, sends errno.
+// Execs the program in the child process; sends errno if that fails.
 [[noreturn]] void become(const std::vector<std::string>& words,
                          const std::function<bool()>& prepare, pid_t parent, int reason) noexcept {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -41,7 +41,7 @@ Pipe::Pipe() {
   if (pipe2(ends, O_CLOEXEC) != 0) {
     throw schema::UserError(
         schema::Cause::failure,
-        std::string("no pipe can be made (") + std::strerror(errno) + "); close some programs");
+        std::string("no pipe can be created (") + std::strerror(errno) + "); close some programs");
   }
   read_end_ = ends[0];
   write_end_ = ends[1];

@@ -1,4 +1,4 @@
-// Starts a program as a child process, and says why where it cannot be started.
+// Starts a program as a child process, and keeps the error if that fails.
 #pragma once
 
 #include <sys/resource.h>
@@ -10,10 +10,10 @@
 
 namespace misalign::search {
 
-/// Both ends close when this process becomes another one.
+/// A pipe whose ends close on exec.
 class Pipe {
  public:
-  /// UserError (failure) if none can be made.
+  /// UserError (failure) if the system refuses.
   Pipe();
   ~Pipe();
   Pipe(const Pipe&) = delete;
@@ -27,7 +27,7 @@ class Pipe {
   int read_end_ = -1, write_end_ = -1;
 };
 
-/// It reads nothing, and ends with this process.
+/// Its standard input is empty, and it ends with this process.
 class ChildProcess {
  public:
   /// `words` are the program, looked for in PATH if it has no slash, and its arguments. `prepare`
@@ -35,16 +35,16 @@ class ChildProcess {
   /// if it cannot. UserError (failure): see Pipe.
   ChildProcess(const std::vector<std::string>& words, const std::function<bool()>& prepare);
 
-  /// Why it was not started, as errno says it; 0: it was.
+  /// The errno of the failed start; 0 after a success.
   int error() const { return error_; }
-  /// Looks whether it has; never waits.
+  /// Returns whether it has ended; never waits.
   bool has_ended();
   void send(int signal) const;
 
-  /// Once it has ended: 128 + n where signal n ended it,
+  /// Known once it has ended; the exit code is 128 + n after signal n.
   int exit_code() const;
   double cpu_s() const;
-  double memory_mb() const;  ///< the most that it had
+  double memory_mb() const;  ///< maximum
 
  private:
   pid_t process_;

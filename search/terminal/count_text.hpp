@@ -1,4 +1,4 @@
-// Numbers of things, in words.
+// Writes a count with its noun.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Durations as text for people.
+// Writes durations for people.
 #pragma once
 
 #include <string>

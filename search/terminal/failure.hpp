@@ -1,4 +1,4 @@
-// Turns any exception into a sentence for people, and never only into a library's words.
+// Turns any exception into a sentence for people, not only a library's message.
 #pragma once
 
 #include <exception>
@@ -7,11 +7,10 @@
 
 namespace misalign::search {
 
-/// A UserError as it is; too little memory, JSON of another shape, the database and the file system
-/// by what they mean for who called.
+/// Returns a UserError unchanged; translates errors of memory, JSON, database and file system.
 schema::UserError failure_of(const std::exception& error);
 
-/// How the program that is run says failures, of which only it knows options and exit codes.
+/// The running program's option names and exit codes, with which failures are reported.
 struct Border {
   schema::NameParameter name_parameter;
   int (*exit_code)(schema::Cause cause);

@@ -29,7 +29,7 @@ std::string population_goal(const schema::CatalogueState& state) {
   const std::uint64_t lo = state.goal.range.lo / schema::kNumbersOfPopulation;
   const std::uint64_t end = state.goal_end / schema::kNumbersOfPopulation;
   std::string text = fmt::format("populations from {}", lo);
-  text += end >= schema::kEndOfPopulations ? " on, without end" : fmt::format(" to {}", end);
+  text += end >= schema::kEndOfPopulations ? " up, without end" : fmt::format(" to {}", end);
   if (state.goal.relative_error) {
     text += fmt::format(", or a rate known to {} %",
                         schema::shown_number(100 * *state.goal.relative_error));
@@ -43,9 +43,9 @@ std::string population_goal(const schema::CatalogueState& state) {
 
 std::string ladder_text(const schema::CatalogueState& state) {
   const schema::LadderState& ladder = *state.ladder;
-  if (ladder.levels.empty()) return "no level is known yet: the level finder has not finished\n";
+  if (ladder.levels.empty()) return "no level is known yet: the level finder is still at work\n";
   std::vector<schema::Row> rows = {{"level", "from deg", "share of draws", "95 % interval",
-                                    "reach next", "moves taken", "met", "core s"}};
+                                    "reach next", "moves accepted", "candidates", "core s"}};
   for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
     const LadderLevel& level = ladder.levels[k];
     const bool is_last = k + 1 == ladder.levels.size();
@@ -56,7 +56,7 @@ std::string ladder_text(const schema::CatalogueState& state) {
                     fmt::format("{:.1f}", level.seconds)});
   }
   std::string text = schema::aligned(rows, {true, true, true, true, true, true, true, true});
-  const std::uint64_t top = ladder.levels.size() - 2;  // whose survivors have come to the last one
+  const std::uint64_t top = ladder.levels.size() - 2;  // the level below the last
   std::uint64_t undecided = 0;
   for (const LadderLevel& level : ladder.levels) undecided += level.undecided;
   text += fmt::format("\n{}, {} at the last level, from {}; {} kept{}\n",
@@ -64,7 +64,7 @@ std::string ladder_text(const schema::CatalogueState& state) {
                       count_text(ladder.levels[top].ancestors, "first draw"),
                       count_text(state.accepted, "candidate"), state.ends ? "" : ", each once");
   if (undecided > 0) {
-    text += fmt::format("{} undecided (numerical failures) and not taken\n",
+    text += fmt::format("{} undecided (numerical failures), which were rejected\n",
                         count_text(undecided, "move"));
   }
   const std::string why = schema::why_not_converged(*ladder.rate());

@@ -1,4 +1,4 @@
-// The progress of a splitting search, and how rare its finds are, for people.
+// Writes the progress and rates of a splitting search for people.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace misalign::search {
 
-/// Of states that have a ladder, here and below. What takes the place of a plain campaign's table:
-/// a row for each level, and a sentence where the rate is not to be believed yet.
+/// Requires a state with a ladder, as all below. The table has a row for each level; a sentence
+/// follows if the rate has not converged yet.
 std::string ladder_text(const schema::CatalogueState& state);
 /// "populations from 0 to 100, 12 of them missing".
 std::string population_goal(const schema::CatalogueState& state);

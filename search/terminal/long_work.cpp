@@ -42,14 +42,14 @@ LongWork::LongWork(std::string name, ProgressStyle style, bool all)
   state_.what = std::move(name);
   living = this;
   if (style_ == ProgressStyle::none) return;
-  // Signals are for those who work.
+  // The working threads alone receive signals.
   sigset_t every, before;
   sigfillset(&every);
   pthread_sigmask(SIG_SETMASK, &every, &before);
   try {
     thread_ = std::thread([this] { watch(); });
   } catch (const std::system_error&) {
-    // No more threads may be had: it works without a word.
+    // No thread is available: the work continues without progress lines.
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
@@ -60,20 +60,20 @@ LongWork::~LongWork() {
   living = nullptr;
 }
 
-void LongWork::see(const std::string& what, std::uint64_t done, std::uint64_t of) {
-  const std::lock_guard own(mutex_);
-  const bool is_new = what != state_.what && done + of > 0;
+void LongWork::see(const std::string& what, std::uint64_t done, std::uint64_t all) {
+  const std::lock_guard lock(mutex_);
+  const bool is_new = what != state_.what && done + all > 0;
   if (is_new && all_ && state_.done > 0) print();
   if (is_new) what_begun_s_ = watch_.seconds();
   state_.what = what;
   state_.done = done;
-  state_.all = of;
+  state_.all = all;
   if (is_new && all_) print();
 }
 
 void LongWork::end() {
   {
-    const std::lock_guard own(mutex_);
+    const std::lock_guard lock(mutex_);
     if (std::exchange(has_ended_, true)) return;
   }
   ends_.notify_all();
@@ -83,15 +83,15 @@ void LongWork::end() {
 
 void LongWork::watch() {
   const double every_s = style_ == ProgressStyle::bar ? kBetweenRedrawings_s : kBetweenLines_s;
-  std::unique_lock own(mutex_);
+  std::unique_lock lock(mutex_);
   for (double next_s = kFirst_s; !has_ended_; next_s = watch_.seconds() + every_s) {
     const std::chrono::duration<double> rest(next_s - watch_.seconds());
-    if (ends_.wait_for(own, rest, [this] { return has_ended_; })) return;
+    if (ends_.wait_for(lock, rest, [this] { return has_ended_; })) return;
     print();
   }
 }
 
-// With the lock held, or when nobody else is there.
+// Requires the lock, unless no other thread runs.
 void LongWork::print() {
   state_.elapsed_s = watch_.seconds();
   state_.what_elapsed_s = state_.elapsed_s - what_begun_s_;
@@ -110,8 +110,8 @@ ProgressStyle work_style(bool under_launcher) {
                   under_launcher);
 }
 
-void show_work(const std::string& what, std::uint64_t done, std::uint64_t of) {
-  if (living) living->see(what, done, of);
+void show_work(const std::string& what, std::uint64_t done, std::uint64_t all) {
+  if (living) living->see(what, done, all);
 }
 
 void end_shown_work() {

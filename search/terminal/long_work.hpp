@@ -1,5 +1,4 @@
-// Says on standard error how far it is with what takes long: by a thread, since not every work
-// comes by to say so.
+// Shows the progress of long work on standard error, from a thread of its own.
 #pragma once
 
 #include <condition_variable>
@@ -13,31 +12,31 @@
 
 namespace misalign::search {
 
-/// What is known of a work under way.
+/// The progress of work under way.
 struct WorkState {
-  std::string what;           ///< what is counted: "sheets written"; or the whole, in words
-  std::uint64_t done = 0;     ///< of them; 0 of 0: nothing is counted
-  std::uint64_t all = 0;      ///< 0: nobody knows
-  double elapsed_s = 0;       ///< of the whole work
-  double what_elapsed_s = 0;  ///< since this was begun
+  std::string what;           ///< things counted, such as "sheets written"; else the work's name
+  std::uint64_t done = 0;     ///< count so far; 0 of 0: nothing is counted
+  std::uint64_t all = 0;      ///< total; 0: unknown
+  double elapsed_s = 0;       ///< since the work began
+  double what_elapsed_s = 0;  ///< since this count began
 };
 
-/// "12 s: 40 of 1000 sheets written, 4 min 48 s left", "12 s: 40 sheets let go", "12 s: contact".
+/// "12 s: 40 of 1000 sheets written, 4 min 48 s left", "12 s: 40 sheets released", "12 s: contact".
 std::string work_line(const WorkState& state);
 
-/// While it lives, from the first five seconds on: a live line on a terminal, elsewhere a line, and
-/// another one every half a minute. One at a time.
+/// Shows progress during its life, after the first five seconds: a live line on a terminal,
+/// elsewhere a line every half a minute. One object at a time.
 class LongWork {
  public:
-  /// `name`: what is under way as long as nothing is counted. `style`: bar, plain or none. With
-  /// `all` a line at once whenever something else is counted, and of where it ended.
+  /// `name` is shown as long as nothing is counted. `style`: bar, plain or none. With `all` every
+  /// change of what is counted, and the end, get a line at once.
   LongWork(std::string name, ProgressStyle style, bool all);
   ~LongWork();
   LongWork(const LongWork&) = delete;
   LongWork& operator=(const LongWork&) = delete;
 
-  void see(const std::string& what, std::uint64_t done, std::uint64_t of);
-  /// Nothing more is said: somebody reads what comes out.
+  void see(const std::string& what, std::uint64_t done, std::uint64_t all);
+  /// Ends the output: the reader sees the results themselves now.
   void end();
 
  private:
@@ -55,13 +54,12 @@ class LongWork {
   std::thread thread_;
 };
 
-/// Automatic, but none where the log is to say no more than warnings.
+/// Returns automatic, or none if the log level is above info.
 ProgressStyle work_style(bool under_launcher = false);
 
-/// What the LongWork that lives, if there is one, is to say: so many of `of` (0: nobody knows how
-/// many), or `what` alone.
-void show_work(const std::string& what, std::uint64_t done = 0, std::uint64_t of = 0);
-/// Ends what it says.
+/// Reports to the living LongWork, if there is one: `done` of `all` (0: unknown), or `what` alone.
+void show_work(const std::string& what, std::uint64_t done = 0, std::uint64_t all = 0);
+/// Ends its output.
 void end_shown_work();
 
 }  // namespace misalign::search

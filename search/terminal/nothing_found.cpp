@@ -18,14 +18,14 @@ using schema::Json;
 using schema::shown_number;
 using schema::Survival;
 
-constexpr double kShareToTry = 0.001;  // so many accepted draws that a short run finds some
+constexpr double kShareToTry = 0.001;  // a short run finds candidates at this rate
 constexpr std::pair<double, const char*> kShares[] = {{0.5, "half of the draws deploy"},
                                                       {0.1, "one in ten"},
                                                       {0.01, "one in a hundred"},
                                                       {kShareToTry, "one in a thousand"}};
 
 std::string two_digits(double value) { return fmt::format("{:.2g}", value); }
-// A number of draws: 88900, 5.3e+08.
+// Writes a number of draws: 88900, 5.3e+08.
 std::string some_draws(double draws) {
   return draws < 1e7 ? fmt::format("{:.0f}", std::floor(draws)) : two_digits(draws);
 }
@@ -34,12 +34,12 @@ int threshold_sample(const Survival& survival, const schema::CatalogueState& sta
   return static_cast<int>(std::lround(state.threshold_deg / survival.sample_deg()));
 }
 
-// What counting leaves possible (95 %), should every undecided draw be an accepted one.
+// The upper limit of the acceptance rate (95 %), with every undecided draw counted as accepted.
 double most_possible(const schema::CatalogueState& state) {
   return schema::share_interval(0, state.undecided, state.draws).high;
 }
 
-// Where the tail has a guess and no draw was seen; no more than what counting leaves possible.
+// The extrapolated share at a threshold that no draw reached, bounded by most_possible().
 std::optional<schema::SurvivalGuess> guess(const Survival& survival,
                                            const schema::CatalogueState& state) {
   const int sample = threshold_sample(survival, state);
@@ -58,14 +58,14 @@ std::string how_rare(const schema::CatalogueState& state) {
                            ": the share that deploys from " + shown_number(state.threshold_deg) +
                            " deg is below " + two_digits(most);
   if (state.undecided > 0) {
-    return head + " (95 %, should the " + std::to_string(state.undecided) +
-           " undecided all be accepted ones), and more than " + some_draws(1 / most) +
-           " draws are to be expected for one";
+    return head + " (95 %, if the " + std::to_string(state.undecided) +
+           " undecided all count as accepted), and one candidate is expected in more than " +
+           some_draws(1 / most) + " draws";
   }
-  constexpr std::uint64_t kRuleOfThree = 30;  // draws, from which on 3/n is 1 - 0.05^(1/n) to 5 %
+  constexpr std::uint64_t kRuleOfThree = 30;  // least n with 3/n equal to 1 - 0.05^(1/n) to 5 %
   if (state.draws < kRuleOfThree) return head + " (95 %)";
-  return head + " (3/n, 95 %), and more than " + std::to_string(state.draws / 3) +
-         " draws (n/3) are to be expected for one";
+  return head + " (3/n, 95 %), and one candidate is expected in more than " +
+         std::to_string(state.draws / 3) + " draws (n/3)";
 }
 
 std::string who_survives(const Survival& survival) {
@@ -78,18 +78,19 @@ std::string who_survives(const Survival& survival) {
   }
   if (shares.empty()) {
     return fmt::format(
-        "how deep the draws fold is not known yet: the fault sample has {}, one in 1024 or fewer; "
-        "more draws will tell",
+        "the angles that draws deploy from are not known yet: the fault sample has {}, one in 1024 "
+        "or fewer; make more draws",
         count_text(rows, "draw"));
   }
-  return fmt::format("{}, the deepest seen {:.10g} deg ({} draws judged to the end of their paths)",
-                     fmt::join(shares, ", "), survival.deg(survival.deepest()), rows);
+  return fmt::format(
+      "{}, the largest angle seen is {:.10g} deg ({} draws judged on their full paths)",
+      fmt::join(shares, ", "), survival.deg(survival.deepest()), rows);
 }
 
 std::string guess_words(const schema::SurvivalGuess& guess, const schema::CatalogueState& state) {
   std::string text = fmt::format(
-      "a guess, from how the deepest of these thin out: about one draw in {} deploys from {:.10g} "
-      "deg (one in {} to one in {} if they go on as they do)",
+      "a guess, extrapolated from the largest of these: about one draw in {} deploys from {:.10g} "
+      "deg (one in {} to one in {} if the trend holds)",
       some_draws(1 / guess.rate), state.threshold_deg, some_draws(1 / guess.high),
       some_draws(1 / guess.low));
   if (state.draws_per_s > 0) {
@@ -98,8 +99,7 @@ std::string guess_words(const schema::SurvivalGuess& guess, const schema::Catalo
   return text;
 }
 
-// Of a splitting search with the defaults of its keys, where plain draws would take longer than a
-// population of it.
+// The cost of a population with the default keys, if plain draws would take longer.
 std::optional<schema::ClimbCost> worthwhile_climb(const schema::SurvivalGuess& guess) {
   const schema::ClimbCost cost = schema::climb_cost({}, guess.rate);
   return 1 / guess.rate > cost.draws ? std::optional(cost) : std::nullopt;
@@ -107,12 +107,11 @@ std::optional<schema::ClimbCost> worthwhile_climb(const schema::SurvivalGuess& g
 
 std::string climb_words(const schema::ClimbCost& cost, const schema::CatalogueState& state) {
   std::string text = fmt::format(
-      "splitting climbs to such sheets by levels: \"search\": {{\"method\": \"splitting\"}} in a "
-      "copy of the campaign; a population of it takes as long as about {} draws",
+      "splitting finds such rare sheets: \"search\": {{\"method\": \"splitting\"}} in a "
+      "copy of the campaign; a population takes as long as about {} draws",
       two_digits(cost.draws));
   if (state.draws_per_s > 0) text += ", " + duration(cost.draws / state.draws_per_s) + ",";
-  return text +
-         fmt::format(" and {} of them say how rare the sheets are", schema::kLeastPopulations);
+  return text + fmt::format(" and {} populations give the rate", schema::kLeastPopulations);
 }
 
 std::string what_to_try(const Survival& survival, const schema::CatalogueState& state) {

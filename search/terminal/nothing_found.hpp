@@ -1,5 +1,5 @@
-// Explains a campaign that accepted nothing: from which angle draws survive, how rare an accepted
-// one is at most, and what to try next.
+// Explains a campaign without candidates: the angles from which draws deploy, the largest possible
+// acceptance rate, and what to try next.
 #pragma once
 
 #include <string>
@@ -10,11 +10,10 @@
 
 namespace misalign::search {
 
-/// Angles from which these shares of the draws deploy, as the fault sample has it: 0.5, 0.1, 0.01
-/// and 0.001, those that enough draws were seen of; the deepest angle seen; a guess of the share at
-/// the campaign's threshold where none was seen there; the angle that one draw in a thousand
-/// survives; what a population of a splitting search would take, where that is less than plain
-/// draws are likely to. Null for what is not known.
+/// Writes estimates from the fault sample: angles from which shares 0.5, 0.1, 0.01 and 0.001 of the
+/// draws deploy, if enough draws were seen; the largest angle seen; the extrapolated share at a
+/// threshold that no draw reached; the angle that one draw in a thousand reaches; the cost of a
+/// population of a splitting search, if it is below that of plain draws. Unknown values are null.
 schema::Json survival_json(const schema::Survival& survival, const schema::CatalogueState& state);
 
 /// Plain sentences, empty if something was accepted or nothing was drawn.

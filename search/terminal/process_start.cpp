@@ -11,8 +11,8 @@ namespace {
 void fill_descriptors() {
   for (;;) {
     int opened = ::open("/dev/null", O_RDONLY);
-    if (opened < 0) opened = ::open("/", O_RDONLY);  // where there are no devices
-    if (opened < 0) ::_exit(1);                      // nothing could be said to anybody
+    if (opened < 0) opened = ::open("/", O_RDONLY);  // a system without devices
+    if (opened < 0) ::_exit(1);                      // no message could be read
     if (opened <= STDERR_FILENO) continue;
     ::close(opened);
     return;
@@ -23,12 +23,12 @@ void fill_descriptors() {
 
 void prepare_process() {
   fill_descriptors();
-  // A handler, which unlike SIG_IGN no pager inherits.
+  // A pager inherits SIG_IGN, but no handler.
   struct sigaction nothing {};
   nothing.sa_handler = [](int) {};
   nothing.sa_flags = SA_RESTART;
   ::sigaction(SIGXFSZ, &nothing, nullptr);
-  std::signal(SIGCHLD, SIG_DFL);  // ignored by a parent, nobody could wait for a child
+  std::signal(SIGCHLD, SIG_DFL);  // an ignored one would make waiting impossible
 }
 
 }  // namespace misalign::search

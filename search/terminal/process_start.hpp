@@ -3,9 +3,9 @@
 
 namespace misalign::search {
 
-/// Descriptors 0 to 2 are open: a catalogue that became one of them would get what is printed.
-/// Those that were closed give nothing and take nothing, so that writing there still fails. A file
-/// that grows beyond a limit (ulimit -f, a quota) is an error of that file, not a signal.
+/// Opens descriptors 0 to 2 where they are closed: a catalogue with one of these numbers would
+/// receive the printed text. Reading them gives nothing; writing them still fails. A file beyond a
+/// limit (ulimit -f, a quota) becomes an error of that file, not a signal.
 void prepare_process();
 
 }  // namespace misalign::search

@@ -1,5 +1,4 @@
-// Shows the progress of a search on standard error: in one live line, in a line now and then, or as
-// JSON.
+// Shows the progress of a search on standard error: a live line, a line now and then, or JSON.
 #pragma once
 
 #include "search/terminal/progress_text.hpp"
@@ -9,15 +8,15 @@ namespace misalign::search {
 
 class Progress {
  public:
-  /// Not `automatic`: see resolved().
+  /// `style` is not `automatic`: see resolved().
   explicit Progress(ProgressStyle style);
-  /// Whether show() would print; before that what it prints need not be counted.
+  /// Returns whether show() would print; the counts are not needed before.
   bool due() const { return style_ != ProgressStyle::none && seconds() >= next_s_; }
-  /// A line of the style. Not more often than it is due.
+  /// Prints a line of the style, if it is due.
   void show(const ProgressCounts& counts);
-  /// A line that was asked for: even where the style is none, and JSON where it is that.
+  /// Prints a requested line: JSON if that is the style, otherwise plain, even for none.
   void show_status(const ProgressCounts& counts);
-  /// The last line.
+  /// Prints the last line.
   void finish(const ProgressCounts& counts);
   double seconds() const { return watch_.seconds(); }
 

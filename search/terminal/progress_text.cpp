@@ -47,7 +47,7 @@ bool is_of_populations(const ProgressCounts& counts) {
   return counts.of == std::string_view("populations");
 }
 
-// Until the draws are done or the run's time is over, whichever comes first.
+// The time until the draws are done or the run's time is over, whichever comes first.
 std::optional<double> left_s(const ProgressReport& report) {
   const auto draws_s = draws_left_s(report);
   if (!report.counts.max_time_s) return draws_s;
@@ -97,7 +97,7 @@ std::string bar_line(const ProgressReport& report, int width) {
   std::string done = short_number(draws);
   if (counts.limited) {
     const auto all = static_cast<double>(wanted(counts));
-    // Rounded down: 100 % is when nothing is left.
+    // The share is rounded down: 100 % means that nothing is left.
     const double percent = all > 0 ? std::floor(100 * draws / all) : 100;
     done += fmt::format(" of {} {} ({:.0f} %)", short_number(all), counts.of, percent);
   } else {
@@ -120,7 +120,7 @@ std::string bar_line(const ProgressReport& report, int width) {
     best = fmt::format(", best {:.10g} deg", counts.standing.best->deploys_from_deg);
     best_draw = fmt::format(" (draw {})", counts.standing.best->draw);
   }
-  // From everything to the least.
+  // The lines are ordered by length, the longest first.
   const std::vector<std::string> lines = {
       done + ", " + speed + ", " + accepted + share + best + best_draw + ", " + time,
       done + ", " + speed + ", " + accepted + share + best + ", " + time,
@@ -143,13 +143,13 @@ std::string json_line(const ProgressReport& report) {
     best = {{"deploys_from_deg", found->deploys_from_deg}, {"draw", found->draw}};
   }
   if (const auto seconds = left_s(report)) left = *seconds;
-  const std::string of = counts.of;
+  const std::string noun = counts.of;
   schema::Json line{
       {"elapsed_s", report.elapsed_s},
-      {of, counts.standing.draws},
-      {of + "_left", counts.limited ? schema::Json(counts.draws_left) : schema::Json()},
-      {of + "_per_s", report.draws_per_s},
-      {of + "_per_s_mean", report.draws_per_s_mean},
+      {noun, counts.standing.draws},
+      {noun + "_left", counts.limited ? schema::Json(counts.draws_left) : schema::Json()},
+      {noun + "_per_s", report.draws_per_s},
+      {noun + "_per_s_mean", report.draws_per_s_mean},
       {"accepted", counts.standing.accepted},
       {"best", best},
       {"left_s", left},

@@ -1,5 +1,4 @@
-// The progress of a search as a line for people or as JSON: from counts alone, without clock or
-// file.
+// Writes the progress of a search as a line for people or as JSON, from counts alone.
 #pragma once
 
 #include <cstdint>
@@ -13,39 +12,39 @@ namespace misalign::search {
 
 enum class ProgressStyle { automatic, plain, bar, json, none };
 
-/// What `automatic` means: a bar where somebody watches a terminal. Under mpirun every rank sees
-/// one, even when the output goes to a file.
+/// Resolves `automatic`: a bar on a terminal, but not under mpirun, where every rank sees a
+/// terminal even if the output goes to a file.
 ProgressStyle resolved(ProgressStyle style, bool able_terminal, bool under_launcher);
 
 struct ProgressCounts {
-  schema::Standing standing;       ///< of the campaign, earlier runs too
-  std::uint64_t draws_of_run = 0;  ///< of this run alone
+  schema::Standing standing;       ///< totals of the campaign, with earlier runs
+  std::uint64_t draws_of_run = 0;  ///< draws of this run alone
   std::uint64_t draws_left = 0;
-  bool limited = false;                ///< whether draws_left means anything
-  std::optional<double> max_time_s{};  ///< that this run may take
-  const char* of = "draws";            ///< what is counted: draws, populations, certificates
-  std::string under_way{};             ///< what is done of the next, in words
+  bool limited = false;                ///< true if draws_left has a meaning
+  std::optional<double> max_time_s{};  ///< limit of this run's wall time
+  const char* of = "draws";            ///< things counted: draws, populations, certificates
+  std::string under_way{};             ///< the step under way, in words
 };
 
-/// What one line says.
+/// Contents of a progress line.
 struct ProgressReport {
   ProgressCounts counts;
   double elapsed_s = 0;
-  double draws_per_s = 0;       ///< lately
-  double draws_per_s_mean = 0;  ///< of this run
+  double draws_per_s = 0;       ///< recent speed
+  double draws_per_s_mean = 0;  ///< mean speed of this run
   bool last = false;
 };
 
 std::string plain_line(const ProgressReport& report);
-/// No wider than `width`; what matters less is left out first.
+/// Writes at most `width` columns; the least important parts are left out first.
 std::string bar_line(const ProgressReport& report, int width);
 std::string json_line(const ProgressReport& report);
 
-/// 999, 12.3 k, 4.56 M: three digits that matter.
+/// Writes three significant digits: 999, 12.3 k, 4.56 M.
 std::string short_number(double value);
 
-/// Draws per second over the last 15 s, or as far back as there is something: ranks hand in
-/// their draws every 5 s.
+/// Measures draws per second over the last 15 s, or since the start: ranks send their draws every 5
+/// s.
 class RecentSpeed {
  public:
   void see(double elapsed_s, std::uint64_t draws);

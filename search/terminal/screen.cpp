@@ -46,7 +46,7 @@ bool locale_is_utf8() {
   return false;
 }
 
-// Back to the start, the text, and what an older, longer one left is erased.
+// Returns to the start of the line, writes the text, and erases the rest of a longer one.
 void draw_live_line(const std::string& text) {
   std::fputs(("\r" + text + "\x1b[K").c_str(), stderr);
   std::fflush(stderr);
@@ -54,7 +54,8 @@ void draw_live_line(const std::string& text) {
 }
 
 void leave_live_line() {
-  if (line_is_live.exchange(false) && write(STDERR_FILENO, "\n", 1) < 0) return;  // gone, too
+  if (line_is_live.exchange(false) && write(STDERR_FILENO, "\n", 1) < 0)
+    return;  // a closed terminal
 }
 
 void erase_live_line() {

@@ -1,4 +1,4 @@
-// The screen behind a file: whether there is one, what it can, and the live line on it.
+// Queries the terminal behind a file, and draws the live line on it.
 #pragma once
 
 #include <string>
@@ -6,18 +6,18 @@
 namespace misalign::search {
 
 bool is_terminal(int file);
-/// Columns of the terminal behind a file; 80 where there is none, or where it does not say.
+/// Returns the columns of the terminal behind a file; 80 without one, or if it does not say.
 int terminal_width(int file);
-/// True where TERM names a terminal that can go back within a line, erase and color.
+/// Returns whether TERM names a terminal that can return within a line, erase and color.
 bool terminal_is_able();
-/// True where the locale's characters are UTF-8.
+/// Returns whether the locale's characters are UTF-8.
 bool locale_is_utf8();
 
-/// One line on standard error, in the place of the last one; no wider than the terminal.
+/// Replaces the live line on standard error; the text is at most as wide as the terminal.
 void draw_live_line(const std::string& text);
-/// Makes room for another message on standard error; the next show() draws the live line again.
+/// Erases the live line before another message on standard error.
 void erase_live_line();
-/// Safe in a signal handler that ends the program: what others print begins a line.
+/// Ends the live line with a line feed. Safe in a signal handler that ends the program.
 void leave_live_line();
 
 }  // namespace misalign::search

@@ -5,11 +5,11 @@
 
 namespace misalign::search {
 
-/// In single quotes, whatever it is.
+/// Returns the text in single quotes.
 std::string in_quotes(const std::string& text);
-/// As it is where no shell would see more in it; else in quotes.
+/// Returns the text unchanged if a shell takes it literally; else in quotes.
 std::string shell_word(const std::string& text);
-/// The same of a file's name, which no program takes for an option: "./-x.db".
+/// Does the same for a file's name, which must not look like an option: "./-x.db".
 std::string shell_path(const std::string& path);
 
 }  // namespace misalign::search

@@ -1,4 +1,4 @@
-// Where the site of the manual is.
+// Finds the site of the manual.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace misalign::search {
 
-/// The folder of its pages, beside an installed program or a program in its build folder; none
-/// where the site was not made.
+/// Returns the folder of its pages, beside an installed program or in the build folder; none if the
+/// site was not built.
 std::optional<std::filesystem::path> place_of_site();
 
 }  // namespace misalign::search

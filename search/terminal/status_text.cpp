@@ -23,12 +23,12 @@ std::string interval_text(std::uint64_t hits, std::uint64_t undecided, std::uint
 
 bool endless(std::uint64_t end) { return end == schema::kEndOfDraws; }
 
-// Of plain draws: what became of them.
+// The table of plain draws by their verdicts.
 std::string draws_text(const schema::CatalogueState& state,
                        const std::optional<schema::DeployingFrom>& deploying) {
-  const auto row = [&](const std::string& name, std::uint64_t draws, std::uint64_t of) {
-    return schema::Row{name, std::to_string(draws), of > 0 ? percent(schema::share(draws, of)) : "",
-                       ""};
+  const auto row = [&](const std::string& name, std::uint64_t draws, std::uint64_t total) {
+    return schema::Row{name, std::to_string(draws),
+                       total > 0 ? percent(schema::share(draws, total)) : "", ""};
   };
   std::vector<schema::Row> rows = {{"", "draws", "share", "95 % interval"},
                                    {"done", std::to_string(state.draws)}};
@@ -42,16 +42,17 @@ std::string draws_text(const schema::CatalogueState& state,
   }
   rows.push_back(row("  rejected", state.rejected, state.draws));
   rows.push_back(row("  undecided", state.undecided, state.draws));
-  if (state.undecided > 0) rows.back()[3] = "rejected at the low ends, accepted at the high ones";
+  if (state.undecided > 0)
+    rows.back()[3] = "lower limits count them as rejected, upper limits as accepted";
   if (!endless(state.goal_end)) {
     const std::uint64_t draws = state.missing();
     rows.push_back(
         {"missing", std::to_string(draws), "",
-         draws > 0 ? "of the last run's goal; time or a signal may end a run before" : ""});
+         draws > 0 ? "of the last run's goal; time or a signal may end a run first" : ""});
   }
   if (state.draws_in_ledger > state.draws) {
     rows.push_back({"beyond goal", std::to_string(state.draws_in_ledger - state.draws), "",
-                    "not counted above; queries and report have them"});
+                    "not counted above; queries and report include them"});
   }
   const schema::WeightedCount sampled = state.sampled();
   if (sampled.rows > 0) {
@@ -59,7 +60,7 @@ std::string draws_text(const schema::CatalogueState& state,
   }
   std::size_t listed = 0;
   for (const auto& [fault, draws] : state.faults) {
-    if (++listed > schema::kMostListed) break;  // there are not so many, but for a hostile file
+    if (++listed > schema::kMostListed) break;  // only a hostile file has more
     const auto [low, high] = schema::share_interval(draws, sampled);
     rows.push_back({"  " + schema::shortened(fault, 40), std::to_string(draws.rows),
                     percent(schema::share(draws, sampled)), percent(low) + " to " + percent(high)});
@@ -72,7 +73,7 @@ std::string goal_text(const schema::CatalogueState& state) {
   if (state.ladder) return population_goal(state);
   std::string goal =
       "draws from " + std::to_string(state.goal.range.lo) +
-      (endless(state.goal_end) ? " on, without end" : " to " + std::to_string(state.goal_end));
+      (endless(state.goal_end) ? " up, without end" : " to " + std::to_string(state.goal_end));
   if (state.goal.accepted) goal += ", or " + std::to_string(*state.goal.accepted) + " accepted";
   if (state.goal.relative_error) {
     goal += ", or a rate known to " + schema::shown_number(100 * *state.goal.relative_error) + " %";
@@ -80,12 +81,11 @@ std::string goal_text(const schema::CatalogueState& state) {
   return goal;
 }
 
-// What accepted draws were made of.
+// Summary of the optima of accepted draws.
 std::string ends_text(const schema::EndsState& ends) {
   std::string text = fmt::format("{} sheets", ends.sheets);
   if (ends.best) {
-    text += fmt::format(", {} {:.4g} at best, {:.4g} in the median", ends.goal, *ends.best,
-                        *ends.median);
+    text += fmt::format(", best {} {:.4g}, median {:.4g}", ends.goal, *ends.best, *ends.median);
   }
   if (ends.kept_as_drawn > 0) text += fmt::format("; {} kept as drawn", ends.kept_as_drawn);
   return text;
@@ -99,7 +99,7 @@ std::string status_text(const schema::CatalogueState& state,
   const double draws_per_s = std::round(state.draws_per_s * 10) / 10;
   std::vector<schema::Row> rows = {{"goal", goal_text(state)}};
   if (!state.ladder) rows.push_back({"speed", schema::shown_number(draws_per_s) + " draws/s"});
-  if (state.ends) rows.push_back({"ends", ends_text(*state.ends)});
+  if (state.ends) rows.push_back({"optima", ends_text(*state.ends)});
   rows.push_back({"digest", state.digest});
   std::string table = state.ladder ? ladder_text(state) : draws_text(state, deploying);
   const std::size_t header = table.find('\n');
@@ -130,14 +130,14 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
     if (state.seed != 1) limit += " --seed " + std::to_string(state.seed);
     return "misalign search " +
            (campaign_path.empty() ? "CAMPAIGN.json" : shell_path(campaign_path)) + " --catalogue " +
-           file + limit + " goes on";
+           file + limit + " resumes";
   }
   if (state.accepted == 0 && state.draws_in_ledger > state.draws) {
     return "nothing was accepted up to the goal; the catalogue has more draws: misalign query " +
            file + " best";
   }
   if (state.accepted == 0) {
-    return "misalign report " + file + " --output report.html shows how deep draws fold";
+    return "misalign report " + file + " --output report.html shows the D of draws";
   }
   if (state.ends) {
     return "misalign query " + file + " ends; misalign export " + file +
@@ -150,17 +150,17 @@ schema::DeployingFrom deploying_from(SQLite::Database& database,
                                      const schema::CatalogueState& state,
                                      const schema::Campaign& campaign, double at_deg) {
   if (campaign.search.optimisation) {
-    throw schema::UserError(solver::OptionFault{
-        "at_deg", schema::shown_number(at_deg),
-        "this campaign made its draws better, and from where they deployed themselves is not kept",
-        "ask a plain campaign of the same draws"});
+    throw schema::UserError(
+        solver::OptionFault{"at_deg", schema::shown_number(at_deg),
+                            "this campaign optimises its draws, and their own D is not stored",
+                            "use a plain campaign with the same draws"});
   }
   if (!(at_deg >= campaign.threshold_deg && at_deg <= campaign.end_deg)) {
     throw schema::UserError(solver::OptionFault{
         "at_deg", schema::shown_number(at_deg),
-        "this catalogue knows what deploys from " + schema::shown_number(campaign.threshold_deg) +
-            " to " + schema::shown_number(campaign.end_deg) + " degrees",
-        "ask within that"});
+        "this catalogue holds D from " + schema::shown_number(campaign.threshold_deg) + " to " +
+            schema::shown_number(campaign.end_deg) + " degrees",
+        "give an angle in this range"});
   }
   const int sample = static_cast<int>(std::ceil(at_deg / campaign.sample_deg - 1e-9));
   return {at_deg, std::min(schema::count_deploying_from(database, sample), state.accepted)};

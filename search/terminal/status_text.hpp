@@ -1,4 +1,4 @@
-// The progress of a campaign, and what it found, for people.
+// Writes the progress and results of a campaign for people.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,9 @@
 
 namespace misalign::search {
 
-/// Not more than `state` says are accepted: a search may have committed some since. UserError
-/// (bad_request) if at_deg lies below the campaign's threshold or beyond its end.
+/// Counts candidates that deploy from `at_deg`, at most those accepted in `state`: a search may
+/// have committed more since. UserError (bad_request) if at_deg lies below the campaign's threshold
+/// or beyond its end.
 schema::DeployingFrom deploying_from(SQLite::Database& database,
                                      const schema::CatalogueState& state,
                                      const schema::Campaign& campaign, double at_deg);
@@ -19,7 +20,7 @@ schema::DeployingFrom deploying_from(SQLite::Database& database,
 std::string status_text(const schema::CatalogueState& state,
                         const std::optional<schema::DeployingFrom>& deploying, const Paint& paint);
 
-/// What somebody may want to type now; the campaign's file may be unknown (empty).
+/// Suggests the next command; the campaign's file may be unknown (empty).
 std::string next_step(const schema::CatalogueState& state, const std::string& path,
                       const std::string& campaign_path);
 

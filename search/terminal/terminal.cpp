@@ -24,7 +24,7 @@ constexpr const char *kBold = "1", *kGood = "32", *kBad = "31", *kEnd = "0";
 
 std::string mark(const char* code) { return std::string("\x1b[") + code + "m"; }
 
-// How many bytes of a mark of Paint begin here; 0 if none does.
+// The length in bytes of a Paint mark at the start of the text; 0 without one.
 std::size_t mark_at(std::string_view text) {
   for (const char* code : {kBold, kGood, kBad, kEnd}) {
     if (text.starts_with(mark(code))) return mark(code).size();
@@ -35,7 +35,7 @@ std::size_t mark_at(std::string_view text) {
 std::string for_people(std::string_view text) {
   if (!paint_for(STDOUT_FILENO).is_on()) return schema::printable_lines(text);
   std::string shown;
-  while (!text.empty()) {  // from mark to mark
+  while (!text.empty()) {  // one mark or text between marks
     const std::size_t marked = mark_at(text);
     const std::size_t end = marked > 0 ? marked : std::min(text.find('\x1b', 1), text.size());
     const std::string_view part = text.substr(0, end);
@@ -47,9 +47,9 @@ std::string for_people(std::string_view text) {
 
 void write_out(std::string_view text) {
   static Stopwatch since_flush;
-  if (is_terminal(STDOUT_FILENO)) end_shown_work();  // what comes out shows itself
+  if (is_terminal(STDOUT_FILENO)) end_shown_work();  // the output shows the progress
   std::fwrite(text.data(), 1, text.size(), stdout);
-  if (since_flush.seconds() < 1) return;  // rows that come slowly are there when they come
+  if (since_flush.seconds() < 1) return;  // slow rows are flushed one by one
   std::fflush(stdout);
   since_flush = Stopwatch();
 }
@@ -102,12 +102,12 @@ Show::Show(bool paged) {
   std::fflush(stdout);
   if (command.empty()) return;
   end_shown_work();
-  // As git does: end at once if all fits, colors, long lines cut, the screen left as it is.
+  // git's options: exit if all fits, keep colors, cut long lines, leave the screen unchanged.
   setenv("LESS", "FRSX", /*overwrite=*/0);
   pager_ = popen(command.c_str(), "w");
   if (!pager_) return;
-  // Ctrl-C is the pager's, and it may be left before it has read everything. Only now: the pager
-  // would inherit it.
+  // The pager handles Ctrl-C, and may quit before it has read everything. Set after popen, since
+  // the pager would inherit it.
   on_interrupt_ = std::signal(SIGINT, SIG_IGN);
   on_pipe_ = std::signal(SIGPIPE, SIG_IGN);
 }
@@ -116,7 +116,7 @@ Show::~Show() {
   if (pager_ && close_pager()) write_out(begin_);
 }
 
-// Whether there was no such pager: then nothing was shown.
+// Returns whether the pager did not exist; then nothing was shown.
 bool Show::close_pager() {
   const int status = pclose(pager_);
   pager_ = nullptr;

@@ -1,4 +1,4 @@
-// Colors, the pager, and everything that goes to standard output.
+// Writes everything that goes to standard output, with colors and the pager.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,10 +14,10 @@ namespace misalign::search {
 
 enum class ColorMode { automatic, always, never };
 
-/// As `mode` says; else only to an able terminal, and never with NO_COLOR set.
+/// Follows `mode`; `automatic` means colors on an able terminal, unless NO_COLOR is set.
 bool colors_wanted(ColorMode mode, bool to_terminal);
 
-/// Marks words, or leaves them as they are.
+/// Marks words, or returns them unchanged.
 class Paint {
  public:
   explicit Paint(bool on) : on_(on) {}
@@ -31,43 +31,43 @@ class Paint {
   bool on_;
 };
 
-/// What --color said; once, before anything is shown.
+/// Sets the value of --color; called once, before any output.
 void set_color_mode(ColorMode mode);
 Paint paint_for(int file);
 
-/// $PAGER, without one less; empty if that is empty or cat: then nothing is paged.
+/// Returns $PAGER, or less if it is not set; empty, for no pager, if it is empty or cat.
 std::string pager_command();
 
-// Everything that goes to standard output, in four ways; nothing else writes there
-// (scripts/check.sh looks). Names and cells of a file may hold whatever moves a cursor, erases or
-// colors: it is escaped, also in a pipe, which a terminal may be the end of.
+// Four functions write to standard output, and nothing else does (scripts/check.sh checks). Names
+// and cells of a file may hold sequences that move a cursor, erase or color: they are escaped, also
+// in a pipe, which may end in a terminal.
 
-/// Text for people. Colors of Paint stay where they are wanted. Whoever puts text of a file in says
-/// schema::printable to it: a line feed stays here.
+/// Writes text for people; Paint's colors stay if they are wanted. Text of a file must pass
+/// schema::printable first, since line feeds are kept.
 void put(const std::string& text);
-/// The same, of a format of fmt and what fills it.
+/// Does the same with a format of fmt and its arguments.
 template <class First, class... Others>
 void put(fmt::format_string<First, Others...> format, First&& first, Others&&... others) {
   put(fmt::format(format, std::forward<First>(first), std::forward<Others>(others)...));
 }
-/// JSON for programs: escaped in JSON's own way, so that nothing is lost.
+/// Writes JSON for programs, escaped in JSON's way, so that nothing is lost.
 void put_json(const schema::Json& json, int indent = 1);
 void put_json(const std::string& json);
-/// CSV for programs: as it is, but escaped on a terminal, where nobody but people reads it.
+/// Writes CSV for programs: unchanged, but escaped on a terminal, where people read it.
 void put_csv(const std::string& rows);
 
-/// What another process of this program has made of the three above: as it is, and at once.
+/// Writes output of another process of this program, unchanged and at once.
 void put_through(std::string_view bytes);
 
-/// As put, through the pager if standard output is a terminal and `paged`.
+/// Writes as put does, through the pager if standard output is a terminal and `paged`.
 class Show {
  public:
   explicit Show(bool paged);
-  /// Waits for whoever reads in the pager.
+  /// Waits until the pager ends.
   ~Show();
   Show(const Show&) = delete;
   Show& operator=(const Show&) = delete;
-  /// False if the pager was left: then nobody reads what may follow.
+  /// Returns false once the user has quit the pager.
   bool write(const std::string& text);
 
  private:
@@ -76,11 +76,11 @@ class Show {
   std::FILE* pager_ = nullptr;
   void (*on_interrupt_)(int) = nullptr;
   void (*on_pipe_)(int) = nullptr;
-  std::string begin_;  // for a pager that is not there, which is known when it has ended
+  std::string begin_;  // shown without a pager if there turns out to be none
   bool was_left_ = false;
 };
 
-/// Whether nobody reads standard output any more: a pager that was left, a head that has enough.
+/// Returns whether the reader of standard output is gone, such as head or a pager.
 bool reader_has_gone();
 
 }  // namespace misalign::search

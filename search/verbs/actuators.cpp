@@ -29,7 +29,7 @@ void show_actuators(const ActuatorsCall& call) {
   }
   const bool is_undecided = verdict.first_fault == solver::Fault::undecided;
   put("{}: {}deploys from {:g} deg{}\n", sheet.name(), decision, deploys_from_deg,
-      is_undecided ? " as far as could be told (undecided)" : "");
+      is_undecided ? " (undecided beyond that)" : "");
   put(actuators_text(sheet, actuation));
 }
 
@@ -39,15 +39,13 @@ Action actuators_verb(CLI::App& verb) {
   verb.description(schema::study_named("actuators").about);
   verb.footer(
       "Along the path:\n"
-      "  energy       of all springs\n"
-      "  moment       about the pilot crease, dE/d(pilot angle); negative: the springs would\n"
-      "               fold the sheet further\n"
-      "  advantage    newtons on the sheet's span for each newton in every diagonal\n"
+      "  energy       strain energy of all springs\n"
+      "  moment       about the pilot crease, dE/d(pilot angle); negative: springs fold it on\n"
+      "  advantage    mechanical advantage: force on the sheet's span per force in every diagonal\n"
       "  deployment   (180 - pilot)/180: 1 when flat\n"
-      "Before it: where the moment is least, and the fewest diagonals that keep half of that\n"
-      "moment. After it: the force on each diagonal at D, or where --from says. Forces and "
-      "elongations are positive\n"
-      "where a spring is longer than when flat, and pulls.\n\n"
+      "Above: the least moment, and the fewest diagonals that keep half of it. Below: the force\n"
+      "on each diagonal at D, or at --from. Forces and elongations are positive where a spring is\n"
+      "longer than when flat, and pulls.\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
       "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --from 140 --stroke-limit 0.08\n"
       "  misalign actuators search/patterns/table1.json");

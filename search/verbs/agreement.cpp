@@ -11,7 +11,7 @@
 namespace misalign::search {
 namespace {
 
-// Collects what the fast path decides at one threshold after another.
+// Collects decisions of the fast path at one threshold after another.
 class Comparison {
  public:
   Comparison(const schema::Campaign& campaign, solver::InstructionSet set)
@@ -81,7 +81,7 @@ class Comparison {
            a.where == b.where;
   }
 
-  // The fast path accepts what its tests leave and its full path takes as far as the threshold.
+  // The fast path accepts draws that its tests leave and whose full path reaches the threshold.
   template <class Chosen>
   void decide(int threshold, const Chosen& is_chosen) {
     schema::Campaign aims = campaign_;

@@ -9,8 +9,8 @@
 
 namespace misalign::search {
 
-/// Verdicts of the fast path against the reference's, or decisions against its own full paths, on
-/// draws from 0 on.
+/// Verdicts of the fast path against the reference's, or decisions against full paths, on draws
+/// from 0 on.
 struct AgreementReport {
   std::uint64_t draws = 0, undecided = 0;
   std::uint64_t verdicts_differ = 0;   // D, first fault or place, on the full path
@@ -18,15 +18,15 @@ struct AgreementReport {
                                        // took finer steps
   std::uint64_t reference_lost = 0;    // not compared: it is undecided, and the fast path is not
   std::uint64_t decisions = 0;  // at the campaign's threshold, at every tenth degree, at each
-                                // draw's own D and one sample above
+                                // draw's D and one sample above
   std::uint64_t decisions_differ = 0;
   std::vector<std::uint64_t> differing_draws;  // the first few
 };
 
-/// What is held true.
+/// The expected side of a comparison.
 enum class Against { reference, full_path };
 
-/// Of one instruction set.
+/// Compares one instruction set with the expected side.
 AgreementReport compare(const schema::Campaign& campaign, solver::InstructionSet set,
                         std::uint64_t draws, Against against);
 

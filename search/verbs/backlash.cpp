@@ -1,4 +1,4 @@
-// `misalign tolerance --backlash`: how often a sheet still moves one way when its joints have play.
+// `misalign tolerance --backlash`: how often a sheet is monotone when its joints have play.
 #include "search/sheets/backlash.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@ void refuse_backlash(const ToleranceCall& call, const ToleranceTargets& sheets,
     const std::string name = sheets.key(k).name();
     if (call.backlash.from_deg >= study.sheets()[k].own_deg) {
       throw UserError(schema::Cause::bad_request,
-                      fmt::format("--backlash-from {}: must be below {} deg (from which {} "
-                                  "deploys: the range is from the one to the other); try {}",
+                      fmt::format("--backlash-from {}: must be below {} deg (D of {}, where the "
+                                  "range of angles ends); try {}",
                                   schema::shown_number(call.backlash.from_deg),
                                   schema::shown_number(study.sheets()[k].own_deg), name,
                                   fmt::format("{:.2g}", 0.1 * study.sheets()[k].own_deg)));
@@ -43,7 +43,7 @@ void check_backlash(const ToleranceCall& call) {
   if (call.study.trials > schema::kMostBacklashTrials) {
     throw UserError(schema::Cause::bad_request,
                     fmt::format("--trials {}: at most {} with --backlash (each is kept until all "
-                                "are counted); 1000 tell the share to 1.4 %",
+                                "are counted); 1000 give the share to within 1.4 %",
                                 call.study.trials, schema::kMostBacklashTrials));
   }
 }
@@ -57,7 +57,7 @@ void run_backlash(const ToleranceCall& call, const ToleranceTargets& sheets) {
   std::vector<NamedBacklash> named;
   schema::Json list = schema::Json::array();
   for (std::size_t k = 0; k < answers.size(); ++k) {
-    // A pattern file's threshold is its own D.
+    // A pattern file's threshold is its D.
     const bool is_asked = call.from_deg || sheets.design.from_deg || !sheets.draws.empty();
     named.push_back({sheets.key(k).name(), std::move(answers[k]),
                      is_asked ? std::optional(used.threshold_deg) : std::nullopt});

@@ -1,5 +1,5 @@
-// `misalign bench`: speed of the lanes against the frozen reference, and whether their verdicts are
-// the same, in one run.
+// `misalign bench`: speed of the lanes against the frozen reference, and agreement of their
+// verdicts, in one run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,13 +22,13 @@ using schema::Json;
 
 struct BenchCall {
   std::string campaign_path;  // empty: the default campaign
-  double seconds = 3;         // for each solver, and a third of it for its full paths; in turns
-  // Instead of speed: every verdict, or every rejection, on so many draws, at many thresholds.
+  double seconds = 3;         // for each solver, a third of it for full paths; in turns
+  // Draws of which every verdict, or every rejection, is compared at many thresholds.
   std::optional<std::uint64_t> agree_draws, rejection_draws;
   bool json = false;
 };
 
-// What one solver did with a campaign's draws, one after another from draw 0.
+// The speed of one solver on a campaign's draws, one after another from draw 0.
 struct SolverSpeed {
   std::uint64_t draws = 0;
   double seconds = 0;
@@ -52,13 +52,13 @@ struct SpeedReport {
   std::vector<LaneSpeed> lanes;
 };
 
-// One instruction set on a campaign's draws: all that a search does but the catalogue.
+// Searches a campaign's draws by one instruction set, without a catalogue.
 class LaneRun {
  public:
   LaneRun(const schema::Campaign& campaign, solver::InstructionSet set)
       : evaluator_(campaign, set) {}
 
-  // Blocks for so long; the first ones small, as a search's are.
+  // Works for this time in blocks; the first ones small, as a search's are.
   void run(double seconds) {
     const Stopwatch watch;
     UnitWork work(evaluator_, {next_, schema::kEndOfDraws});
@@ -91,7 +91,7 @@ class LaneRun {
   std::vector<std::uint64_t> accepted_;
 };
 
-// One instruction set on a campaign's draws, every one of which is judged on its full path.
+// Judges every draw of a campaign on its full path, by one instruction set.
 class FullPathRun {
  public:
   FullPathRun(const schema::Campaign& campaign, solver::InstructionSet set)
@@ -155,7 +155,7 @@ void print_speed(const SpeedReport& report) {
     row(solver::instruction_set_name(lane.set), lane.search, lane.full_paths);
   }
   put("disagreements: on the reference's {} draws\n", report.reference.draws);
-  put("full paths: every draw up to its first fault, none rejected before\n");
+  put("full paths: every draw up to its first fault, none rejected early\n");
 }
 
 SpeedReport measure_speed(const schema::Campaign& campaign, double seconds) {
@@ -193,7 +193,7 @@ SpeedReport measure_speed(const schema::Campaign& campaign, double seconds) {
   return report;
 }
 
-// Runs what the options ask for and prints it; false if anything disagreed.
+// Runs the requested comparison and prints it; false if anything disagreed.
 bool bench(const BenchCall& call) {
   const schema::Campaign campaign = call.campaign_path.empty()
                                         ? schema::default_campaign()
@@ -221,16 +221,16 @@ Action bench_verb(CLI::App& verb) {
       "  misalign bench search/campaigns/ring-6x6.json --agree 2000 --json");
   auto call = std::make_shared<BenchCall>();
   verb.add_option("CAMPAIGN", call->campaign_path, "campaign file [the default campaign]");
-  add_value(verb, "--seconds", call->seconds, "how long to run each solver, seconds [3]",
-            within(0.01, 1e6), "SECONDS");
+  add_value(verb, "--seconds", call->seconds, "run time of each solver, s [3]", within(0.01, 1e6),
+            "SECONDS");
   auto* agree =
       add_value(verb, "--agree", call->agree_draws,
                 "instead of speed: compare the verdicts of N draws with the reference's, at "
                 "thresholds every 10 degrees, at the draw's own D and one sample above",
                 counted(1, 100000000), "N");
   add_value(verb, "--rejections", call->rejection_draws,
-            "instead of speed: follow N draws on their full paths, and say whether a test turns "
-            "one away that deploys from such a threshold, or the campaign's",
+            "instead of speed: follow N draws on their full paths, and find those that a test "
+            "rejects though they reach one of these thresholds, or the campaign's",
             counted(1, 100000000), "N")
       ->excludes(agree);
   verb.add_flag("--json", call->json, "as JSON");

@@ -5,8 +5,8 @@
 
 namespace misalign::search {
 
-// Options are called as parameters are, without a unit; these two keep it, as there is another
-// option, or word, of the bare name.
+// Options have the names of parameters without their units; these two keep it, as another option,
+// or word, has the bare name.
 std::string option_of(std::string_view parameter, bool has_value) {
   constexpr std::array<std::string_view, 2> kWithUnit = {"rest_deg", "dash_mm"};
   std::string option(parameter);

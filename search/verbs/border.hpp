@@ -1,4 +1,4 @@
-// The command line's own words for what the rest knows as causes and parameters.
+// Exit codes for causes and options for parameters, on the command line.
 #pragma once
 
 #include "search/terminal/failure.hpp"
@@ -25,7 +25,7 @@ constexpr int exit_code_of(schema::Cause cause) {
 }
 inline constexpr int kExitWorkRemains = 75;
 
-/// "--from 200: why; suggestion", of a parameter's name: "from_deg".
+/// Makes the option of a parameter's name: "--from " of "from_deg".
 std::string option_of(std::string_view parameter, bool has_value);
 
 inline constexpr Border kCommandLine{option_of, exit_code_of};

@@ -1,4 +1,4 @@
-// `misalign card`: what a design asks of one sheet, and what was found, on one page.
+// `misalign card`: the requirements of a design and the results of one sheet, on one page.
 #include "search/sheets/card.hpp"
 
 #include <fmt/format.h>
@@ -41,16 +41,12 @@ void show_card(CardCall call) {
 Action card_verb(CLI::App& verb) {
   verb.description(schema::study_named("card").about);
   verb.footer(
-      "Each requirement of the design with what was found, and whether it is met: D, a proof and\n"
-      "contact up to the angle of use (the design's from_deg, or D), how thick plates may be, "
-      "energy\n"
-      "and static margins of panels that bend, pins, strokes and forces of the springs, stress, "
-      "how fast\n"
-      "it lands, miscut copies, play. Only what the design says is asked: a thickness, friction, "
-      "a\n"
-      "stroke limit, miscuts ...; \"wanted\" says by how much. With --output also a page to print, "
-      "with\n"
-      "a drawing, the springs to buy and the hinges.\n\n"
+      "Compares each requirement of the design with what the sheet reaches: D, a certificate and\n"
+      "contact up to the angle of use (the design's from_deg, or D), panel thickness, energy and\n"
+      "static margins, pin friction, strokes and forces of springs, panel stress, landing speed,\n"
+      "yield of miscut copies, joint clearance. Only what the design names is required: a\n"
+      "thickness, friction, a stroke limit, a cutting error ...; \"wanted\" sets the margins.\n"
+      "--output also writes a page to print, with a drawing, the springs to buy and the hinges.\n"
       "Examples:\n  misalign card mine.db 1234 --output card.html\n"
       "  misalign card search/patterns/table1.json --from 90 --thickness 1 --friction 0.0001");
   auto call = std::make_shared<CardCall>();
@@ -63,22 +59,21 @@ Action card_verb(CLI::App& verb) {
                           const char* key, const char* unit) {
     add_value(verb, name, value, std::string(meaning) + " [the design's]", within(key), unit);
   };
-  number("--friction", design.friction_n_mm_per_mm, "dry friction of creases, N mm per mm",
+  number("--friction", design.friction_n_mm_per_mm, "dry friction of creases, N mm/mm",
          "hinges.friction_n_mm_per_mm", "N");
   number("--pin-friction", design.pin_friction_mm,
-         "of pins and ball joints: friction coefficient times radius, mm", "hinges.pin_friction_mm",
+         "friction coefficient times radius of pins and ball joints, mm", "hinges.pin_friction_mm",
          "MM");
-  number("--miscut", design.miscut_mm, "largest error of a vertex, mm", "miscut_mm", "MM");
+  number("--miscut", design.miscut_mm, "largest cutting error of a vertex, mm", "miscut_mm", "MM");
   number("--play", design.play_mm, "radius of the ball in which each joint settles, mm", "play_mm",
          "MM");
   add_material(verb, call->material_file);
   add_default(verb, "--trials", call->options.trials,
-              "how many miscut copies, and how often loose joints settle",
+              "number of miscut copies, and of settlings of loose joints",
               counted("card", "trials"), "N");
   add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
             counted("", "jobs"), "N");
-  verb.add_option("--output", call->output, "write the page, HTML, to this file")
-      ->type_name("FILE");
+  verb.add_option("--output", call->output, "HTML file to write")->type_name("FILE");
   verb.add_flag("--json", call->json, "as JSON");
   return showing(call, show_card);
 }

@@ -1,4 +1,4 @@
-// `misalign certify`: proofs that nothing happens between the degrees.
+// `misalign certify`: proofs of the folding between samples.
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -47,12 +47,12 @@ void show(const CertifyCall& call, const CertifyReport& report) {
     put(certified_text(report.sheets));
   }
   if (report.left > 0) {
-    spdlog::warn("stopped: {} of {} candidates are left; the same command goes on", report.left,
+    spdlog::warn("stopped: {} of {} candidates are left; the same command resumes", report.left,
                  report.left + report.sheets.size());
   }
 }
 
-// Whether its sheets are proven in closed form alone.
+// Returns whether its sheets are proven in closed form alone.
 bool is_overconstrained(const std::string& catalogue) {
   const auto database = schema::open_for_reading(catalogue);
   return schema::is_overconstrained(schema::read_campaign_of(*database, catalogue).pattern.base);
@@ -66,8 +66,8 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
   if (is_in_closed_form) check_closed_form(call);
   if (!call.choice.chooses() && !call.all && !options.check) {
     throw UserError(schema::Cause::bad_request,
-                    "certify: of which candidates? (none is named); add the number of a draw, "
-                    "--best K, --diverse K, --where SQL or --all");
+                    "certify: no candidates are chosen (a catalogue holds many); give draw "
+                    "numbers, --best K, --diverse K, --where SQL or --all");
   }
   if (is_in_closed_form) return prove_in_closed_form(call);
   if (options.check) schema::need("FLINT");  // before other ranks are started
@@ -113,10 +113,10 @@ int run_on_pattern(const CertifyCall& call) {
     return check.findings.empty() ? 0 : exit_code_of(schema::Cause::check_failed);
   }
   solver::SheetSolver solver(model);
-  const solver::Sheet own(solver, sheet.shifts_mm);
+  const solver::Sheet solved(solver, sheet.shifts_mm);
   const double asked_deg = call.options.to_deg     ? *call.options.to_deg
                            : sheet.design.from_deg ? *sheet.design.from_deg
-                                                   : deploys_from_deg(own, call.options.path);
+                                                   : deploys_from_deg(solved, call.options.path);
   const Json& exported = sheet.exported;
   const bool has_draw =
       exported.is_object() && exported.contains("draw") && exported["draw"].is_number_unsigned();
@@ -133,42 +133,34 @@ int run_on_pattern(const CertifyCall& call) {
 }
 
 constexpr const char* kCertifyFooter =
-    "A certificate is a proof, rounding included, that for every pilot angle from flat to the\n"
-    "certified angle the sheet has exactly one folded state near its path, that creases keep "
-    "their\n"
-    "signs and stay below 180 degrees, and that every diagonal only grows or only shrinks. What "
-    "it\n"
-    "proves in full, and what not: solver/certificate/README.md. It ends for one of these "
-    "reasons,\n"
-    "of which the first four are proven, to within 1e-4 degrees:\n"
-    "  to_the_end     it reaches the angle that was asked for\n"
-    "  reversal       a diagonal turns back\n"
-    "  over_folded    a crease is folded past 180 degrees\n"
+    "A certificate proves, rounding included, that for every pilot angle from flat to the\n"
+    "certified angle the sheet has exactly one folded state near its path, that creases keep\n"
+    "their signs and stay below 180 degrees, and that every diagonal is monotone. What it\n"
+    "proves in full, and what not: solver/certificate/README.md. It ends for one of these\n"
+    "reasons; the first four are proven, to within 1e-4 degrees:\n"
+    "  to_the_end     it reaches the requested angle\n"
+    "  reversal       a diagonal reverses\n"
+    "  over_folded    a crease folds past 180 degrees\n"
     "  sign_changed   a crease becomes flat\n"
-    "or because the proof goes no farther, as it does where\n"
+    "The others say where the proof stops:\n"
     "  contact        panels meet, or nearly (--contact)\n"
-    "  fold_limit     the path comes to a fold limit, or nearly\n"
+    "  fold_limit     the path reaches a fold limit, or nearly\n"
     "  unclear_slope  a diagonal or a crease stands still, or nearly\n"
-    "  flat_branch    the branch cannot be proven: nothing is certified, not even next to flat\n\n"
-    "Of sheets whose shifts keep creases' directions, as `misalign construct` and campaigns of\n"
-    "\"kind\": \"parallel\" make them, --closed-form proves in rational numbers that all loops "
-    "close\n"
-    "by the base's own fold angles and that diagonals go one way; it is made anew each time, and\n"
-    "nothing is kept. With fewer holes than count to one degree of freedom there is no other\n"
-    "proof. See solver/pattern/README.md.\n\n"
-    "Of a catalogue certificates are kept beside their candidates: column certified_deg of\n"
-    "`query`, `export` and --where. Those that are there, as asked, are not made again, so that "
-    "the\n"
-    "same command resumes. Of a pattern file nothing is kept: --json prints the pattern with its\n"
+    "  flat_branch    the branch next to flat cannot be proven: nothing is certified\n\n"
+    "--closed-form proves sheets whose shifts keep creases' directions, such as those of\n"
+    "`misalign construct` and of campaigns of \"kind\": \"parallel\". In rational numbers it\n"
+    "proves that all loops close by the base's fold angles and that diagonals are monotone.\n"
+    "Nothing is stored. Overconstrained sheets, with fewer holes than one degree of freedom\n"
+    "needs, have no other proof. See solver/pattern/README.md.\n\n"
+    "A catalogue keeps certificates beside its candidates: column certified_deg of `query`,\n"
+    "`export` and --where. Certificates that answer the request are not made again, so the same\n"
+    "command resumes. For a pattern file nothing is kept: --json prints the pattern with its\n"
     "certificate, which --check takes.\n"
-    "--check makes none: hash and columns, then every claim in arithmetic of many bits that "
-    "shares\n"
-    "nothing with what made it. Slow: seconds for 6 x 6. Of all candidates unless some are chosen. "
-    "It\n"
-    "says of how many certificates it is proven too what ends them, and of how many the proof "
-    "only\n"
-    "stops. Exit code 6 if a claim does not hold, 3 if there is no certificate. Needs a program\n"
-    "built with FLINT (misalign --version).\n\n"
+    "--check makes none. It compares hash and columns, then checks every claim in arithmetic of\n"
+    "many bits that shares nothing with the certifier: seconds for 6 x 6. It takes all\n"
+    "candidates unless some are chosen, and counts which ends are proven. Exit code 6 if a\n"
+    "claim does not hold, 3 if there is no certificate. Needs a program built with FLINT\n"
+    "(misalign --version).\n"
     "Examples:\n"
     "  misalign certify results/miura-6x6-1a2b3c4d.db --best 10\n"
     "  misalign certify results/miura-6x6-1a2b3c4d.db --all --ranks all\n"
@@ -200,21 +192,20 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
   draws->excludes(all);
   auto* to = verb.add_option("--from,--to", options.to_deg,
                              "the sheet is used between this pilot angle and flat: prove up to it "
-                             "[the design's, or the sheet's own D]");
+                             "[the design's, or the sheet's D]");
   to->check(within(0.01, 180))->type_name("DEG");
-  auto* contact = verb.add_flag("--contact", options.contact, "prove that no panels meet, too");
-  auto* again = verb.add_flag("--again", options.again, "make those anew that are there already");
-  auto* check = verb.add_flag("--check", options.check, "check those that there are; make none");
+  auto* contact = verb.add_flag("--contact", options.contact, "also prove that no panels meet");
+  auto* again = verb.add_flag("--again", options.again, "replace existing certificates");
+  auto* check = verb.add_flag("--check", options.check, "check existing certificates; make none");
   for (CLI::Option* other : {to, contact, again}) check->excludes(other);
   verb.add_flag(
       "--closed-form", call->closed_form,
-      "of sheets whose shifts keep creases' directions (misalign construct, campaigns of \"kind\": "
-      "\"parallel\"): prove them in rational numbers, in no time and to 180 deg");
+      "prove in rational numbers, quickly and to 180 deg, sheets whose shifts keep creases' "
+      "directions (misalign construct, campaigns of \"kind\": \"parallel\")");
   add_ranks(verb, call->ranks);
   auto* ranks = verb.get_option("--ranks");
-  verb.add_flag(
-      "--json", call->json,
-      "as JSON; a list, unless one DRAW is named; a pattern as it is, with its certificate");
+  verb.add_flag("--json", call->json,
+                "as JSON: a list, unless one DRAW is named; a pattern with its certificate");
   return [=] {
     if (!is_pattern_file(call->options.path)) {
       check_by(call->choice);

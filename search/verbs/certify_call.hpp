@@ -1,4 +1,4 @@
-// The common part of the proofs of `misalign certify`: what was asked, and of which sheet.
+// The common part of the proofs of `misalign certify`: the request, and the sheet.
 #pragma once
 
 #include <string>
@@ -16,15 +16,15 @@ struct CertifyCall {
   bool all = false, closed_form = false, json = false;
 };
 
-/// The file's own if it was exported, otherwise written as if it had been.
+/// The document of an exported sheet, or one made like it.
 schema::Json document_of(const ChosenSheet& sheet);
 
-/// Of the sheet; UserError (bad_input) where it deploys from nothing.
+/// The sheet's D; UserError (bad_input) where it does not deploy.
 double deploys_from_deg(const solver::Sheet& sheet, const std::string& path);
 
-/// Sheets of the parallel family, in rational numbers: that all equations hold, spare ones too.
+/// Proves in rational numbers that all equations of sheets of the parallel family hold.
 /// UserError (bad_request) for options that such proofs have not, (bad_input) for a sheet that is
-/// off the family, or a base of which it cannot be proven. Exit codes.
+/// off the family, or an unprovable base. Returns exit codes.
 void check_closed_form(const CertifyCall& call);
 int prove_in_closed_form(const CertifyCall& call, const ChosenSheet& chosen,
                          const solver::Model& model);

@@ -22,7 +22,7 @@ namespace {
 using schema::Json;
 using schema::UserError;
 
-// Of one sheet, as text and as JSON.
+// The proof of one sheet, as text and as JSON.
 struct Proven {
   std::string text;
   Json json;
@@ -49,7 +49,7 @@ Proven prove(const CertifyCall& call, const ChosenSheet& chosen, const solver::M
   const solver::MemberProof proof = solver::prove_member(sheet.base(), chosen.shifts_mm, asked_deg);
   if (!proof.holds()) {
     throw UserError(schema::Cause::bad_input,
-                    where + ": it cannot be proven exactly that the sheet folds: " +
+                    where + ": the sheet's folding cannot be proven exactly: " +
                         proof.gap.why(sheet.base().sheet) +
                         "; take a base of the family \"miura\", or as many holes as count to one "
                         "degree of freedom");
@@ -60,7 +60,6 @@ Proven prove(const CertifyCall& call, const ChosenSheet& chosen, const solver::M
 
 }  // namespace
 
-// The file's own if it was exported, otherwise written as if it had been.
 Json document_of(const ChosenSheet& sheet) {
   Json document = sheet.exported;
   if (!document.is_object() || !document.contains("pattern")) {
@@ -78,8 +77,8 @@ double deploys_from_deg(const solver::Sheet& sheet, const std::string& path) {
   throw UserError(
       schema::Cause::bad_input,
       path +
-          ": the sheet deploys from nothing (its D is 0), so that there is nothing to certify; "
-          "give an angle with --to, or see what is in the way: misalign fold " +
+          ": the sheet does not deploy (D = 0), so there is nothing to certify; give an angle with "
+          "--to, or see its first fault: misalign fold " +
           shell_path(path));
 }
 

@@ -21,23 +21,23 @@ CLI::Validator a_condition() {
 
 ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
   ChoiceOptions options{};
-  options.best = add_value(group, "--best", choice.best, "the K best",
+  options.best = add_value(group, "--best", choice.best, "the best K candidates",
                            counted(1, std::numeric_limits<std::int64_t>::max()), "K");
   options.diverse =
       group
           .add_option("--diverse", choice.diverse,
-                      "K that differ most, among the best " + std::to_string(kDiverseAmong))
+                      "the K most different among the best " + std::to_string(kDiverseAmong))
           ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
           ->excludes(options.best)
           ->type_name("K");
   options.where = group
                       .add_option("--where", choice.where,
-                                  "only those for which this SQL condition on columns and "
-                                  "functions of sheets holds (misalign query --help)")
+                                  "only candidates that satisfy this SQL condition on columns and "
+                                  "functions of sheets (misalign query --help)")
                       ->type_name("SQL")
                       ->check(a_condition());
   options.by = verb.add_option("--by", choice.by,
-                               "column, or function of a sheet, that the best are sorted by, "
+                               "column or function of a sheet by which the best are sorted, "
                                "largest first [as query `best` does]")
                    ->type_name("COLUMN");
   return options;

@@ -14,7 +14,7 @@ struct ChoiceOptions {
 /// Adds them to the verb, all but --by inside its group; --draw is the verb's own.
 ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice);
 
-/// UserError (bad_request) where --by is given and nothing that it could sort for.
+/// UserError (bad_request) where --by is given without --best or --diverse.
 void check_by(const Choice& choice);
 
 }  // namespace misalign::search

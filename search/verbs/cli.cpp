@@ -44,8 +44,8 @@ std::string version_text() {
       solver::instruction_set_name(solver::available_instruction_sets().back()));
 }
 
-// Whether another rank of the same run says what there is to say. Every other verb speaks,
-// though its shell may have been started by a launcher and inherited a rank's number.
+// Returns whether rank 0 of the same run prints the sentence. Every other verb prints its own, as
+// its shell may have been started by a launcher and inherited a rank's number.
 bool rank_zero_speaks(const CLI::App& app) {
   const CLI::App* const verb = chosen_verb(app);
   return verb && (verb->get_name() == "search" || verb->get_name() == "certify") &&
@@ -53,25 +53,24 @@ bool rank_zero_speaks(const CLI::App& app) {
 }
 
 // A launcher ends every rank as soon as one exits with an error: rank 0 too, which on a busy
-// machine may not have spoken yet. So the others wait to be ended, and after this long leave by
-// themselves.
+// machine may not have printed yet. So the others wait to be ended, and leave after this time.
 int leave_it_to_rank_zero(int exit_code) {
   std::this_thread::sleep_for(std::chrono::seconds(10));
   return exit_code;
 }
 
-// What was printed may not have come to where it goes.
+// Standard output may not have been written.
 int exit_code_once_written(int exit_code) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return exit_code;
   if (reader_has_gone()) return 128 + SIGPIPE;  // no alarm: as if that signal had ended it
   std::fputs(
       "misalign: the results could not be written to standard output (is the disk full, or was it "
-      "closed?); see to where it goes, and give the same command again\n",
+      "closed?); check where it goes, and repeat the command\n",
       stderr);
   return exit_code_of(schema::Cause::failure);
 }
 
-// The contract's exit code, and where to read on.
+// Prints the sentence and the help to read; returns the contract's exit code.
 int usage_error(const CLI::App& app, const CLI::ParseError& error, const Words& words) {
   if (error.get_exit_code() == 0) return exit_code_once_written(app.exit(error));  // --help
   if (rank_zero_speaks(app)) return leave_it_to_rank_zero(exit_code_of(schema::Cause::bad_request));
@@ -88,7 +87,7 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, const Words& 
   return exit_code_of(schema::Cause::bad_request);
 }
 
-// Verbs with a progress of their own, or without an end.
+// Returns whether a verb shows its progress itself, or has no end.
 bool shows_itself(const std::string& verb) {
   return verb == "search" || verb == "certify" || verb == "stress" || verb == "watch";
 }
@@ -101,11 +100,11 @@ int run_command_line(int argc, char** argv, const Parts& parts,
   watch_for_lost_pages();
   CLI::App app("Searches for misaligned origami that simple springs deploy.", "misalign");
   app.set_version_flag("--version", version_text(),
-                       "print version, commit, compiler, libraries and end");
+                       "print version, commit, compiler and libraries, and exit");
   app.require_subcommand(1);
   app.fallthrough();
   app.formatter(std::make_shared<HelpFormat>());
-  app.set_help_flag("-h,--help", "print this and end");
+  app.set_help_flag("-h,--help", "print this help and exit");
   app.footer(
       "See misalign VERB --help for the options of a verb, with examples.\n\n"
       "Examples:\n"
@@ -114,7 +113,7 @@ int run_command_line(int argc, char** argv, const Parts& parts,
       "  misalign fold search/patterns/table1.json");
   std::string level = "info";
   auto color = ColorMode::automatic;
-  app.add_option("--log-level", level, "least important messages to show [info]")
+  app.add_option("--log-level", level, "lowest level of messages to show [info]")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
   app.add_option("--color", color,
                  "when to color; auto: on terminals, unless NO_COLOR is set [auto]")

@@ -5,8 +5,7 @@
 
 namespace misalign::search {
 
-/// Does what the words ask for, by one of these verbs, with these parts; returns the exit code of
-/// the contract.
+/// Runs the verb that the words name, with these parts; returns the exit code of the contract.
 int run_command_line(int argc, char** argv, const Parts& parts,
                      std::vector<Verb> (*verbs)(const Words&, const Parts&));
 

@@ -13,7 +13,7 @@ namespace {
 
 enum class Kind { words, files, directories, text };
 
-// What an argument or the value of an option may be.
+// The words or files that complete an argument or the value of an option.
 struct Offer {
   Kind kind = Kind::text;
   std::string detail = {};  // the words, with spaces between; or how the files' names end, if known
@@ -67,7 +67,7 @@ std::string bash_offer(const Offer& offer) {
 }
 
 constexpr const char* kBashFunctions = R"bash(
-# Completes BEGINNING ($2) with what OFFER ($1) says.
+# Completes BEGINNING ($2) by OFFER ($1).
 _misalign_offer() {
   case $1 in
     'words '*) mapfile -t COMPREPLY < <(compgen -W "${1#words }" -- "$2") ;;
@@ -145,13 +145,13 @@ std::string zsh_specifications(const CLI::App& app) {
     const std::vector<std::string> names = names_of(*option);
     const std::string again = takes_many(*option) ? "*" : "(" + joined(names) + ")";
     for (const std::string& name : names) {
-      std::string one = again + name;
-      if (takes_value(*option) && name.size() > 2) one += "=";
-      one += "[" + zsh_text(option->get_description()) + "]";
+      std::string item = again + name;
+      if (takes_value(*option) && name.size() > 2) item += "=";
+      item += "[" + zsh_text(option->get_description()) + "]";
       if (takes_value(*option)) {
-        one += ":" + zsh_text(value_name(*option)) + ":" + zsh_action(offer_for(*option));
+        item += ":" + zsh_text(value_name(*option)) + ":" + zsh_action(offer_for(*option));
       }
-      text += next + in_quotes(one);
+      text += next + in_quotes(item);
     }
   }
   int place = 0;
@@ -234,8 +234,7 @@ std::string zsh_completion(const CLI::App& program) {
 Action completion_verb(CLI::App& verb) {
   verb.description("completion script for a shell");
   verb.footer(
-      "The script is there already where the program was installed into a place that the\n"
-      "shell searches.\n\n"
+      "An installed program needs no script where the shell searches the place of installation.\n\n"
       "Examples:\n"
       "  source <(misalign completion bash)\n"
       "  misalign completion zsh > ~/.zfunc/_misalign");

@@ -40,7 +40,7 @@ Action config_verb(CLI::App& verb) {
   auto* choice = verb.add_option_group("choice", "what to do");
   choice->add_flag("--default", call->show, "print the default campaign with every key");
   choice->add_flag("--keys", call->keys, "print what each key means, as a Markdown table");
-  choice->add_option("--check", call->checked, "say what is wrong with a campaign file")
+  choice->add_option("--check", call->checked, "list every fault of a campaign file")
       ->type_name("CAMPAIGN");
   choice->require_option(1);
   return showing(call, show_config);

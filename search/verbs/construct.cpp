@@ -15,7 +15,7 @@ namespace misalign::search {
 namespace {
 
 struct ConstructCall {
-  std::string pattern_path;  // its displacements are not looked at
+  std::string pattern_path;  // its displacements are ignored
   std::string output_path;   // empty: no file
   solver::ConstructOptions options;
   std::string signs;  // as typed: '+' and '-'
@@ -63,12 +63,11 @@ CLI::Validator plus_or_minus() {
 Action construct_verb(CLI::App& verb) {
   verb.description("a sheet that is monotone to 180 degrees by construction, without a search");
   verb.footer(
-      "From a base pattern the sheet of the parallel family whose least used diagonal changes\n"
-      "most: every crease keeps its direction and holes stay parallelograms, so that the sheet\n"
-      "folds by the base's own angles and the diagonals' lengths are closed forms. With the rim\n"
-      "held signs must change along each row and column of holes. The proof, and which bases\n"
-      "have the family: solver/pattern/README.md. `misalign certify` proves the same from the\n"
-      "loops' equations.\n\n"
+      "Makes the sheet of the base's parallel family whose smallest stroke is largest: every\n"
+      "crease keeps its direction and holes stay parallelograms, so that the sheet folds by the\n"
+      "base's angles and the diagonals' lengths are closed forms. With the rim held signs must\n"
+      "change along each row and column of holes. The proof, and which bases have the family:\n"
+      "solver/pattern/README.md. `misalign certify` proves the same from the loop equations.\n"
       "Examples:\n"
       "  misalign construct search/patterns/table1.json --amplitude 4 --output made.json\n"
       "  misalign construct search/patterns/miura-graded-6x6.json --rim --stroke 0.01 --amplitude "
@@ -79,16 +78,16 @@ Action construct_verb(CLI::App& verb) {
   verb.add_option("--output", call->output_path, "write the sheet to this pattern file")
       ->type_name("FILE");
   add_value(verb, "--amplitude", call->options.amplitude_mm,
-            "shift no vertex by more in x or y, mm [0.4]", within(1e-6, 1e6), "MM");
+            "largest shift of a vertex in x or y, mm [0.4]", within(1e-6, 1e6), "MM");
   add_value(verb, "--stroke", call->options.stroke,
-            "least share of its length by which every diagonal changes [the most there is]",
+            "smallest stroke of any diagonal, a share of its length [the largest possible]",
             a_share(1e-6, 1), "SHARE");
   add_value(verb, "--at", call->options.at_deg, "pilot angle of the stroke, degrees [179]",
             within(1, 180), "DEG");
   verb.add_option("--signs", call->signs,
-                  "which way each hole changes, row by row [several are tried]")
+                  "sign of each hole's change, row by row [several are tried]")
       ->check(plus_or_minus());
-  verb.add_flag("--rim", call->rim, "shift the rim's vertices, too");
+  verb.add_flag("--rim", call->rim, "also shift the rim's vertices");
   verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");
   return showing(call, construct_sheet);
 }

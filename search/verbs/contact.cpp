@@ -1,4 +1,4 @@
-// `misalign contact`: where the panels of one sheet meet, and how thick they may be.
+// `misalign contact`: the first contact of a sheet's panels, and their maximum thickness.
 #include <fmt/format.h>
 
 #include "schema/catalogue/study_table.hpp"
@@ -30,17 +30,17 @@ void show_contact(const ContactCall& call) {
 Action contact_verb(CLI::App& verb) {
   verb.description(schema::study_named("contact").about);
   verb.footer(
-      "Of panels without thickness, at any angle and not only at samples: the first at which\n"
-      "two meet. Those with a common crease meet when it is closed, those with one common\n"
-      "vertex when a ray from it lies in both. Then the least distances on the way:\n"
+      "Finds the first contact of panels without thickness, at any angle and not only at samples.\n"
+      "Panels with a common crease meet when it is closed, panels with one common vertex when a\n"
+      "ray from it lies in both. The table has the least distances on the way:\n"
       "  apart_mm     of panels without a common vertex\n"
       "  vertex_deg   of panels with one common vertex, as an angle seen from it\n"
       "  crease_deg   of the most folded crease from 180\n"
-      "Thickness: hinges at the mid-plane; a plate is tapered towards each crease by the plane\n"
-      "through it at which neighbours touch when most folded up to --from, and trimmed across "
-      "each\n"
-      "corner where it meets another panel in that point alone, as ball joints are (--trim).\n"
-      "Plates as thick as is said clear each other up to there; thicker ones might.\n\n"
+      "Thickness: hinges lie in the mid-plane. A plate is tapered towards each crease by the\n"
+      "plane through it at which neighbours touch when most folded up to --from. It is trimmed\n"
+      "across each corner where it meets another panel in that point alone, as at ball joints\n"
+      "(--trim).\n"
+      "Plates of the thickness shown clear each other up to that angle; thicker ones might.\n"
       "Examples:\n  misalign contact search/patterns/table1.json\n"
       "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --from 140 --trim 8\n"
       "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --json");

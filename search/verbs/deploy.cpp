@@ -49,28 +49,25 @@ void show_deployment(DeployCall call) {
 Action deploy_verb(CLI::App& verb) {
   verb.description(schema::study_named("deploy").about);
   verb.footer(
-      "The exact motion of rigid panels with springs on all diagonals, let go at rest. It ends\n"
-      "flat, or (outcome)\n"
-      "  passed_flat   it goes through flat: with --latch it is latched\n"
+      "Integrates the exact motion of rigid panels with springs on all diagonals, released at\n"
+      "rest. It ends flat, or with another outcome:\n"
+      "  passed_flat   it passes through flat; --latch latches it there\n"
       "  stalled       friction holds it on the way\n"
       "  at_rest       it comes to rest where springs are relaxed (--rest-deg)\n"
       "  turned_back   it turns round and nothing slows it down\n"
-      "  fold_limit    it folds as far as it can\n"
+      "  fold_limit    it reaches its fold limit\n"
       "  time_limit    it still moves\n"
-      "Critical friction: the most that the creases may have for it to get to flat; with damping "
-      "found\n"
-      "by letting it go again and again, otherwise from its energies.\n"
+      "Critical friction: the largest crease friction with which the sheet reaches flat; with\n"
+      "damping found by repeated integration, otherwise from energies.\n"
       "Forces act on the panel right of a crease (seen walking along its name), or on the\n"
       "second of a ball joint; moments are about the crease's midpoint, square to it.\n"
-      "Panels that bend (--panels bend, or where a material is named): each into a saddle, creases "
-      "straight, with\n"
-      "springs and panels in balance at every angle. Its numbers come first; all that follows, "
-      "the\n"
-      "motion too, is of rigid panels, an upper bound: a sudden release also shakes panels\n"
-      "(`misalign stress`). The static margin is what drives the sheet over what resists, less 1, "
-      "the\n"
-      "least from the start down to --margin-to. --preload leaves a force in the springs at flat,\n"
-      "without which every friction stalls the sheet close to flat.\n"
+      "Bending panels (--panels bend, or where a material is named): each bends into a saddle\n"
+      "between straight creases, in equilibrium with the springs at every angle. Their results\n"
+      "come first; the others, and the motion, are those of rigid panels, an upper bound: a\n"
+      "sudden release also shakes panels (`misalign stress`). The static margin is the driving\n"
+      "moment over the resisting one, less 1, at its least from the start down to --margin-to.\n"
+      "--preload leaves a force in the springs at flat, without which any friction stalls the\n"
+      "sheet close to flat.\n"
       "Needs a program built with SUNDIALS (misalign --version).\n\n"
       "Examples:\n  misalign deploy search/patterns/table1.json\n"
       "  misalign deploy results/miura-6x6-1a2b3c4d.db 1234 --friction 0.001\n"
@@ -81,17 +78,17 @@ Action deploy_verb(CLI::App& verb) {
   add_deployment(verb, call->input);
   verb.add_option(
           "--panels", call->panels,
-          "rigid, or as plates that bend [bend where the design or --material names a material]")
+          "rigid, or plates that bend [bend where the design or --material names a material]")
       ->transform(one_of<PanelKind>({{"rigid", PanelKind::rigid}, {"bend", PanelKind::bend}}));
   add_material(verb, call->material_file);
   add_value(verb, "--margin-to", call->input.design.margin_to_deg,
-            fmt::format("the angle down to which margins of panels that bend, and pins, are asked "
-                        "[the design's, or {:g}]",
+            fmt::format("smallest angle at which margins of bending panels and pins count [the "
+                        "design's, or {:g}]",
                         solver::BentPanelsOptions{}.to_deg),
             within("wanted.margin_to_deg"), "DEG");
   verb.add_option("--forces", call->forces,
-                  "also what hinges and ball joints carry: in the motion, or with the sheet held "
-                  "at each angle by its pilot crease [none]")
+                  "also forces in hinges and ball joints: in the motion, or with the sheet held at "
+                  "each angle by its pilot crease [none]")
       ->transform(one_of<Forces>({{"motion", Forces::in_motion}, {"held", Forces::held}}));
   verb.add_flag("--json", call->json, "as JSON, with the whole motion");
   return showing(call, show_deployment);

@@ -9,23 +9,22 @@ namespace {
 
 constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
 
-// How it ends, and when.
+// Options of the motion's end.
 void add_motion(CLI::App& verb, DeployInput& input) {
   solver::Deployment::Options& options = input.options.motion;
   auto* latch =
       verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
   constexpr double kMostRestitution = 0.99;
   add_value(verb, "--stop", options.restitution,
-            "a stop at flat that gives back this share of the speed: 0, it rests there",
+            "a stop at flat with this coefficient of restitution; 0: the sheet rests there",
             within(0, kMostRestitution), "SHARE")
       ->excludes(latch);
   verb.add_flag(
       "--least-damping", input.options.seeks_damping,
-      "also the least damping of creases with which it comes to rest flat without passing through");
+      "also find the least damping of creases that stops it at flat without passing through");
   add_default(verb, "--swings", options.swings,
-              "pass flat, or turn round without losses, this often before the end",
-              counted(0, 10000), "N");
-  add_default(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s",
+              "end after N passes through flat, or turns without losses", counted(0, 10000), "N");
+  add_default(verb, "--time-limit", options.time_limit_s, "longest time of the motion, s",
               within(1e-9, 1e6), "S");
 }
 
@@ -38,7 +37,7 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
   add_stiffness(verb, design.stiffness_n_per_mm);
   add_thickness(verb, design.thickness_mm);
   add_value(verb, "--density", input.density_g_per_cm3,
-            fmt::format("of the panels, g/cm^3 [the material's, or {:g}]",
+            fmt::format("density of the panels, g/cm^3 [the material's, or {:g}]",
                         solver::Plates{}.density_g_per_cm3),
             within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3), "G_PER_CM3");
   solver::JointResistance& joints = input.options.sheet.joints;
@@ -50,17 +49,17 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
                          const char* key) {
     add_value(verb, name, value, std::string(meaning) + " [the design's, or 0]", within(key), "N");
   };
-  hinge("--friction", design.friction_n_mm_per_mm, "dry friction of creases, N mm per mm",
+  hinge("--friction", design.friction_n_mm_per_mm, "dry friction of creases, N mm/mm",
         "hinges.friction_n_mm_per_mm");
   resistance("--ball-friction", joints.ball_friction_n_mm, "dry friction of each ball joint, N mm",
              "N_MM");
-  resistance("--damping", joints.damping_n_mm_s_per_mm,
-             "damping of creases, N mm per mm for each rad/s", "N_S");
+  resistance("--damping", joints.damping_n_mm_s_per_mm, "damping of creases, N mm/mm per rad/s",
+             "N_S");
   hinge("--hinge-stiffness", design.hinge_stiffness_n_mm_per_mm,
-        "elastic creases, N mm per mm for each rad", "hinges.stiffness_n_mm_per_mm");
+        "stiffness of elastic creases, N mm/mm per rad", "hinges.stiffness_n_mm_per_mm");
   add_value(verb, "--pin-friction", design.pin_friction_mm,
-            "of hinges' pins and ball joints: friction coefficient times radius, mm; 0 asks how "
-            "much they bear [the design's, or none]",
+            "friction coefficient times radius of hinge pins and ball joints, mm; 0: only show how "
+            "much they may have [the design's, or none]",
             within("hinges.pin_friction_mm"), "MM");
   add_default(verb, "--hinge-rest", joints.rest_deg,
               "pilot angle where elastic creases are relaxed", within(0, kMostAngle_deg), "DEG");
@@ -68,7 +67,7 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
   add_default(verb, "--rest-deg", springs.rest_deg, "pilot angle where the springs are relaxed",
               within(0, kMostAngle_deg), "DEG");
   verb.add_option("--rest", input.other_rests,
-                  "another such angle for one diagonal: A11-A17=60 (again: and that one)")
+                  "another such angle for one diagonal: A11-A17=60 (may be repeated)")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("DIAGONAL=DEG");

@@ -1,4 +1,4 @@
-// The options of verbs that deploy sheets: what drives them, what holds them back, what they weigh.
+// The options of verbs that deploy sheets: springs, resistance of joints, mass, end of the motion.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace misalign::search {
 
-/// --from, springs, plates and joints, a held panel, and how the motion ends.
+/// Adds --from, springs, plates, joints, a held panel, and the motion's end.
 void add_deployment(CLI::App& verb, DeployInput& input);
 
 }  // namespace misalign::search

@@ -12,11 +12,11 @@ namespace misalign::search {
 namespace {
 
 struct DoctorCall {
-  std::string directory = ".";  // where catalogues are to be
+  std::string directory = ".";  // of catalogues
   bool json = false;
 };
 
-// Prints on rank 0; the exit code: 1 if anything is bad.
+// Prints on rank 0; returns exit code 1 if anything is bad.
 int run_doctor(const DoctorCall& call) {
   const MpiSession mpi(MpiSession::Alone::with_mpi);
   const auto set = solver::available_instruction_sets().back();
@@ -40,14 +40,14 @@ int run_doctor(const DoctorCall& call) {
 }  // namespace
 
 Action doctor_verb(CLI::App& verb) {
-  verb.description("whether this machine can run a campaign well");
+  verb.description("check whether this machine can run a campaign well");
   verb.footer(
       "Checks the random numbers, the verdicts of every instruction set on known sheets, MPI\n"
-      "and its slots, and the directory for catalogues; says which libraries this build has.\n"
+      "and its slots, and the directory for catalogues; lists the libraries of this build.\n"
       "Exit code 1 if a campaign would fail, or could not be trusted.\n\n"
       "Examples:\n  misalign doctor results\n  mpirun -n 8 --hostfile hosts misalign doctor");
   auto call = std::make_shared<DoctorCall>();
-  verb.add_option("DIRECTORY", call->directory, "directory that catalogues will lie in [.]");
+  verb.add_option("DIRECTORY", call->directory, "directory for catalogues [.]");
   verb.add_flag("--json", call->json, "as JSON");
   return [call] { return run_doctor(*call); };
 }

@@ -29,7 +29,7 @@ struct ExportCall {
   KitCall kit;
   std::optional<double> friction_n_mm_per_mm;  // of mjcf
 
-  // What the sheets' design says, in which what was typed is already.
+  // Takes over the sheets' design, into which typed options are merged already.
   void take(const schema::Design& design) {
     files.release = release.of(design);
     files.deck = deck.of(design);
@@ -38,7 +38,7 @@ struct ExportCall {
   }
 };
 
-// What is said at the angle of use needs a station there.
+// Adds a station at the angle of use to files that need one.
 StationOptions stations_of(const ExportOptions& files, const schema::Design& design,
                            const schema::Sampling& sampling) {
   if (!files.knows_angle_of_use()) return {files.look_deg()};
@@ -47,7 +47,7 @@ StationOptions stations_of(const ExportOptions& files, const schema::Design& des
   return stations;
 }
 
-// Of a candidate that has one, as it was made.
+// Adds a candidate's certificate, if it has one, to `origin`.
 void add_certificate(SQLite::Database& database, const schema::Pattern& base,
                      const solver::Sheet& sheet, std::uint64_t draw, schema::Json& origin) {
   const auto row = schema::read_certificate(database, draw);
@@ -62,8 +62,8 @@ void add_certificate(SQLite::Database& database, const schema::Pattern& base,
   origin["certificate"] = schema::certificate_json(*row);
 }
 
-// Each candidate's files, or for csv the one table of all of them, whole or not at all: named after
-// the campaign and the draw, or a table of several after the campaign.
+// Writes each candidate's files, or for csv one table of all of them, whole or not at all: named
+// after the campaign and the draw, or a table of several after the campaign.
 void export_candidates(ExportCall& call) {
   const auto database = schema::open_for_reading(call.files.read_from);
   add_study_functions(*database, call.files.read_from);
@@ -106,7 +106,7 @@ void export_candidates(ExportCall& call) {
   if (tables) tables->publish();
 }
 
-// The same of a pattern file; there is nothing to choose.
+// Exports the sheet of a pattern file.
 void export_pattern(ExportCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.files.read_from);
   const schema::Design design = call.release.design.merged_over(chosen.design);
@@ -126,7 +126,7 @@ void export_pattern(ExportCall& call) {
   files.write(sheet, {stem, "misalign: " + chosen.pattern}, schema::Json::object());
 }
 
-// Options that say nothing about the format that is asked for are a mistake.
+// Refuses options that the requested format does not use.
 void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const CLI::App& verb) {
   const auto only_with = [&](const char* option, bool has_sense, const char* with) {
     if (verb.count(option) == 0 || has_sense) return;
@@ -173,7 +173,7 @@ void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) 
   } else if (chosen_by.empty()) {
     throw schema::UserError(schema::Cause::bad_request,
                             path +
-                                ": nothing is chosen of it (a catalogue holds many); say --best, "
+                                ": no candidates are chosen (a catalogue holds many); add --best, "
                                 "--draw, --where or --diverse");
   } else {
     check_by(call.choice);
@@ -188,7 +188,7 @@ constexpr const char* kExportFooter =
     "        elongation (a share: 0.02 = 2 %), the spring's force, energy and moment (over\n"
     "        the diagonals they add up to the sheet's), the sheet's mechanical advantage;\n"
     "        diagonals are numbered from 0, as in the view diagonals. --every 10: only flat,\n"
-    "        10, 20, 30 deg ... and D, in a tenth of the room\n"
+    "        10, 20, 30 deg ... and D, a tenth of the size\n"
     "  mat   for MATLAB and Octave (MAT-file, level 5): coordinates, histories of diagonals,\n"
     "        creases and vertices, springs, metrics; its variable readme names axes and units\n"
     "  fold  crease pattern and folded states, for Origami Simulator and the like. Panels that\n"
@@ -197,9 +197,9 @@ constexpr const char* kExportFooter =
     "  svg   true scale: layers for a cutter, hidden ones for springs and labels\n"
     "  dxf   the same for CAD (AutoCAD 2000, mm)\n"
     "  obj   one file for each folded state\n"
-    "  stl   the same of plates with --thickness, tapered and trimmed as `contact` says: a\n"
+    "  stl   the same of plates with --thickness, tapered and trimmed as in `contact`: a\n"
     "        closed solid for each panel\n"
-    "  mjcf  the sheet folded to --from, about to be let go, for MuJoCo: rigid panels, hinges,\n"
+    "  mjcf  the sheet folded to --from, ready for release, for MuJoCo: rigid panels, hinges,\n"
     "        ball joints, springs as tendons\n"
     "  inp   the same for CalculiX: elastic panels\n"
     "mat needs a program built with matio, dxf with dxflib (misalign --version).\n"
@@ -214,15 +214,15 @@ constexpr const char* kExportFooter =
     "  be cut: engrave (numbers, as lines), hatch (waste), note (title, 100 mm gauge, tables).\n"
     "  Where two holes meet, the part's contours touch in the ball joint's point. With --kerf\n"
     "  they do not quite; slit cuts through there.\n"
-    "  By --joint-bore each ball joint has a bore in both of its panels, on the bisector of the\n"
+    "  With --joint-bore each ball joint has a bore in both of its panels, on the bisector of the\n"
     "  corner, --bore-edge off the edges: for a loop of wire. --spring-bore: springs end on the\n"
     "  vertices of their diagonals, where the verdict holds. At a corner of one hole the panel\n"
     "  across has a tab, a disc with the bore in its middle, which its neighbours are cut clear\n"
     "  of; at a ball joint the spring hangs in the joint's wire. --spring-at panel: in bores\n"
     "  inside panels near the vertices, which turn with them. A kit whose springs contradict the\n"
     "  verdict says so first; tables have the lengths of all from flat to D. --guide adds\n"
-    "  NAME-kit.html: what the kit takes, each spring with its force at --from and which are\n"
-    "  enough, how thick plates may be, and how it goes together, with pictures.\n\n"
+    "  NAME-kit.html: parts, each spring with its force at --from and which are enough, the\n"
+    "  maximum panel thickness, and the assembly with pictures.\n\n"
     "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
@@ -245,10 +245,10 @@ Action export_verb(CLI::App& verb) {
   add_catalogue_or_pattern(verb, files.read_from);
   auto* group =
       verb.add_option_group("choice", "which candidates of a catalogue (at least one of these)");
-  auto* draw = add_draws(*group, choice.draws, "this one");
+  auto* draw = add_draws(*group, choice.draws, "this draw");
   const ChoiceOptions chosen = add_choice(verb, *group, choice);
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draw->excludes(other);
-  verb.add_option("--format", files.format, "what to write, see above [json]")
+  verb.add_option("--format", files.format, "format of the files, see above [json]")
       ->transform(one_of<ExportFormat>({{"json", ExportFormat::json},
                                         {"csv", ExportFormat::csv},
                                         {"mat", ExportFormat::mat},
@@ -260,8 +260,8 @@ Action export_verb(CLI::App& verb) {
                                         {"mjcf", ExportFormat::mjcf},
                                         {"inp", ExportFormat::inp}}));
   add_value(verb, "--step", files.step_deg,
-            "fold, obj and stl: degrees of the pilot from state to state [10]", within(0.01, 180),
-            "DEG");
+            "fold, obj and stl: step of the pilot angle between states, degrees [10]",
+            within(0.01, 180), "DEG");
   verb.add_flag("--joined", files.joined,
                 "fold: with triangles that stand for ball joints by hinges, see above");
   verb.add_flag("--creases", files.creases, "with csv: also NAME-creases.csv, of fold angles");
@@ -271,10 +271,9 @@ Action export_verb(CLI::App& verb) {
   add_trim(verb, files.trim_mm);
   add_springs(verb, call->release.design);
   add_release(verb, call->release);
-  add_value(
-      verb, "--friction", call->friction_n_mm_per_mm,
-      "mjcf: dry friction of the hinges in the tree, N mm per mm of crease [the design's, or 0]",
-      within(0, 1e6), "N");
+  add_value(verb, "--friction", call->friction_n_mm_per_mm,
+            "mjcf: dry friction of the hinges in the tree, N mm/mm [the design's, or 0]",
+            within(0, 1e6), "N");
   add_deck(verb, call->deck);
   verb.add_flag("--only-cut", files.only_cut,
                 "svg and dxf: without the layers that are not to be cut, for programs that follow "

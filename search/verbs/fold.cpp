@@ -14,8 +14,8 @@ namespace {
 
 struct FoldCall {
   std::string pattern_path;
-  std::optional<double> to_deg;  // the file's own end, or 180
-  double step_deg = 0;           // further angles to look at; 0: none
+  std::optional<double> to_deg;  // default: the file's end, or 180
+  double step_deg = 0;           // step of further stations; 0: none
   bool json = false, table = false;
 };
 
@@ -56,7 +56,7 @@ Action fold_verb(CLI::App& verb) {
   add_value(verb, "--to", call->to_deg,
             "follow the path to this pilot angle, degrees [180, or the campaign's]", within(1, 180),
             "DEG");
-  add_value(verb, "--step", call->step_deg, "also look at every multiple of this angle, degrees",
+  add_value(verb, "--step", call->step_deg, "also sample every multiple of this angle, degrees",
             within(0.01, 180), "DEG");
   verb.add_flag("--table", call->table,
                 "print the lengths every 10 degrees even where they are too wide for the terminal");

@@ -1,4 +1,4 @@
-// `misalign help`: what another verb does, and where the manual is.
+// `misalign help`: the options of a verb, and the path of the manual.
 #include "schema/files/user_error.hpp"
 #include "search/terminal/site.hpp"
 #include "search/terminal/terminal.hpp"
@@ -23,7 +23,7 @@ std::string first_page_of_site() {
 
 Action help_verb(CLI::App& verb) {
   const CLI::App& app = *verb.get_parent();
-  verb.description("what a verb does, with its options and examples");
+  verb.description("the options and examples of a verb");
   verb.footer(
       "The same as misalign VERB --help.\n\n"
       "Examples:\n"
@@ -32,20 +32,19 @@ Action help_verb(CLI::App& verb) {
   std::vector<std::string> known;
   for (const CLI::App* each : verbs_of(app)) known.push_back(each->get_name());
   auto name = std::make_shared<std::string>();
-  auto* named = verb.add_option("VERB", *name, "the verb [all of them, a line each]")
+  auto* named = verb.add_option("VERB", *name, "name of the verb [all of them, a line each]")
                     ->check(known_word("verb", known));
   auto site = std::make_shared<bool>(false);
-  verb.add_flag("--site", *site, "where the manual's first page is, for a browser")
-      ->excludes(named);
+  verb.add_flag("--site", *site, "path of the manual's first page, for a browser")->excludes(named);
   return [&app, name, site] {
     if (*site) {
       put(first_page_of_site() + "\n");
       return 0;
     }
-    const CLI::App& asked = name->empty() ? app : *app.get_subcommand(*name);
-    // Not app.help(): that is this verb's, which was chosen.
+    const CLI::App& explained = name->empty() ? app : *app.get_subcommand(*name);
+    // app.help() would be the help of this verb, which was chosen.
     const std::string text =
-        asked.get_formatter()->make_help(&asked, "", CLI::AppFormatMode::Normal);
+        explained.get_formatter()->make_help(&explained, "", CLI::AppFormatMode::Normal);
     put(text);
     return 0;
   };

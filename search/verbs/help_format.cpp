@@ -49,7 +49,7 @@ std::string section(const std::string& title, const std::vector<const CLI::Optio
 }
 
 std::vector<const CLI::Option*> own_options(const CLI::App& app) {
-  const bool is_group = app.get_name().empty();  // it has a --help that nobody sees
+  const bool is_group = app.get_name().empty();  // its --help is hidden
   return app.get_options([&](const CLI::Option* option) {
     return option->nonpositional() && option->get_group() != kHidden &&
            !(is_group && option == app.get_help_ptr());

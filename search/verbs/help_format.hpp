@@ -10,7 +10,7 @@ namespace misalign::search {
 /// The group of options that no help, completion or suggestion shows: those for tests.
 inline constexpr const char* kHidden = "";
 
-/// Usage, what a footer says before its "Examples:", arguments, options, the examples.
+/// Prints usage, the footer before its "Examples:", arguments, options, the examples.
 class HelpFormat : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name,
@@ -23,14 +23,14 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 std::vector<const CLI::Option*> options_of(const CLI::App& app);
 std::vector<const CLI::Option*> positionals_of(const CLI::App& app);
 
-/// Whether it takes any number of words.
+/// Returns whether the option takes any number of words.
 bool takes_many(const CLI::Option& option);
-/// Whether `word`, as typed, is an option of the verb whose value is the next word.
+/// Returns whether `word`, as typed, is an option of the verb whose value is the next word.
 bool takes_next_word(const CLI::App& verb, const std::string& word);
 
 /// "-h", "--help"
 std::vector<std::string> names_of(const CLI::Option& option);
-/// What stands for its value: "N", "CAMPAIGN", "json|csv"; empty for a flag.
+/// The placeholder of its value: "N", "CAMPAIGN", "json|csv"; empty for a flag.
 std::string value_name(const CLI::Option& option);
 /// The values, if they are a fixed set.
 std::vector<std::string> fixed_values(const CLI::Option& option);

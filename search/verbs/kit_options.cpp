@@ -30,13 +30,12 @@ void add_kit(CLI::App& verb, KitCall& call) {
   };
   verb.add_flag("--kit", call.wanted, "svg and dxf: numbered parts to cut, see above");
   verb.add_flag("--guide", kit.guide,
-                "with --kit: also NAME-kit.html, what it takes and how it goes together, with "
-                "pictures");
+                "with --kit: also NAME-kit.html, parts and assembly with pictures");
   verb.add_flag("--test-piece", kit.test_piece,
                 "with --kit: also NAME-kit-test, one hinge and one ball joint to cut first");
   Names<schema::CreaseCut> creases;
-  for (const schema::CreaseCutName& one : schema::kCreaseCuts) {
-    creases.emplace_back(one.name, one.cut);
+  for (const schema::CreaseCutName& crease : schema::kCreaseCuts) {
+    creases.emplace_back(crease.name, crease.cut);
   }
   verb.add_option("--crease", call.crease,
                   "with --kit: cut (every panel is a part), score (lines) or dash (perforated) "
@@ -48,14 +47,14 @@ void add_kit(CLI::App& verb, KitCall& call) {
             kit.dash_mm = lengths[0];
             kit.bridge_mm = lengths[1];
           },
-          fmt::format("with --crease dash: length of a cut, and least of a bridge [{:g},{:g}]",
+          fmt::format("with --crease dash: length of a cut, least length of a bridge [{:g},{:g}]",
                       kit.dash_mm, kit.bridge_mm))
       ->delimiter(',')
       ->expected(2)
       ->check(within(1e-2, kMost_mm))
       ->type_name("CUT,BRIDGE");
   add_mm("--kerf", kit.kerf_mm,
-         fmt::format("with --kit: what the cut takes away, half of it on each side [{:g}]",
+         fmt::format("with --kit: width that the cut removes, half of it on each side [{:g}]",
                      kit.kerf_mm),
          0);
   add_mm("--joint-bore", kit.joint_bore_mm, "with --kit: diameter of bores at ball joints [none]",
@@ -69,16 +68,16 @@ void add_kit(CLI::App& verb, KitCall& call) {
       ->transform(one_of<schema::SpringAt>(
           {{"vertex", schema::SpringAt::vertex}, {"panel", schema::SpringAt::panel}}));
   add_mm("--bore-edge", kit.bore_edge_mm,
-         fmt::format("with --kit: what is left between a bore and edges, or another bore [{:g}]",
+         fmt::format("with --kit: material left between a bore and an edge or another bore [{:g}]",
                      kit.bore_edge_mm),
          0);
-  add_mm("--gap", kit.gap_mm, fmt::format("with --kit: between parts [{:g}]", kit.gap_mm), 0);
+  add_mm("--gap", kit.gap_mm, fmt::format("with --kit: gap between parts [{:g}]", kit.gap_mm), 0);
   add_value(verb, "--bed", call.bed,
             "with --kit: width and height of the machine's bed, mm; a file for each, larger "
             "parts cut along creases [one sheet for all]",
             a_bed(), "WxH");
   add_mm("--margin", kit.margin_mm,
-         fmt::format("with --kit: round all parts [{:g}]", kit.margin_mm), 0);
+         fmt::format("with --kit: margin round all parts [{:g}]", kit.margin_mm), 0);
 }
 
 std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::Design& design) {
@@ -86,8 +85,8 @@ std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::
   schema::KitOptions kit = call.options;
   kit.crease = call.crease.value_or(design.hinge_kind.value_or(kit.crease));
   if (!call.bed.empty()) {
-    const std::size_t by = call.bed.find('x');
-    kit.bed_mm.emplace(std::stod(call.bed.substr(0, by)), std::stod(call.bed.substr(by + 1)));
+    const std::size_t x = call.bed.find('x');
+    kit.bed_mm.emplace(std::stod(call.bed.substr(0, x)), std::stod(call.bed.substr(x + 1)));
   }
   return kit;
 }

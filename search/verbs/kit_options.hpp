@@ -12,18 +12,18 @@ namespace misalign::search {
 
 struct KitCall {
   bool wanted = false;
-  schema::KitOptions options;  ///< but for the crease
+  schema::KitOptions options;  ///< all but the crease
   std::optional<schema::CreaseCut> crease;
   std::string bed;  ///< "600x400"
 };
 
-/// --kit, and what goes with it alone.
+/// Adds --kit, and the options that need it.
 void add_kit(CLI::App& verb, KitCall& call);
 inline constexpr std::array kKitOptions = {
     "--crease",    "--dash-mm", "--kerf", "--joint-bore", "--spring-bore", "--spring-at",
     "--bore-edge", "--gap",     "--bed",  "--margin",     "--guide",       "--test-piece"};
 
-/// With the design's kind of hinge, and the bed, if one is asked for; nothing without --kit.
+/// The kit with the design's kind of hinge, and the bed if one is given; none without --kit.
 std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::Design& design);
 
 }  // namespace misalign::search

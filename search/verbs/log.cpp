@@ -11,28 +11,28 @@
 namespace misalign::search {
 namespace {
 
-// Messages stand on lines of their own, not behind a live one.
+// Writes messages on lines of their own, not behind a live one.
 using ColorSink = spdlog::sinks::stderr_color_sink_mt;
 class MessageSink : public ColorSink {
  public:
   explicit MessageSink(spdlog::color_mode mode) : ColorSink(mode) {}
   void log(const spdlog::details::log_msg& message) override {
     erase_live_line();
-    const std::string_view said(message.payload.data(), message.payload.size());
-    const std::string shown = on_lines_of_its_own(said);
+    const std::string_view text(message.payload.data(), message.payload.size());
+    const std::string shown = on_lines_of_its_own(text);
     spdlog::details::log_msg printable = message;
     printable.payload = shown;
     ColorSink::log(printable);
   }
 
  private:
-  // Names and values in it may come from anywhere; what is behind a line feed is never taken for a
-  // message of its own.
-  static std::string on_lines_of_its_own(std::string_view said) {
+  // Names and values in it may come from anywhere: text after a line feed never looks like another
+  // message.
+  static std::string on_lines_of_its_own(std::string_view text) {
     std::string shown;
-    for (std::size_t begin = 0; begin <= said.size();) {
-      const std::size_t end = std::min(said.find('\n', begin), said.size());
-      const std::string_view line = said.substr(begin, end - begin);
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      const std::string_view line = text.substr(begin, end - begin);
       if (begin > 0) shown += line.starts_with("  ") ? "\n" : "\n  ";
       shown += schema::printable(line);
       begin = end + 1;

@@ -7,7 +7,7 @@
 
 namespace misalign::search {
 
-/// From now on spdlog's functions write them; `level`: the least important ones that are shown.
+/// Makes spdlog write messages so; `level`: the lowest level that is shown.
 void set_up_log(const std::string& level, ColorMode color);
 
 }  // namespace misalign::search

@@ -29,7 +29,7 @@ int merge_catalogues(MergeOptions options) {
   }
   if (report.faulty_certificates > 0) {
     spdlog::warn(
-        "{} not taken over (no more as made; `misalign verify` names each, `misalign certify` "
+        "{} not taken over (changed since made; `misalign verify` names each, `misalign certify` "
         "makes it anew)",
         count_text(report.faulty_certificates, "certificate"));
   }
@@ -51,7 +51,7 @@ int merge_catalogues(MergeOptions options) {
 }  // namespace
 
 Action merge_verb(CLI::App& verb) {
-  verb.description("catalogues of one campaign into one");
+  verb.description("merge catalogues of one campaign into one");
   verb.footer(
       "Draws that several catalogues hold are compared (displacements and samples exactly,\n"
       "metrics within the tolerances of verify) and counted once. Where units overlap in\n"
@@ -64,7 +64,7 @@ Action merge_verb(CLI::App& verb) {
   verb.add_option("IN", options->inputs, "catalogue files; they are only read")->required();
   verb.add_flag_callback(
       "--allow-mixed-builds", [options] { options->builds = schema::Builds::mixed; },
-      "go on although their builds judge a set of known sheets differently");
+      "continue although their builds judge a set of known sheets differently");
   return [options] { return merge_catalogues(*options); };
 }
 

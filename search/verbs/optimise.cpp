@@ -1,4 +1,4 @@
-// `misalign optimise`: a better sheet near one.
+// `misalign optimise`: ascends from a sheet to an optimum.
 #include <fmt/format.h>
 
 #include "schema/catalogue/study_table.hpp"
@@ -23,7 +23,7 @@ struct OptimiseCall : SheetCall {
   bool with_card = false;
 };
 
-// Before and after.
+// The cards of the start and of the optimum.
 struct Cards {
   schema::Card before, after;
 };
@@ -31,8 +31,8 @@ struct Cards {
 Cards cards_of(const Subject& subject, const ProvenBetter& better) {
   const CardOptions options{.jobs = usable_threads()};
   const Subject end(
-      sheet_of_pattern_document(better_pattern(subject, better), "the sheet that was found", {},
-                                "the sheet that was found", schema::Perforations::of_one_path),
+      sheet_of_pattern_document(better_pattern(subject, better), "the optimised sheet", {},
+                                "the optimised sheet", schema::Perforations::of_one_path),
       {});
   return {card_of(subject, options).card, card_of(end, options).card};
 }
@@ -57,70 +57,71 @@ void show_optimised(OptimiseCall call) {
     return put_json(json);
   }
   const auto& shifts_mm = better.found.best().shifts_mm;
-  put(optimise_text(subject, subject.model.sheet(shifts_mm, "the sheet that was found"), better));
+  put(optimise_text(subject, subject.model.sheet(shifts_mm, "the optimised sheet"), better));
   if (cards) put("\n" + cards_text(cards->before, cards->after));
 }
 
-// What is to be as large as can be, and what every step keeps.
+// Adds the objective and the constraints.
 void add_goal_and_limits(CLI::App& verb, OptimiseCall& call) {
   OptimiseInput& input = call.input;
   Names<std::string> goals;
   for (const std::string& goal : solver::goal_names()) goals.emplace_back(goal, goal);
   verb.add_option_function<std::string>(
           "--goal", [&input](const std::string& name) { input.goal = solver::goal_named(name); },
-          fmt::format("what is to be as large as can be [{}]", input.goal->name))
+          fmt::format("objective to maximise [{}]", input.goal->name))
       ->check(one_of_words(goals, ""));
   verb.add_option("--subject-to", call.subject_to,
-                  "what every step keeps, again for each: \"stroke_max <= 0.06\", "
+                  "constraint that every step keeps (may be repeated): \"stroke_max <= 0.06\", "
                   "\"largest_force_n <= 20\", or a goal as in \"miscut_margin_mm >= 0.1\"")
       ->type_name("LIMIT");
   add_value(verb, "--deploys-from", input.deploys_from_deg,
-            "it still deploys from this pilot angle [the campaign's, or its own D]",
+            "pilot angle from which it must still deploy [the campaign's, or its D]",
             within("optimise", "deploys_from_deg"), "DEG");
   add_default(verb, "--least-slope", input.least_slope_mm_per_deg,
-              "what free shifts leave every diagonal, mm per degree at 90 deg and less by the sine "
+              "smallest slope of a diagonal with free shifts, mm/deg at 90 deg and times the sine "
               "elsewhere: against miscuts",
               within("optimise", "least_slope_mm_per_deg"), "MM_PER_DEG");
-  add_default(verb, "--steps", input.most_steps, "end after so many", counted("optimise", "steps"),
-              "N");
+  add_default(verb, "--steps", input.most_steps, "largest number of steps",
+              counted("optimise", "steps"), "N");
 }
 
-// What of the springs may be chosen, and how copies are miscut.
+// Adds bounds of the springs, and the miscut copies.
 void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
-  const auto add_range = [&](const char* name, std::vector<double>& range, const char* says) {
-    verb.add_option(name, range, says)
+  const auto add_range = [&](const char* name, std::vector<double>& range, const char* meaning) {
+    verb.add_option(name, range, meaning)
         ->delimiter(',')
         ->expected(2)
         ->type_name("LEAST,MOST")
         ->excludes("--ternary");
   };
   add_range("--stiffness-within", input.stiffness_n_per_mm,
-            "choose the springs' rate, too, N/mm: from the design's, within these");
+            "also optimise the spring rate within these bounds, N/mm, from the design's");
   add_range("--preload-within", input.preload_n,
-            "choose what all springs are left with at flat, too, N: within these");
+            "also optimise the preload of all springs within these bounds, N");
   add_value(
       verb, "--rest-deg", input.rest_deg,
       "pilot angle where the springs are relaxed: a stop for rest_stiffness_n_mm_per_rad [flat]",
       within("optimise", "rest_deg"), "DEG");
   add_default(verb, "--miscut", input.miscut_mm,
-              "copies whose yield is asked are cut off by up to this, mm",
+              "cutting error of the copies of which a yield is counted, mm",
               within("optimise", "miscut_mm"), "MM");
-  add_default(verb, "--trials", input.trials, "so many copies", counted("optimise", "trials"), "N");
+  add_default(verb, "--trials", input.trials, "number of copies", counted("optimise", "trials"),
+              "N");
 }
 
-// How far vertices may be shifted, and by what.
+// Adds bounds of the shifts.
 void add_shifts(CLI::App& verb, OptimiseInput& input) {
   add_value(
       verb, "--amplitude", input.amplitude_mm,
-      "shift no vertex by more in x or y, mm [the campaign's, or the largest of its own shifts]",
+      "largest shift of a vertex in x or y, mm [the campaign's, or the largest of its shifts]",
       within("optimise", "amplitude_mm"), "MM");
-  verb.add_flag("--ternary", input.ternary, "shift by nothing or the amplitude only");
+  verb.add_flag("--ternary", input.ternary, "shift by 0 or the amplitude only");
   add_value(verb, "--grid", input.grid_mm,
             "shift by whole multiples of this only, mm: a cutter's steps",
             within("optimise", "grid_mm"), "MM")
       ->excludes("--ternary");
   verb.add_flag("--within-family", input.within_family,
-                "only among members of the base's parallel family, which fold to 180 deg")
+                "stay within the base's parallel family, which folds to 180 deg")
       ->excludes("--ternary")
       ->excludes("--grid");
 }
@@ -130,12 +131,12 @@ void add_shifts(CLI::App& verb, OptimiseInput& input) {
 Action optimise_verb(CLI::App& verb) {
   verb.description(schema::study_named("optimise").about);
   verb.footer(
-      "From the sheet it goes in steps to shifts near its own with which it does better, until\n"
-      "none is found: without random numbers, so that it finds the same again. Every step is\n"
-      "folded, and must deploy from the angle that is asked, within the amplitude, the design's\n"
-      "stroke limit and its largest force. With --ternary a step changes one coordinate or two,\n"
-      "to nothing or the amplitude. Otherwise shifts are free, and it also says what limits it.\n"
-      "Where it ends depends on where it begins: try several candidates.\n\n"
+      "Ascends from the sheet by shifts that raise the objective, until no step does: without\n"
+      "random numbers, so that the result is reproducible. Every step is folded, and must deploy\n"
+      "from the requested angle within the amplitude, the design's stroke limit and its largest\n"
+      "force. With --ternary a step sets one coordinate or two to 0 or the amplitude.\n"
+      "Otherwise shifts are free, and active limits are shown with the gain of relaxing them.\n"
+      "The optimum depends on the start: try several candidates.\n"
       "Examples:\n  misalign optimise results/miura-6x6-1a2b3c4d.db 1234 --output better.json\n"
       "  misalign optimise search/patterns/table1.json --amplitude 1 --deploys-from 140\n"
       "  misalign optimise made.json --within-family --deploys-from 179\n"
@@ -154,13 +155,12 @@ Action optimise_verb(CLI::App& verb) {
   add_springs(verb, design);
   add_thickness(verb, design.thickness_mm);
   add_value(verb, "--friction", design.friction_n_mm_per_mm,
-            "dry friction of creases, N mm per mm [the design's, or 0]",
+            "dry friction of creases, N mm/mm [the design's, or 0]",
             within("hinges.friction_n_mm_per_mm"), "N");
   add_material(verb, call->material_file);
   verb.add_option("--output", call->output, "write the sheet to this pattern file")
       ->type_name("FILE");
-  verb.add_flag("--card", call->with_card,
-                "also what the design asks of both sheets and what was found, side by side");
+  verb.add_flag("--card", call->with_card, "also the cards of both sheets, side by side");
   verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");
   return showing(call, show_optimised);
 }

@@ -17,18 +17,18 @@ void add_catalogue_or_pattern(CLI::App& verb, std::string& path) {
 
 void add_sheet(CLI::App& verb, SheetCall& call) {
   add_catalogue_or_pattern(verb, call.path);
-  verb.add_option("DRAW", call.draw, "number of the draw, of a catalogue")->check(a_draw());
+  verb.add_option("DRAW", call.draw, "number of a draw of a catalogue")->check(a_draw());
 }
 
 CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws,
                        const std::string& what) {
-  return add_value(group, "--draw", draws, what + " (again: and that one)", a_draw(), "N")
+  return add_value(group, "--draw", draws, what + " (may be repeated)", a_draw(), "N")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm) {
-  add_value(verb, "--stiffness", stiffness_n_per_mm, "of each spring, N/mm [the design's]",
+  add_value(verb, "--stiffness", stiffness_n_per_mm, "rate of each spring, N/mm [the design's]",
             within("springs.stiffness_n_per_mm"), "N/MM");
 }
 
@@ -59,7 +59,7 @@ CLI::Option* add_from(CLI::App& verb, std::optional<double>& from_deg,
 
 void add_release_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg) {
   add_value(verb, "--from", from_deg,
-            fmt::format("the sheet is used between this pilot angle, at which it is let go at "
+            fmt::format("the sheet is used between this pilot angle, where it is released at "
                         "rest, and flat [the design's, or {:g}, or D where that is less]",
                         solver::kDeployFrom_deg),
             within(least_deg, 180), "DEG");
@@ -67,7 +67,8 @@ void add_release_from(CLI::App& verb, std::optional<double>& from_deg, double le
 
 void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm) {
   add_value(verb, "--thickness", thickness_mm,
-            fmt::format("of the panels, mm [the design's, or {:g}]", solver::Plates{}.thickness_mm),
+            fmt::format("thickness of the panels, mm [the design's, or {:g}]",
+                        solver::Plates{}.thickness_mm),
             within("thickness_mm"), "MM");
 }
 
@@ -84,7 +85,7 @@ void add_release(CLI::App& verb, ReleaseCall& call) {
               within(0, 180), "DEG");
   add_thickness(verb, call.design.thickness_mm);
   add_value(verb, "--density", call.density_g_per_cm3,
-            fmt::format("of the panels, g/cm^3 [{:g}, or the material's]",
+            fmt::format("density of the panels, g/cm^3 [{:g}, or the material's]",
                         solver::Plates{}.density_g_per_cm3),
             within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3), "G_PER_CM3");
 }
@@ -114,10 +115,10 @@ void read_material(const std::string& file, schema::Design& design) {
 }
 
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm) {
-  add_value(verb, "--trim", trim_mm,
-            fmt::format("how far corners of plates are trimmed, mm [{:g} of the panel width]",
-                        solver::kTrimPart),
-            within("", "trim_mm"), "MM");
+  add_value(
+      verb, "--trim", trim_mm,
+      fmt::format("trim of the corners of plates, mm [{:g} of the panel width]", solver::kTrimPart),
+      within("", "trim_mm"), "MM");
 }
 
 std::string first_given(const CLI::App& group) {

@@ -1,4 +1,4 @@
-// `misalign perforations`: which holes leave one degree of freedom.
+// `misalign perforations`: sets of holes that leave one degree of freedom.
 #include <fmt/format.h>
 
 #include <map>
@@ -17,18 +17,18 @@ namespace {
 using schema::Json;
 
 struct PerforationsCall {
-  std::string pattern_path;  // its holes are not looked at
-  std::optional<int> holes;  // how many; none: as many as count to one degree of freedom
+  std::string pattern_path;  // its holes are ignored
+  std::optional<int> holes;  // none: as many as count to one degree of freedom
   bool json = false;
 };
 
-// A set of holes and what the Jacobian says of it.
+// A set of holes and its mobility by the rank of the Jacobian.
 struct Perforation {
   std::vector<int> holes;
   solver::Mobility mobility;
 };
 
-// Every perforation of so many holes.
+// Lists every perforation with this number of holes.
 std::vector<Perforation> perforations_of(const schema::Pattern& pattern, const std::string& path,
                                          int holes) {
   constexpr std::size_t kMostPerforations = 2000;
@@ -41,10 +41,10 @@ std::vector<Perforation> perforations_of(const schema::Pattern& pattern, const s
                                 std::to_string(holes) +
                                 " holes (the mesh is too large to list them); take a part of it");
   }
-  // A pilot that no perforation takes away.
-  const solver::BaseFolding& own = pattern.base.folding;
-  std::vector<int> assignment = own.assignment();
-  for (int& sign : assignment) sign *= own.side();
+  // The pilot is one that no perforation takes away.
+  const solver::BaseFolding& base = pattern.base.folding;
+  std::vector<int> assignment = base.assignment();
+  for (int& sign : assignment) sign *= base.side();
   const auto folding = std::get<solver::BaseFolding>(solver::fold_sequentially(
       sheet, assignment, solver::default_pilot(sheet, solver::inner_facets(sheet))));
   std::vector<Perforation> perforations;
@@ -72,9 +72,9 @@ void print_sets(const Json& sets) {
   }
 }
 
-// One line each, then one about those that only count to one.
-void print_perforations(const Json& one, const Json& others) {
-  print_sets(one);
+// Prints a line each, then one about those that only count to one.
+void print_perforations(const Json& mobile, const Json& others) {
+  print_sets(mobile);
   std::map<std::pair<int, int>, int> by_rank;
   for (const Json& row : others) {
     ++by_rank[{row["rank"].get<int>(), row["equations"].get<int>()}];
@@ -83,8 +83,8 @@ void print_perforations(const Json& one, const Json& others) {
   for (const auto& [rank, times] : by_rank) {
     ranks.push_back(fmt::format("{} of rank {} with {} equations", times, rank.first, rank.second));
   }
-  put("{} {} one degree of freedom; {} more count to 1 by (2.1) but are not 1{}{}\n", one.size(),
-      one.size() == 1 ? "leaves" : "leave", others.size(), ranks.empty() ? "" : ": ",
+  put("{} {} one degree of freedom; {} more count to 1 by (2.1) but are not 1{}{}\n", mobile.size(),
+      mobile.size() == 1 ? "leaves" : "leave", others.size(), ranks.empty() ? "" : ": ",
       fmt::join(ranks, ", "));
 }
 
@@ -94,21 +94,21 @@ void list_perforations(const PerforationsCall& call) {
   say_reading(call.pattern_path, pattern);
   const int usual = solver::holes_that_count_to_one(pattern.base.sheet);
   const int holes = call.holes.value_or(usual);
-  Json one = Json::array(), others = Json::array();
+  Json mobile = Json::array(), others = Json::array();
   for (const Perforation& perforation : perforations_of(pattern, call.pattern_path, holes)) {
     const bool is_one = holes == usual ? perforation.mobility.is_one()
                                        : perforation.mobility.degrees_of_freedom() == 1;
-    (is_one ? one : others).push_back(perforation_json(pattern, perforation));
+    (is_one ? mobile : others).push_back(perforation_json(pattern, perforation));
   }
   if (call.json) {
     put_json(
-        {{"perforations", one}, {"count_to_one_only", holes == usual ? others : Json::array()}});
+        {{"perforations", mobile}, {"count_to_one_only", holes == usual ? others : Json::array()}});
   } else if (holes == usual) {
-    print_perforations(one, others);
+    print_perforations(mobile, others);
   } else {
-    print_sets(one);
-    put("{} of {} sets of {} leave one way to fold on the base's path{}\n", one.size(),
-        one.size() + others.size(), holes,
+    print_sets(mobile);
+    put("{} of {} sets of {} leave one degree of freedom on the base's path{}\n", mobile.size(),
+        mobile.size() + others.size(), holes,
         holes < usual ? "; with more equations than unknowns only shifts such as those of "
                         "`misalign construct` fold"
                       : "");
@@ -118,7 +118,7 @@ void list_perforations(const PerforationsCall& call) {
 }  // namespace
 
 Action perforations_verb(CLI::App& verb) {
-  verb.description("which holes leave one degree of freedom");
+  verb.description("list the holes that leave one degree of freedom");
   verb.footer(
       "Lists every set of inner panels, no two sharing an edge, that counts to one\n"
       "degree of freedom and has one by the rank of the Jacobian. The pattern's own\n"
@@ -129,7 +129,8 @@ Action perforations_verb(CLI::App& verb) {
       "  misalign perforations search/patterns/table1.json --holes 2");
   auto call = std::make_shared<PerforationsCall>();
   verb.add_option("PATTERN", call->pattern_path, "pattern file (JSON)")->required();
-  add_value(verb, "--holes", call->holes, "sets of so many holes [that count to one freedom]",
+  add_value(verb, "--holes", call->holes,
+            "number of holes of each set [what counts to one degree of freedom]",
             counted(1, 1000000), "N");
   verb.add_flag("--json", call->json, "as JSON");
   return showing(call, list_perforations);

@@ -21,8 +21,8 @@ struct QueryCall {
   bool json = false, csv = false, unpaged = false;
 };
 
-// Instead of a header without rows, where a named query of candidates has none because there are
-// none. False if there is nothing to say.
+// Explains, instead of a header without rows, why a named query of candidates found none. False if
+// there is nothing to say.
 bool show_nothing_found(SQLite::Database& database, const std::string& sql) {
   if (sql.find("FROM candidate") == std::string::npos) return false;
   const std::vector<std::string> sentences = nothing_found(database, schema::read_state(database));
@@ -33,7 +33,7 @@ bool show_nothing_found(SQLite::Database& database, const std::string& sql) {
 
 void show_rows(SQLite::Database& database, const std::string& name, const std::string& sql,
                bool paged) {
-  std::optional<Show> out;  // once there is something to show
+  std::optional<Show> out;  // none before the first row
   std::optional<std::string> header;
   const auto show_header = [&] {
     out.emplace(paged);
@@ -58,7 +58,7 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
   }
 }
 
-// "D, thickness_mm(draw, 140)": at commas outside of brackets.
+// Splits "D, thickness_mm(draw, 140)" at commas outside brackets.
 std::vector<std::string> listed(const std::string& typed) {
   std::vector<std::string> words(1);
   int depth = 0;
@@ -108,10 +108,10 @@ Action query_verb(CLI::App& verb, const Parts& parts) {
   verb.description("a named query, or any read-only SQL");
   verb.footer(
       "Named queries: " + schema::named_query_list() +
-      ".\nFound as they are asked for, of any draw, with the campaign's design, as NAME(draw), or\n"
+      ".\nFunctions of any draw, found on demand with the campaign's design, as NAME(draw),\n"
       "NAME(draw, from_deg) from another angle of use, or NAME alone:\n" +
       functions_text() +
-      "D is deploys_from_deg. The same words are taken by every --where and --by.\nElongations and "
+      "D is deploys_from_deg. Every --where and --by takes the same words.\nElongations and "
       "strokes are shares of a length: stroke_max < 0.08 is 8 %.\n"
       "On a terminal the rows go through $PAGER [less].\n\n"
       "Examples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
@@ -123,17 +123,17 @@ Action query_verb(CLI::App& verb, const Parts& parts) {
   auto* const sql = verb.add_option("QUERY", call->sql, "name or SQL [best]");
   auto* const front =
       verb.add_option("--front", call->front,
-                      "of these columns or functions, such as end_value,miscut_margin_mm: the "
-                      "candidates than which none is as good in all and better in one")
+                      "the Pareto front of these columns or functions, such as "
+                      "end_value,miscut_margin_mm: candidates that no other dominates")
           ->excludes(sql)
           ->type_name("NAME,NAME");
-  verb.add_option("--where", call->where, "the front of those alone for which this holds")
+  verb.add_option("--where", call->where, "the front of the candidates that satisfy this condition")
       ->needs(front)
       ->type_name("SQL");
   auto* json_flag = verb.add_flag("--json", call->json, "as JSON; a second column x is called x_2");
   verb.add_flag("--csv", call->csv, "as CSV; on a terminal control characters are escaped")
       ->excludes(json_flag);
-  verb.add_flag("--no-pager", call->unpaged, "straight to the terminal");
+  verb.add_flag("--no-pager", call->unpaged, "print without a pager");
   return [call, parts] {
     query(*call, parts);
     return 0;

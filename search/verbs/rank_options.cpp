@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kMostRanks = 4096;  // of one machine
 
-// "all", or how many.
+// "all", or a number.
 CLI::Validator rank_count() {
   const CLI::Validator count = counted(1, kMostRanks);
   return CLI::Validator(
@@ -23,7 +23,7 @@ CLI::Validator rank_count() {
       "");
 }
 
-// Without the program's name, and --ranks and its value.
+// The words without the program's name, --ranks and its value.
 Words words_of_a_rank(const Words& words, bool with_bar) {
   Words kept;
   bool only_arguments = false;
@@ -44,13 +44,13 @@ Words words_of_a_rank(const Words& words, bool with_bar) {
 
 void add_ranks(CLI::App& verb, std::string& ranks) {
   add_value(verb, "--ranks", ranks,
-            "how many ranks to start, one core each; all: one for every core [1]", rank_count(),
+            "number of ranks to start, one core each; all: one for every core [1]", rank_count(),
             "N|all");
 }
 
 int ranks_wanted(const std::string& ranks) {
   if (ranks.empty()) return 1;
-  // One of several tasks that MPI may not join, see expect_joined, may be meant to be alone.
+  // A task among several that MPI may not join, see expect_joined, may run alone on purpose.
   const auto tasks = launched_tasks();
   const bool is_alone = ranks == "1" && tasks && tasks->launcher != "mpirun";
   if (launched_by_mpi() && !is_alone) {

@@ -8,13 +8,13 @@
 
 namespace misalign::search {
 
-/// "all", or how many; empty where nothing was typed.
+/// "all", or a number; empty where nothing was typed.
 void add_ranks(CLI::App& verb, std::string& ranks);
 
-/// How many ranks are to be started; 1 where nobody asked. UserError (bad_request) under mpirun.
+/// The number of ranks to start; 1 without --ranks. UserError (bad_request) under mpirun.
 int ranks_wanted(const std::string& ranks);
 
-/// Runs the command that was typed on so many ranks of this machine, with a bar of progress where
+/// Runs the typed command on `ranks` ranks of this machine, with a bar of progress where
 /// `with_bar`, and returns its exit code: `stopped_exit` where a signal has ended it.
 int run_on_ranks(int ranks, const Words& typed, bool with_bar, int stopped_exit);
 

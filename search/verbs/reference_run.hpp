@@ -1,4 +1,4 @@
-// The frozen reference on a campaign's draws: what lanes are compared with.
+// The frozen reference on a campaign's draws, with which lanes are compared.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace misalign::search {
 
-// Where the reference and the lanes differ, the reference goes again. Newton's method straight from
+// The reference runs again where it differs from the lanes. Newton's method straight from
 // the base folding finds no start or one on another branch where shifts are large (for two of five
 // sheets of 8 x 6 with 8 mm), so its shifts grow step by step; and it can cross a fold limit to
 // another branch without a crease moving by 20 degrees (of 100,000 of 4 x 4 in steps of 1 degree

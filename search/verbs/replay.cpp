@@ -24,14 +24,14 @@ struct ReplayCall {
   bool again = false, json = false, table = false;
 };
 
-// Of an optimising campaign: from the draw, if it is accepted, to its end.
+// The optimum of an optimising campaign's draw, or the draw if it is not accepted.
 Eigen::Matrix2Xd end_of(const schema::Campaign& campaign, std::uint64_t draw) {
   DrawEvaluator evaluator(campaign, solver::available_instruction_sets().back(), kWithoutProofs);
   const schema::UnitRecord unit = work_off(evaluator, {draw, draw + 1});
   return unit.candidates.empty() ? shifts_of_draw(campaign, draw) : unit.candidates[0].shifts_mm;
 }
 
-// As stored, or made again.
+// The shifts as stored, or made again.
 Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& campaign,
                            const ReplayCall& call) {
   if (!call.again || !campaign.search.stores_sheets()) {
@@ -77,10 +77,9 @@ void replay(const ReplayCall& call) {
 }  // namespace
 
 Action replay_verb(CLI::App& verb) {
-  verb.description("any draw of a campaign again, from its number");
+  verb.description("fold any draw of a campaign again, from its number");
   verb.footer(
-      "Makes the draw's shifts again, follows its path, and says whether it is accepted and\n"
-      "why.\n\n"
+      "Makes the draw's shifts again, follows its path, and shows its verdict.\n\n"
       "Examples:\n  misalign replay results/miura-6x6-1a2b3c4d.db 1234");
   auto call = std::make_shared<ReplayCall>();
   verb.add_option("CATALOGUE", call->catalogue_path, "catalogue file")->required();
@@ -88,8 +87,8 @@ Action replay_verb(CLI::App& verb) {
   verb.add_flag("--table", call->table,
                 "print the lengths every 10 degrees even where they are too wide for the terminal");
   verb.add_flag("--again", call->again,
-                "of a splitting campaign: make its population again, of an optimising one its way "
-                "from the draw, instead of showing what is stored");
+                "instead of showing what is stored make it again: the population of a splitting "
+                "campaign, the ascent of an optimising one");
   verb.add_flag("--json", call->json, "as JSON");
   return showing(call, replay);
 }

@@ -21,7 +21,7 @@
 namespace misalign::search {
 namespace {
 
-// A draw to look at makes some 0.1 MB of the page, on a large sheet 0.4 MB.
+// A draw in detail takes some 0.1 MB of the page, of a large sheet 0.4 MB.
 constexpr std::uint64_t kMostDetails = 1000;
 
 // A row has some 320 bytes of the page. Chromium takes three seconds for 100,000, and half a minute
@@ -47,9 +47,8 @@ void refuse_own_input(const ReportCall& call) {
   for (const std::string& path : read) {
     std::error_code error;
     if (!std::filesystem::equivalent(call.output, path, error)) continue;
-    throw schema::UserError(
-        schema::Cause::bad_request,
-        "--output " + call.output + ": is the file itself that is shown; name another file");
+    throw schema::UserError(schema::Cause::bad_request,
+                            "--output " + call.output + ": is the input file; name another file");
   }
 }
 
@@ -106,11 +105,11 @@ int show_report(ReportCall& call, bool json, const CLI::App& verb, const CLI::Ap
 }  // namespace
 
 Action report_verb(CLI::App& verb) {
-  verb.description("one page to look at, complete in itself");
+  verb.description("one self-contained page of a catalogue or pattern");
   verb.footer(
-      "The page needs no network. Its table holds the best candidates. Some of them can be\n"
-      "looked at closely (crease pattern, folding, histories, springs): the 36 best, or those\n"
-      "that you choose, and every --draw. The page of a pattern file shows that one sheet.\n"
+      "The page needs no network. Its table holds the best candidates. Some are shown in detail\n"
+      "(crease pattern, folding, histories, springs): the 36 best, or those that you choose, and\n"
+      "every --draw. The page of a pattern file shows that one sheet.\n"
       "Needs a program built with Node.js (misalign --version).\n\n"
       "Examples:\n  misalign report results/miura-6x6-1a2b3c4d.db --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html\n"
@@ -123,22 +122,21 @@ Action report_verb(CLI::App& verb) {
   auto json = std::make_shared<bool>(false);
   add_catalogue_or_pattern(verb, call->path);
   verb.add_option("--output", call->output, "HTML file to write")->type_name("FILE");
-  verb.add_flag("--json", *json, "instead of the page what it shows, as JSON");
+  verb.add_flag("--json", *json, "the page's data as JSON, instead of the page");
   add_draws(verb, call->draws,
             "also this draw, accepted or not; of a splitting search only a stored one");
   add_value(verb, "--rows", call->rows,
-            "how many candidates the table may hold, at most 250000 [10000]",
+            "largest number of candidates in the table, at most 250000 [10000]",
             as_many_as_browsers_show(), "N");
-  auto* details =
-      add_value(verb, "--details", call->details,
-                "how many of the best, or of those of --where, can be looked at closely [36]",
-                counted(0, kMostDetails), "N");
-  auto* group = verb.add_option_group("choice", "which candidates can be looked at closely");
+  auto* details = add_value(verb, "--details", call->details,
+                            "number of the best, or of those of --where, shown in detail [36]",
+                            counted(0, kMostDetails), "N");
+  auto* group = verb.add_option_group("choice", "which candidates are shown in detail");
   const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
   for (CLI::Option* many : {chosen.best, chosen.diverse}) {
     many->check(counted(1, kMostDetails))->excludes(details);
   }
-  add_from(verb, call->design.from_deg, "[the design's, or 36 to let go and D for contact]");
+  add_from(verb, call->design.from_deg, "[the design's, or 36 for release and D for contact]");
   add_springs(verb, call->design);
   for (const schema::StudyEntry& study : schema::study_table()) {
     if (study.in_report) {
@@ -148,13 +146,14 @@ Action report_verb(CLI::App& verb) {
   verb.add_option("--column", call->columns,
                   "also this number of each candidate in the table: " +
                       fmt::format("{}", fmt::join(schema::study_functions(), ", ")) +
-                      " (again: and that one)")
+                      " (may be repeated)")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("NAME");
-  verb.add_option("--stress", call->detail.stress_files,
-                  "NAME-stress.json that `misalign stress` wrote of a sheet that can be looked at "
-                  "closely: colours its panels (again: and that one)")
+  verb.add_option(
+          "--stress", call->detail.stress_files,
+          "NAME-stress.json that `misalign stress` wrote of a sheet shown in detail: colours "
+          "its panels (may be repeated)")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE");

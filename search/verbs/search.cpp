@@ -21,7 +21,7 @@ using schema::UserError;
 
 struct SearchCall {
   SearchOptions options;
-  std::string range, ranks;  // as typed; empty where they were not
+  std::string range, ranks;  // as typed; empty otherwise
   int stopped_exit = 0;
 };
 
@@ -49,34 +49,34 @@ schema::DrawRange parse_range(const std::string& text) {
                   "--range " + text + ": must be LO:HI with LO < HI, half-open; try 0:100000");
 }
 
-// What is wanted, and of which draws.
+// Adds the goals of a run.
 void add_goals(CLI::App& verb, SearchCall& call) {
   SearchOptions& options = call.options;
   const auto draw_count = a_draw();
   add_value(verb, "--draws", options.draws,
-            "end after the first N draws (of --range, if given), those of earlier runs among them",
-            draw_count, "N");
+            "end after the first N draws (of --range, if given), earlier runs included", draw_count,
+            "N");
   add_value(verb, "--populations", options.populations,
             "of a splitting search: end after the first N populations (of --range, if given)",
             counted(0, schema::kEndOfPopulations), "N");
   add_value(verb, "--accepted", options.accepted,
-            "end when so many of them are accepted, those of earlier runs too; of a splitting "
-            "search: how many are kept at most",
+            "end when K draws are accepted, earlier runs included; of a splitting search: keep K "
+            "candidates at most",
             draw_count, "K");
   add_value(verb, "--relative-error", options.relative_error,
             "end when the acceptance rate is known to within this share of itself",
             a_share(1e-6, 1), "SHARE");
   add_value(verb, "--max-time", options.max_time_s,
-            "end this run after so many seconds; the next one goes on", within(0, 1e9), "SECONDS");
+            "end this run after this time; the next one resumes", within(0, 1e9), "SECONDS");
   add_value(verb, "--stopped-exit", call.stopped_exit,
-            "exit code where a signal or --max-time ends it and work remains; a scheduler may have "
-            "one that has it start again [0]",
+            "exit code when a signal or --max-time ends it and work remains; some schedulers "
+            "restart a job by it [0]",
             counted(0, 255), "N");
   add_value(verb, "--seed", options.seed, "use this seed instead of the campaign's", draw_count,
             "SEED");
 }
 
-// What would use every core; empty if this does, or if somebody else decides.
+// The command that would use every core; empty if this one does, or a launcher decides.
 std::string command_for_all(const Words& typed) {
   if (launched_by_mpi() || usable_threads() < 2) return "";
   std::string command;
@@ -104,23 +104,22 @@ int start_search(const SearchCall& call, const Words& typed) {
 Action search_verb(CLI::App& verb, const Words& typed, const Parts& parts) {
   verb.description("run or resume a campaign, alone or under mpirun");
   verb.footer(
-      "The same command again resumes: --draws and --accepted are totals, not what is to be\n"
-      "added.\n\n"
+      "The same command resumes: --draws and --accepted are totals, earlier runs included.\n\n"
       "Progress goes to standard error: one live line on a terminal (bar), a line\n"
       "every 30 s elsewhere and under mpirun (plain), or an object of JSON every 2 s\n"
       "(json) with the keys elapsed_s, draws, draws_left, draws_per_s,\n"
       "draws_per_s_mean, accepted, rate, best (deploys_from_deg and draw), left_s and\n"
-      "last; what is not known is null. Counts are those of the whole catalogue; left_s\n"
+      "last; unknown values are null. Counts are those of the whole catalogue; left_s\n"
       "is to the last draw or to the end of --max-time, whichever comes first. Of a\n"
-      "splitting search they count populations, not draws, and under_way says at which\n"
-      "level it is; there is no rate.\n\n"
+      "splitting search they count populations, not draws, and under_way has the level;\n"
+      "there is no rate.\n\n"
       "A splitting search (search.method in the campaign) counts populations instead of\n"
       "draws, with --populations and in --range. Its levels are found once, at the first\n"
       "start; a kill costs some seconds, not the population that was under way.\n\n"
       "Signals, to mpirun or to the program alone: SIGINT, SIGTERM, SIGHUP, SIGXCPU and\n"
       "SIGALRM end it within a second (alone: two), a second SIGINT or SIGTERM at once;\n"
-      "SIGUSR1 ends it once all that is under way is committed; SIGUSR2 prints a status\n"
-      "line. What is done is kept, and one sentence says how far it is.\n\n"
+      "SIGUSR1 ends it once all work under way is committed; SIGUSR2 prints a status\n"
+      "line. All committed work is kept, and one sentence reports the progress.\n\n"
       "--ranks starts the ranks on this machine, through mpirun (Open MPI). To use several\n"
       "machines, or options of mpirun, call mpirun yourself.\n\n"
       "Examples:\n"
@@ -140,23 +139,23 @@ Action search_verb(CLI::App& verb, const Words& typed, const Parts& parts) {
       ->type_name("LO:HI");
   add_ranks(verb, call->ranks);
   add_value(verb, "--unit-draws", options.unit_draws,
-            "draws in one unit of work [what takes about 5 s]", counted(1, 1000000000), "N");
+            "draws in one unit of work [about 5 s of work]", counted(1, 1000000000), "N");
   verb.add_option("--unit-bytes", options.unit_bytes)  // so that a test need not make gigabytes
       ->check(counted(1, kMostUnit_bytes))
       ->group(kHidden);
   verb.add_option(
           "--instruction-set", options.instruction_set,
-          "registers to use; changes the speed, never an answer [the widest of this machine]")
+          "vector registers to use; changes the speed, never a result [the widest of this machine]")
       ->transform(instruction_set_of_this_machine());
   verb.add_option("--storage", options.storage,
-                  "kind of disk that the catalogue lies on [what the file system says]")
+                  "kind of disk of the catalogue [by its file system]")
       ->transform(one_of<schema::Storage>(
           {{"local", schema::Storage::local}, {"network", schema::Storage::network}}));
   verb.add_flag("--retry-undecided", options.retry_undecided,
                 "first judge the undecided draws again");
   verb.add_flag_callback(
       "--allow-mixed-builds", [call] { call->options.builds = schema::Builds::mixed; },
-      "go on although ranks or earlier runs judge a set of known sheets differently");
+      "continue although ranks or earlier runs judge a set of known sheets differently");
   verb.add_option("--progress", options.progress, "how to show progress, see above [auto]")
       ->transform(one_of<ProgressStyle>({{"auto", ProgressStyle::automatic},
                                          {"plain", ProgressStyle::plain},

@@ -1,4 +1,4 @@
-// `misalign status`: how far a campaign is, and what it found.
+// `misalign status`: progress and results of a campaign.
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ struct StatusCall {
   std::optional<double> at_deg;
 };
 
-// It goes on elsewhere, or was killed.
+// Returns whether the last run still works elsewhere, or was killed.
 bool last_run_has_no_end(SQLite::Database& database) {
   return schema::reading(database, [&] {
     SQLite::Statement run(database, "SELECT ended_at IS NULL FROM run ORDER BY id DESC LIMIT 1");
@@ -68,7 +68,7 @@ int show_status(const StatusCall& call) {
   if (goal_fault) {
     spdlog::error(
         "{}: {} (another program changed it), so that complete and missing say nothing; the next "
-        "search of this campaign puts it right",
+        "search of this campaign repairs it",
         call.path, goal_fault->sentence);
   }
   if (!call.check) return 0;
@@ -79,20 +79,21 @@ int show_status(const StatusCall& call) {
 }  // namespace
 
 Action status_verb(CLI::App& verb) {
-  verb.description("how far a campaign is, and what it found");
+  verb.description("progress and results of a campaign");
   verb.footer(
       "The shares of first faults, and survival in the JSON, come from the fault sample: each\n"
-      "of its rows counts for all the draws that it stands for. Where nothing was accepted,\n"
-      "status says how many draws survive to which angle, how frequent an accepted\n"
-      "one can be at most, and what to try.\n\n"
+      "of its rows has the weight of the draws that it represents. Where nothing was accepted,\n"
+      "status shows how many draws survive to which angle, an upper bound of the acceptance\n"
+      "rate, and advice.\n\n"
       "Examples:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
   auto call = std::make_shared<StatusCall>();
   verb.add_option("CATALOGUE", call->path, "catalogue file")->required();
   verb.add_flag("--json", call->json, "as JSON");
   verb.add_flag("--check", call->check,
-                "exit code 75 while work remains, 0 when complete, 6 if the goal's end is none");
-  verb.add_flag("--recover", call->recover,
-                "first roll back, or fold in, what a killed program has left beside the file");
+                "exit code 75 while work remains, 0 when complete, 6 if the goal's end is wrong");
+  verb.add_flag(
+      "--recover", call->recover,
+      "first roll back, or merge, the files that a killed program left beside the catalogue");
   verb.add_option("--at", call->at_deg,
                   "also count the candidates that deploy from this angle, degrees")
       ->type_name("DEG");

@@ -51,7 +51,7 @@ std::string job_of(const StressCall& call, const ChosenSheet& sheet) {
   return job;
 }
 
-// What the run writes, and what it removes first, must not be what is read.
+// Refuses an input that the run would replace or remove.
 void keep_input(const StressCall& call, const std::string& job) {
   const auto check = [&](const char* ending) {
     std::error_code error;
@@ -70,12 +70,12 @@ void keep_input(const StressCall& call, const std::string& job) {
   if (std::filesystem::is_symlink(result, ignored)) {
     throw schema::UserError(schema::Cause::bad_request,
                             result +
-                                ": is a link, which is not followed (nobody typed its name); "
+                                ": is a link, which is not followed (its name was not typed); "
                                 "remove it, or name another directory");
   }
 }
 
-// How far it is: a live line where somebody watches, else a line now and then.
+// Shows progress: a live line on a terminal, else a line now and then.
 class StressProgress {
  public:
   explicit StressProgress(double end_s)
@@ -110,7 +110,7 @@ class StressProgress {
   double next_s_ = 10;
 };
 
-// With rigid panels; it is the way that the motion tends to as panels get stiffer.
+// The motion of rigid panels, the limit of stiff panels.
 std::vector<solver::Deployment::Row> rigid_motion(const solver::Sheet& sheet,
                                                   const schema::SimulatedSheet& released) {
   solver::ReleaseOptions options;
@@ -138,7 +138,7 @@ void show_stress(StressCall& call) {
   const std::string result = job_file(call.directory, job, "-stress.json");
   solver::StressStudy study;
   {
-    // What was reached is read and written within that time, or the program ends anyway.
+    // The results so far are read and written within this time, or the program ends anyway.
     constexpr double kToReadAndWrite_s = 120;
     watch_for_signals();
     const Departure departure(kToReadAndWrite_s, LeftFrom::anywhere, [] {
@@ -158,24 +158,23 @@ void show_stress(StressCall& call) {
   json.update(chosen.whose());
   schema::write_text_file(result, json.dump(1) + "\n");
   if (call.json) return put_json(json);
-  put("{}: let go from {}\n{}\n", sheet.name(), stress_text(released, call.options, study),
+  put("{}: released from {}\n{}\n", sheet.name(), stress_text(released, call.options, study),
       schema::printable(result));
 }
 
 constexpr const char* kStressFooter =
-    "The sheet is folded, without stress, to --from, springs are put on its diagonals, and it is\n"
-    "let go, free in space. Panels are elastic shells that bend as far as they like, creases turn\n"
-    "freely, and nothing damps but --damping and, a little, the integrator. rigid_deg is the\n"
-    "pilot's angle if panels were rigid and nothing damped, as `misalign deploy` has it. The run\n"
-    "ends when the sheet is deployed (every crease within 5 deg at one moment) or at "
-    "--time-limit;\n"
-    "with --rest-deg only there.\n"
-    "Springs and ball joints pull at points, where stress has no limit as meshes get finer: what\n"
-    "counts is the largest von Mises stress outside discs round every vertex.\n"
-    "The directory keeps the deck (.inp), what ccx wrote, and NAME-stress.json, which `misalign\n"
-    "report --stress` shows. While it runs all that is in a directory of its own in there,\n"
-    "NAME.run-XXXXXX. Ctrl-C and SIGTERM end ccx, and what it has reached is kept and shown. ccx\n"
-    "is the first one in PATH, and uses as many cores as OMP_NUM_THREADS says.\n\n"
+    "The sheet is folded without stress to --from and released free in space, with springs on\n"
+    "its diagonals. Panels are elastic shells with large deflections and creases turn freely.\n"
+    "Only --damping and, a little, the integrator damp the motion. rigid_deg is the pilot angle\n"
+    "of rigid panels without damping, as in `misalign deploy`. The run ends when the sheet is\n"
+    "deployed (every crease within 5 deg at one moment) or at --time-limit; with --rest-deg only\n"
+    "there.\n"
+    "Springs and ball joints pull at points, where stress grows without bound as meshes get\n"
+    "finer: what counts is the largest von Mises stress outside discs round every vertex.\n"
+    "The directory keeps the deck (.inp), the files of ccx, and NAME-stress.json, which\n"
+    "`misalign report --stress` shows. While it runs all that is in a subdirectory,\n"
+    "NAME.run-XXXXXX. Ctrl-C and SIGTERM end ccx; what it has reached is kept and shown. ccx is\n"
+    "the first one in PATH, and uses as many cores as OMP_NUM_THREADS says.\n"
     "Examples:\n"
     "  misalign stress search/patterns/table1.json --output stress\n"
     "  misalign stress results/miura-6x6-1a2b3c4d.db 1234 --from 90 --mesh 4 --output stress\n"
@@ -194,13 +193,12 @@ Action stress_verb(CLI::App& verb) {
   add_release(verb, call->release);
   add_deck(verb, call->deck);
   StressStudyOptions& options = call->options;
-  add_default(verb, "--time-limit", options.deck.end_s, "end of the motion at the latest, s",
+  add_default(verb, "--time-limit", options.deck.end_s, "longest time of the motion, s",
               within(1e-6, 1e6), "S");
   add_default(verb, "--time-step", options.deck.time_step_s, "longest increment, s",
               within(1e-9, 1), "S");
-  add_default(verb, "--damping", options.deck.damping_per_s,
-              "force against the velocity of all mass, per unit of both, 1/s", within(0, 1e6),
-              "PER_S");
+  add_default(verb, "--damping", options.deck.damping_per_s, "mass-proportional damping, 1/s",
+              within(0, 1e6), "PER_S");
   add_default(verb, "--disc", options.stress.disc_mm, "radius of the discs, mm", within(0, 1e6),
               "MM");
   verb.add_option("--output", call->directory, "directory, made if it is not there")

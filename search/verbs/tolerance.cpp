@@ -1,5 +1,5 @@
-// `misalign tolerance`: how many miscut copies of a sheet still deploy, or how often it still moves
-// one way when its joints have play.
+// `misalign tolerance`: the share of miscut copies of a sheet that deploy, or of trials with play
+// in its joints in which it is monotone.
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -23,7 +23,7 @@ namespace {
 using schema::Json;
 using schema::UserError;
 
-// Nothing, or why yields are not in the catalogue: much can have come over it meanwhile.
+// Keeps the yields; returns why they are not in the catalogue, or nothing.
 std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
                  const std::vector<schema::Yield>& yields) {
   const solver::PerforatedSheet& base = campaign.pattern.base;
@@ -42,7 +42,7 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
   }
 }
 
-// From the campaign's threshold, or from the angle of use.
+// The yield from the campaign's threshold, or from the angle of use.
 schema::Yield yield_of(std::uint64_t draw, const solver::Tolerance& tolerance,
                        double threshold_deg) {
   schema::Yield yield{draw,
@@ -72,7 +72,7 @@ void print(const ToleranceCall& call, const ToleranceTargets& sheets,
       named.push_back({sheets.key(k).name(), tolerances[k]});
     }
     if (named.size() > 1 && call.study.vertices) {
-      for (const NamedTolerance& one : named) text += tolerance_text(one) + "\n";
+      for (const NamedTolerance& each : named) text += tolerance_text(each) + "\n";
     }
     text += named.size() == 1 ? tolerance_text(named.front()) : tolerances_text(named);
   }
@@ -100,7 +100,7 @@ void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
   print(call, sheets, tolerances);
 }
 
-// What was typed, or else what the design says: miscuts before play.
+// Takes the typed error, or else the design's: miscuts before play.
 void take_subject(const schema::Design& design, ToleranceCall& call) {
   if (!call.amplitude_mm && !call.backlash_mm) {
     call.amplitude_mm = design.miscut_mm;
@@ -108,9 +108,8 @@ void take_subject(const schema::Design& design, ToleranceCall& call) {
   }
   if (!call.amplitude_mm && !call.backlash_mm) {
     throw UserError(schema::Cause::bad_request,
-                    "tolerance: against what? (neither is named, nor does the design say miscut_mm "
-                    "or play_mm); add --amplitude MM for vertices off their places, or --backlash "
-                    "MM for joints with play");
+                    "tolerance: no error is named (the design has neither miscut_mm nor play_mm); "
+                    "add --amplitude MM for cutting errors, or --backlash MM for joints with play");
   }
   if (call.backlash_mm) check_backlash(call);
 }
@@ -136,20 +135,20 @@ int run(ToleranceCall call) {
 
 void add_subject(CLI::App& verb, ToleranceCall& call) {
   auto* amplitude = add_value(verb, "--amplitude", call.amplitude_mm,
-                              "largest error of a vertex, mm [the design's miscut_mm]",
+                              "largest cutting error of a vertex, mm [the design's miscut_mm]",
                               within("miscut_mm"), "MM");
   auto* vertices =
       verb.add_flag("--vertices", call.study.vertices,
                     "also move each vertex alone, in " + std::to_string(kMostTrialsOfOneVertex) +
-                        " copies at most: which ones matter most");
+                        " copies at most, and rank them by harm");
   auto* backlash = add_value(verb, "--backlash", call.backlash_mm,
                              "radius of the ball in which each joint settles, mm, instead of "
-                             "miscuts [the design's play_mm, where it says no miscut_mm]",
+                             "miscuts [the design's play_mm, if it has no miscut_mm]",
                              within("play_mm"), "MM")
                        ->excludes(amplitude)
                        ->excludes(vertices);
   add_value(verb, "--backlash-from", call.backlash.from_deg,
-            fmt::format("pilot angle from which on a loose sheet must move one way, deg [{:g}]",
+            fmt::format("pilot angle above which a loose sheet must be monotone, degrees [{:g}]",
                         solver::BacklashOptions{}.from_deg),
             within(0.1, 180), "DEG")
       ->needs(backlash);
@@ -162,7 +161,7 @@ Action tolerance_verb(CLI::App& verb) {
   verb.footer(
       "Every vertex, also on the perimeter, is moved by a random error, uniform on [-MM, MM]\n"
       "in x and in y. Trial t makes the same errors for every candidate of a campaign: they\n"
-      "follow from the campaign's seed and t. The intervals are exact ones of 95 %.\n"
+      "follow from the campaign's seed and t. Confidence intervals are exact ones of 95 %.\n"
       "  of a candidate   a copy deploys if it reaches --from. The yield is kept in the catalogue\n"
       "                   unless one from as many trials or more with this amplitude and from\n"
       "                   this angle is there: see `misalign query FILE yields`, and, of the\n"
@@ -170,14 +169,14 @@ Action tolerance_verb(CLI::App& verb) {
       "  of a pattern     (a file, or an exported candidate) a copy deploys if it reaches\n"
       "                   --from; the errors are those of seed 1; nothing is kept\n"
       "`misalign query FILE tolerant` lists the candidates that miscuts should harm least.\n\n"
-      "Copies of a pattern with fewer holes than count to one degree of freedom do not fold: of\n"
-      "those it says by how much their joints stay open, which play or panels that bend must\n"
-      "take. Every panel is put where all joints together are open least.\n\n"
+      "Miscut copies of an overconstrained pattern, with fewer holes than one degree of freedom\n"
+      "needs, do not fold. Of those the gaps of their joints are shown, which play or bending\n"
+      "panels must close. Panels are placed by least squares of all gaps.\n\n"
       "With --backlash the sheet is cut well and its joints have play: in each trial both ends of\n"
-      "every hinge and every ball joint are off by something in a ball of that radius, and stay\n"
-      "so. Does every diagonal still go one way from --backlash-from up to the sheet's D? The\n"
-      "largest backlash with which 95 % do is found with the same trials. Flat is no state of a\n"
-      "loose sheet: it says where the way down is lost. Nothing is kept in the catalogue.\n\n"
+      "every hinge and every ball joint are off by a point in a ball of that radius, and stay so.\n"
+      "The result is the share of trials in which every diagonal is monotone from --backlash-from\n"
+      "up to D, and the largest backlash with which 95 % are, by the same trials. Flat is no\n"
+      "state of a loose sheet: the angle where the way down is lost is shown. Nothing is kept.\n"
       "Examples:\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --vertices\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db --best 50 --by miscut_margin_mm \\\n"
@@ -196,12 +195,12 @@ Action tolerance_verb(CLI::App& verb) {
   add_subject(verb, *call);
   add_from(verb, call->from_deg, "[the design's, or the campaign's threshold, or a pattern's D]");
   add_value(verb, "--trials", study.trials,
-            "how many copies, or how often the joints settle anew [1000]",
+            "number of copies, or of settlings of the joints [1000]",
             counted("tolerance", "trials"), "N");
   add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
             counted("", "jobs"), "N");
   verb.add_flag("!--no-keep", call->keep, "do not write the yields into the catalogue");
-  verb.add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");
+  verb.add_flag("--json", call->json, "as JSON: a list, unless one DRAW is named, or a pattern");
   return [call, draws, chosen] {
     if (is_pattern_file(call->path)) {
       for (const CLI::Option* option :

@@ -14,8 +14,8 @@ ToleranceTargets choose_sheets(const ToleranceCall& call) {
   const auto database = schema::open_for_reading(call.path);
   if (!call.choice.chooses()) {
     throw UserError(schema::Cause::bad_request,
-                    "tolerance: of which candidates? (none is named); add the number of a draw, "
-                    "--best K, --diverse K or --where SQL");
+                    "tolerance: no candidates are chosen (a catalogue holds many); give draw "
+                    "numbers, --best K, --diverse K or --where SQL");
   }
   ToleranceTargets sheets{schema::read_campaign_of(*database, call.path), {}, {}, {}, ""};
   sheets.design = sheets.campaign.design;
@@ -35,12 +35,13 @@ ToleranceTargets chosen_sheet(const ToleranceCall& call, const ChosenSheet& chos
   itself.vertices = false;
   const int own_sample = study_tolerance(campaign, sheets.shifts_mm, itself).front().own_sample;
   if (own_sample == 0) {
-    throw UserError(schema::Cause::bad_input,
-                    call.path +
-                        ": the sheet deploys from nothing (its D is 0), so that there is nothing "
-                        "that miscut copies could lose; shift its vertices by displacements_mm, or "
-                        "see what is in the way: misalign fold " +
-                        shell_path(call.path));
+    throw UserError(
+        schema::Cause::bad_input,
+        call.path +
+            ": the sheet does not deploy (D = 0), so that miscut copies have nothing to "
+            "lose; shift its vertices by displacements_mm, or see its first fault: "
+            "misalign fold " +
+            shell_path(call.path));
   }
   campaign.threshold_deg = own_sample * campaign.sample_deg;
   return sheets;

@@ -1,5 +1,4 @@
-// The common part of the studies of `misalign tolerance`: what was asked, of which sheets, and the
-// progress.
+// The common part of the studies of `misalign tolerance`: the request, the sheets, the progress.
 #pragma once
 
 #include <optional>
@@ -37,29 +36,28 @@ struct ToleranceTargets {
   }
 };
 
-/// Those of a catalogue that are asked about. UserError (bad_request, bad_input) with one sentence.
+/// The chosen candidates of a catalogue. UserError (bad_request, bad_input) with one sentence.
 ToleranceTargets choose_sheets(const ToleranceCall& call);
-/// A pattern file's as a campaign of its own, from whose threshold the sheet itself just deploys.
-/// The seed is the default one: an exported candidate does not say its campaign's. UserError
-/// (bad_input) where it deploys from nothing.
+/// The sheet of a pattern file, as a campaign whose threshold is its D. The seed is the default
+/// one: an exported candidate does not say its campaign's. UserError (bad_input) where it does not
+/// deploy.
 ToleranceTargets chosen_sheet(const ToleranceCall& call, const ChosenSheet& chosen);
 
-/// The same campaign, from whose threshold copies are to deploy: the angle of use if one is said.
+/// The campaign with the angle of use, if one is given, as the threshold of copies.
 /// UserError (bad_request) where that is no sample, or lies beyond D of a sheet.
 schema::Campaign campaign_of_use(const ToleranceCall& call, const ToleranceTargets& sheets);
 
-/// Whether one that was named is an answer of its own; what a choice finds is a list.
+/// Returns whether the answer is one sheet's, named by its draw or file; other choices give a list.
 bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets);
 
-/// Says how many are judged.
+/// Shows how many copies are judged.
 void show_copies(const CopiesDone& copies);
 
-/// The study of gaps, of an overconstrained sheet, whose miscut copies do not fold.
-/// One at a time.
+/// The study of joint gaps of one overconstrained sheet, whose miscut copies do not fold.
 void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets);
 
-/// The study of backlash: UserError (bad_request) for what no study can be made of, found before
-/// the sheets are and after, and the study with its answer on standard output.
+/// The study of backlash: checks of the request (UserError, bad_request) before sheets are chosen,
+/// and the study with its answer on standard output.
 void check_backlash(const ToleranceCall& call);
 void run_backlash(const ToleranceCall& call, const ToleranceTargets& sheets);
 

@@ -1,4 +1,4 @@
-// The study of gaps of `misalign tolerance`: how far joints of miscut copies stay open.
+// The study of joint gaps of `misalign tolerance`: how far joints of miscut copies stay open.
 #include "schema/exchange/tolerance_json.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/sheets/tolerance_text.hpp"
@@ -11,11 +11,11 @@ namespace misalign::search {
 namespace {
 
 constexpr double kStep_deg = 10;
-// Dense matrices of six numbers a panel, and three a joint and copy: a minute and 200 MB.
+// Dense matrices of six numbers a panel, and three a joint and copy, take a minute and 200 MB.
 constexpr std::size_t kMostPanels = 400;
 constexpr std::uint64_t kMostCopies = 20000;
 
-// Up to the angle of use, or D.
+// The rows up to the angle of use, or D.
 std::vector<Eigen::Index> rows_up_to(const solver::Sheet& sheet, double from_deg) {
   std::vector<Eigen::Index> rows;
   for (const Eigen::Index row : sheet.rows_to_show(kStep_deg)) {
@@ -38,8 +38,8 @@ void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets) {
   if (sheets.shifts_mm.size() != 1) {
     throw schema::UserError(schema::Cause::bad_request,
                             call.path +
-                                ": tolerance of which sheet? (copies of sheets with few holes are "
-                                "put together one sheet at a time, and " +
+                                ": too many sheets (joint gaps of overconstrained sheets are found "
+                                "one sheet at a time, and " +
                                 std::to_string(sheets.shifts_mm.size()) +
                                 " are chosen); name one draw");
   }
@@ -48,7 +48,7 @@ void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets) {
         schema::Cause::bad_request,
         "--trials " + std::to_string(call.study.trials) + ": too many (at most " +
             std::to_string(kMostCopies) +
-            " copies of a sheet with few holes are put together at once); take less");
+            " copies of an overconstrained sheet are studied at once); take fewer");
   }
   const schema::Campaign& campaign = sheets.campaign;
   const Eigen::Matrix2Xd& shifts_mm = sheets.shifts_mm.front();
@@ -58,7 +58,7 @@ void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets) {
   if (sheet.panels().facets.size() > kMostPanels) {
     throw schema::UserError(
         schema::Cause::bad_request,
-        call.path + ": too large (copies of a sheet with few holes are put together of at most " +
+        call.path + ": too large (joint gaps of an overconstrained sheet are found for at most " +
             std::to_string(kMostPanels) + " panels, and this one has " +
             std::to_string(sheet.panels().facets.size()) + "); take a part of it");
   }

@@ -136,8 +136,8 @@ std::string sentence_as_given(const CLI::App& verb, const schema::UserError& fai
   const std::string sentence = failure.sentence(option_of);
   const std::string parameter(failure.what(), std::strcspn(failure.what(), "="));
   const std::string place = place_in_design(parameter), head = option_of(parameter, true);
-  const CLI::Option* const own = verb.get_option_no_throw(option_of(parameter, false));
-  const bool is_typed = own && own->count() > 0;
+  const CLI::Option* const option = verb.get_option_no_throw(option_of(parameter, false));
+  const bool is_typed = option && option->count() > 0;
   if (place.empty() || is_typed || !sentence.starts_with(head)) return sentence;
   return place + " = " + sentence.substr(head.size());
 }

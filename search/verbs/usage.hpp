@@ -19,12 +19,12 @@ std::string too_many_files(const CLI::App& verb, const Words& words);
 /// A file that is read under one name and would be replaced under --output. Empty if there is none.
 std::string output_among_inputs(const CLI::App& verb);
 
-/// What was typed and is unknown, and what may have been meant; else `otherwise`, CLI11's sentence,
-/// with options by those of their names that were typed.
+/// Names the unknown word, and the one that may have been meant; else `otherwise`, CLI11's
+/// sentence, with options by the names that were typed.
 std::string usage_sentence(const CLI::App& app, const Words& words, const std::string& otherwise);
 
-/// A failure's sentence. What is wrong with a number of the file's design is not called by an
-/// option that was not typed.
+/// A failure's sentence. A faulty number of the file's design is named by its key, not by an option
+/// that was not typed.
 std::string sentence_as_given(const CLI::App& verb, const schema::UserError& failure);
 
 }  // namespace misalign::search

@@ -14,14 +14,14 @@
 namespace misalign::search {
 namespace {
 
-// A share that was written as percent.
+// Suggests the share that was meant where percent was typed.
 std::string share_meant(double value, double least, double most) {
   const double meant = value / 100;
   if (value <= most || meant < least || meant > most) return "";
   return " (a share, not percent; did you mean " + schema::shown_number(meant) + "?)";
 }
 
-// As --help and completion want it: {auto,plain}.
+// The form that --help and completion read: {auto,plain}.
 std::string shown_set(const std::vector<std::string>& names) {
   return fmt::format("{{{}}}", fmt::join(names, ","));
 }

@@ -17,11 +17,11 @@ namespace misalign::search {
 CLI::Validator within(double least, double most);
 /// A number within the bounds of a key of the design block.
 CLI::Validator within(std::string_view design_key);
-/// As check_parameter() has it; `counted` of whole numbers.
+/// A number within the limits of a study's parameter; `counted`: a whole number.
 CLI::Validator within(std::string_view study, std::string_view parameter);
 CLI::Validator counted(std::string_view study, std::string_view parameter);
 
-/// A share of one within bounds; what was meant as percent is told from it.
+/// A share of 1 within bounds; percent is recognised and corrected in the sentence.
 CLI::Validator a_share(double least, double most);
 
 /// A whole number within bounds, written as one: not 1e6.
@@ -29,7 +29,7 @@ CLI::Validator counted(std::uint64_t least, std::uint64_t most);
 /// Any number of a draw, or of draws.
 CLI::Validator a_draw();
 
-/// What is typed, and what it stands for.
+/// Typed words with their values.
 template <class Value>
 using Names = std::vector<std::pair<std::string, Value>>;
 

@@ -11,8 +11,7 @@
 
 namespace misalign::search {
 
-/// What a verb does once its options are read, which it owns: returns the exit code; throws
-/// UserError.
+/// The action of a verb, which owns its options: returns the exit code; throws UserError.
 using Action = std::function<int()>;
 
 /// An action that shows something of a call and ends well.
@@ -24,7 +23,7 @@ Action showing(const std::shared_ptr<Call>& call, Show show) {
   };
 }
 
-/// As typed, the program's name first.
+/// The typed words, the program's name first.
 using Words = std::vector<std::string>;
 
 // Each describes its verb and adds its options.
@@ -59,14 +58,14 @@ struct Verb {
   std::function<Action(CLI::App&)> set_up;
 };
 
-/// Those that need no part.
+/// The verbs that need no part.
 inline std::vector<Verb> first_verbs(const Words& typed, const Parts& parts) {
   return {{"search", [&](CLI::App& verb) { return search_verb(verb, typed, parts); }},
           {"status", status_verb},
           {"query", [&](CLI::App& verb) { return query_verb(verb, parts); }}};
 }
 
-/// All of them, in the order of --help; help comes last, since it says what the others are.
+/// All verbs, in the order of --help; help comes last, since it lists the others.
 inline std::vector<Verb> all_verbs(const Words& typed, const Parts& parts) {
   return {{"search", [&](CLI::App& verb) { return search_verb(verb, typed, parts); }},
           {"status", status_verb},

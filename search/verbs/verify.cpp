@@ -1,4 +1,4 @@
-// `misalign verify`: a catalogue or a pattern, once more.
+// `misalign verify`: checks a catalogue or a pattern.
 #include "search/checks/verify.hpp"
 
 #include <random>
@@ -42,18 +42,18 @@ Action verify_verb(CLI::App& verb) {
   verb.description("check a catalogue (its ledger, and candidates computed again) or a pattern");
   verb.footer(
       "Of a catalogue:\n"
-      "  always       as they are at one moment: the file, each unit's candidates and sums,\n"
-      "               what runs say of themselves, the goal's end, the diagonals, the digest\n"
-      "  candidates   (--sample, --all) their paths once more from the stored displacements;\n"
-      "               every column is compared, every folded shape checked by its coordinates\n"
-      "  fault sample (as many) the verdicts once more\n"
-      "  units        (--units) all draws of units chosen at random once more: nothing else\n"
-      "               sees a candidate that was removed together with its sums\n"
+      "  always       from one snapshot: the file, each unit's candidates and sums, records of\n"
+      "               runs, the goal's end, the diagonals, the digest\n"
+      "  candidates   (--sample, --all) paths computed again from the stored displacements; every\n"
+      "               column is compared, every folded shape checked by its coordinates\n"
+      "  fault sample (as many) verdicts computed again\n"
+      "  units        (--units) all draws of units chosen at random computed again: nothing else\n"
+      "               detects a candidate that was removed together with its sums\n"
       "Reported, but no fault: panels that cross (the search assumes that they do not; not\n"
       "looked for where the program was built without FCL, see misalign --version), and\n"
       "metrics that an older build measured by another definition.\n"
       "Of a pattern file: its path by sparse and by dense matrices, its folded shapes, and\n"
-      "what an exported candidate says of itself.\n"
+      "the data of an exported candidate.\n"
       "Exit code 6 if anything differs.\n\n"
       "Examples:\n  misalign verify results/miura-6x6-1a2b3c4d.db\n"
       "  misalign verify results/miura-6x6-1a2b3c4d.db --all --json\n"
@@ -62,15 +62,15 @@ Action verify_verb(CLI::App& verb) {
   auto call = std::make_shared<VerifyCall>();
   add_catalogue_or_pattern(verb, call->path);
   auto* sample = verb.add_option("--sample", call->options.sample,
-                                 "how many candidates, spread evenly in the order of their draws, "
-                                 "and how many fault samples [100]");
+                                 "number of candidates, spread evenly in the order of their draws, "
+                                 "and of fault samples [100]");
   sample->check(a_draw())->type_name("N");
   auto* all = verb.add_flag_callback(
       "--all", [call] { call->options.sample.reset(); }, "every candidate and fault sample");
   all->excludes(sample);
-  auto* units =
-      verb.add_option("--units", call->options.units,
-                      "how many units, chosen at random, all draws of which are made again [0]");
+  auto* units = verb.add_option(
+      "--units", call->options.units,
+      "number of units, chosen at random, all draws of which are computed again [0]");
   units->check(a_draw())->type_name("N");
   add_value(verb, "--seed", call->seed,
             "seed of that choice, to choose the same units again [a random one]", a_draw(), "N")

@@ -32,7 +32,7 @@ sigset_t end_signals() {
   return set;
 }
 
-// Until SIGINT or SIGTERM, of which a second one ends the program at once, or until `ended`.
+// Waits until SIGINT or SIGTERM, of which a second one ends the program at once, or until `ended`.
 void wait_for_the_end(const std::atomic<bool>& ended) {
   const sigset_t signals = end_signals();
   constexpr timespec kLook{0, 200'000'000};
@@ -41,7 +41,7 @@ void wait_for_the_end(const std::atomic<bool>& ended) {
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }
 
-// The program itself, once more.
+// The command that folds one draw.
 std::vector<std::string> words_that_fold(const std::string& path, std::uint64_t draw) {
   return {"/proc/self/exe",
           "report",
@@ -104,11 +104,11 @@ Action watch_verb(CLI::App& verb) {
   verb.description("the report's page while a campaign runs");
   verb.footer(
       "Prints the page's address, and serves it until Ctrl-C. The page is that of `misalign\n"
-      "report`; its figures and charts move while a search writes the catalogue, and say when it\n"
-      "is complete. The search may run already, begin later, end and go on, and is not kept\n"
-      "waiting: the catalogue is only read, in short looks. Only programs on this machine reach\n"
-      "the page; those of its other users do, too. To look from another machine, with the same\n"
-      "port at both ends: ssh -L 8617:127.0.0.1:8617 THE_MACHINE_OF_THE_SEARCH\n"
+      "report`; its figures and charts follow the catalogue while a search writes it, and say\n"
+      "when it is complete. The search may run already, begin later, end and resume. It never\n"
+      "waits: the catalogue is only read, briefly. Only programs on this machine reach the page,\n"
+      "those of its other users too. To look from another machine, with the same port at both\n"
+      "ends: ssh -L 8617:127.0.0.1:8617 THE_MACHINE_OF_THE_SEARCH\n"
       "Needs a program built with cpp-httplib and Node.js (misalign --version).\n\n"
       "Examples:\n  misalign watch results/miura-6x6-1a2b3c4d.db\n"
       "  misalign watch results/miura-6x6-1a2b3c4d.db --port 8080");

@@ -18,14 +18,14 @@ constexpr std::chrono::milliseconds kPollInterval{200};
 
 struct Connection {
   int descriptor;
-  std::uint64_t number;  // of the socket, which no other has as long as it is open
+  std::uint64_t number;  // the socket's inode, unique while it is open
   int peer_port;
   std::chrono::steady_clock::time_point begin{};
 };
 
 using AskForName = int (*)(int, sockaddr*, socklen_t*);
 
-// 0 where there is none: of a listening socket's other side, of what is no socket.
+// Returns the port, or 0 without one, such as for no socket, or the peer of a listening socket.
 int port_of(AskForName ask, int descriptor) {
   sockaddr_storage name{};
   socklen_t size = sizeof name;
@@ -67,46 +67,46 @@ ConnectionPatience::ConnectionPatience(int port, std::size_t served_at_once,
 }
 
 void ConnectionPatience::heard(int peer_port) {
-  const std::lock_guard own(hearing_);
+  const std::lock_guard lock(hearing_);
   heard_.insert(peer_port);
 }
 
 bool ConnectionPatience::has_gone(int peer_port) const {
-  for (const Connection& one : connections_to(port_)) {
+  for (const Connection& connection : connections_to(port_)) {
     char byte = 0;
-    if (one.peer_port != peer_port) continue;
-    return recv(one.descriptor, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+    if (connection.peer_port != peer_port) continue;
+    return recv(connection.descriptor, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
   }
   return true;
 }
 
 void ConnectionPatience::look() {
-  std::set<int> gone;  // of the ports that were heard before we look
+  std::set<int> gone;  // ports whose connections have closed
   {
-    const std::lock_guard own(hearing_);
+    const std::lock_guard lock(hearing_);
     gone = heard_;
   }
   const Clock::time_point now = Clock::now();
   std::vector<Connection> open = connections_to(port_);
   std::map<std::uint64_t, Clock::time_point> begins;
-  for (Connection& one : open) {
-    const auto known = begins_.find(one.number);
-    one.begin = begins[one.number] = known == begins_.end() ? now : known->second;
-    gone.erase(one.peer_port);
+  for (Connection& connection : open) {
+    const auto known = begins_.find(connection.number);
+    connection.begin = begins[connection.number] = known == begins_.end() ? now : known->second;
+    gone.erase(connection.peer_port);
   }
   begins_ = std::move(begins);
   std::sort(open.begin(), open.end(), [](const Connection& a, const Connection& b) {
     return std::pair(a.begin, a.descriptor) < std::pair(b.begin, b.descriptor);
   });
   if (open.size() > served_at_once_) open.resize(served_at_once_);
-  const std::lock_guard own(hearing_);
+  const std::lock_guard lock(hearing_);
   for (const int port : gone) heard_.erase(port);
-  for (const Connection& one : open) {
+  for (const Connection& connection : open) {
     const double patience_s =
-        heard_.contains(one.peer_port) ? options_.answer_s : options_.request_s;
-    if (now - one.begin < std::chrono::duration<double>(patience_s)) continue;
-    // Who serves it notices, and closes it.
-    shutdown(one.descriptor, SHUT_RDWR);
+        heard_.contains(connection.peer_port) ? options_.answer_s : options_.request_s;
+    if (now - connection.begin < std::chrono::duration<double>(patience_s)) continue;
+    // The serving thread notices, and closes the connection.
+    shutdown(connection.descriptor, SHUT_RDWR);
   }
 }
 

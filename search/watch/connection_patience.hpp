@@ -1,5 +1,5 @@
-// Limits how long a connection may take. cpp-httplib's own timeouts are each read's and each
-// write's, of which a request that comes a byte a second has thousands.
+// Limits the time of a connection. cpp-httplib has timeouts for single reads and writes alone, and
+// a slow request may have thousands.
 #pragma once
 
 #include <chrono>
@@ -13,20 +13,19 @@
 namespace misalign::search {
 
 struct PatienceOptions {
-  double request_s = 5;   ///< until its request is whole
-  double answer_s = 120;  ///< until all is over
+  double request_s = 5;   ///< time until the request is complete
+  double answer_s = 120;  ///< time until the answer is sent
 };
 
-/// Ends connections to a port of this process that take longer, of the oldest `served_at_once`:
-/// those behind them wait to be served, which is not their fault. It looks from the start to the
-/// end of its life, some times a second.
+/// Ends connections to a port of this process that take longer. It checks the oldest
+/// `served_at_once`, some times a second: the others still wait to be served.
 class ConnectionPatience {
  public:
   ConnectionPatience(int port, std::size_t served_at_once, const PatienceOptions& options = {});
 
-  /// The request that came from this port of the other side is whole.
+  /// Notes that the request from this port of the client is complete.
   void heard(int peer_port);
-  /// Whether the other side of a connection, which its server keeps open, has closed its end.
+  /// Returns whether the client has closed its end of a connection.
   bool has_gone(int peer_port) const;
 
  private:
@@ -36,9 +35,9 @@ class ConnectionPatience {
   const int port_;
   const std::size_t served_at_once_;
   const PatienceOptions options_;
-  std::map<std::uint64_t, Clock::time_point> begins_;  // by the socket's number
-  std::mutex hearing_;                                 // of what follows
-  std::set<int> heard_;                                // ports of the other sides
+  std::map<std::uint64_t, Clock::time_point> begins_;  // keyed by the socket's number
+  std::mutex hearing_;                                 // guards heard_
+  std::set<int> heard_;                                // ports of clients with complete requests
   std::jthread looking_;                               // the last: it ends first
 };
 

@@ -1,4 +1,4 @@
-// A mark of a catalogue's files: tells that they have changed, without opening them.
+// Marks the state of a catalogue's files, to see changes without opening them.
 #pragma once
 
 #include <sys/stat.h>
@@ -9,19 +9,19 @@
 
 namespace misalign::search {
 
-/// Of the catalogue's file and of the log beside it, in which commits are first.
+/// The state of the catalogue's file and of its write-ahead log, which gets commits first.
 class FileMark {
  public:
-  /// Of no file: like none.
+  /// The mark of no file, which equals no mark.
   FileMark() = default;
-  /// Not while this process has a connection to the file (see schema::is_being_written).
+  /// Marks a file. This process must have no connection to it (see schema::is_being_written).
   static FileMark of(const std::string& path);
 
   bool exists() const { return exists_; }
-  /// Whether a search or another verb that writes is at work.
+  /// Returns whether a search or another verb is writing.
   bool is_written() const { return is_written_; }
-  /// Whether nothing has changed in between. A file system's clock ticks a few times in a hundredth
-  /// of a second: what was changed just before it was looked at is like nothing, not even itself.
+  /// Returns whether the files have not changed in between. A file system's clock is coarse: a file
+  /// changed just before its mark equals nothing, not even itself.
   bool is_like(const FileMark& later) const;
 
  private:

@@ -15,29 +15,30 @@ namespace misalign::search {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{20};
-constexpr int kData = 1, kSaid = 2;  // descriptors of the child
+constexpr int kData = 1, kMessage = 2;  // descriptors of the child
 
 bool become_output(int descriptor, const std::string& path) {
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   return file >= 0 && dup2(file, descriptor) == descriptor;
 }
 
-// Signals that this process waits for by name are for the child like any other.
+// Unblocks all signals in the child, which this process blocks to wait for them.
 bool take_signals() {
   sigset_t all;
   sigfillset(&all);
   return sigprocmask(SIG_UNBLOCK, &all, nullptr) == 0;
 }
 
-// What a program says of its failure, without its name.
-std::string sentence_of(std::string said) {
+// Returns a program's error message without its name.
+std::string sentence_of(std::string message) {
   constexpr std::string_view kName = "misalign: ";
-  if (said.starts_with(kName)) said.erase(0, kName.size());
-  while (said.ends_with('\n')) said.pop_back();
-  return said.empty() ? "the sheet cannot be folded (its program ended without a word)" : said;
+  if (message.starts_with(kName)) message.erase(0, kName.size());
+  while (message.ends_with('\n')) message.pop_back();
+  return message.empty() ? "the sheet cannot be folded (its program ended without a message)"
+                         : message;
 }
 
-// Of the report of one draw.
+// Returns the answer from the report of one draw.
 std::string answer_of(const std::string& text) {
   const schema::Json report = schema::Json::parse(text);
   return schema::Json({{"detail", report.at("details").at(0)},
@@ -49,7 +50,7 @@ std::string answer_of(const std::string& text) {
 
 PageResponse FoldedSheets::sheet(std::uint64_t draw, const std::function<bool()>& has_gone) {
   if (!wait_for_turn(has_gone)) {
-    return problem_response(503, "other sheets were asked for since; ask for this one again");
+    return problem_response(503, "newer requests came first; request this sheet again");
   }
   PageResponse answer;
   try {
@@ -57,25 +58,25 @@ PageResponse FoldedSheets::sheet(std::uint64_t draw, const std::function<bool()>
   } catch (const std::exception& error) {
     answer = problem_response(503, error.what());
   }
-  const std::lock_guard own(asking_);
+  const std::lock_guard lock(asking_);
   is_folding_ = false;
   changes_.notify_all();
   return answer;
 }
 
 void FoldedSheets::end() {
-  const std::lock_guard own(asking_);
+  const std::lock_guard lock(asking_);
   has_ended_ = true;
   changes_.notify_all();
 }
 
 bool FoldedSheets::has_ended() {
-  const std::lock_guard own(asking_);
+  const std::lock_guard lock(asking_);
   return has_ended_;
 }
 
 bool FoldedSheets::wait_for_turn(const std::function<bool()>& has_gone) {
-  std::unique_lock own(asking_);
+  std::unique_lock lock(asking_);
   const std::uint64_t mine = ++requests_;
   waiting_.insert(mine);
   if (waiting_.size() > kMostWaiting) waiting_.erase(waiting_.begin());
@@ -85,7 +86,7 @@ bool FoldedSheets::wait_for_turn(const std::function<bool()>& has_gone) {
       waiting_.erase(mine);
       return is_folding_ = true;
     }
-    changes_.wait_for(own, 10 * kLook);
+    changes_.wait_for(lock, 10 * kLook);
   }
   waiting_.erase(mine);
   changes_.notify_all();
@@ -93,19 +94,20 @@ bool FoldedSheets::wait_for_turn(const std::function<bool()>& has_gone) {
 }
 
 PageResponse FoldedSheets::folded(std::uint64_t draw, const std::function<bool()>& has_gone) {
-  const schema::MemoryFile data("the sheet"), said("the sheet");
-  const std::string data_path = data.path(), said_path = said.path();
+  const schema::MemoryFile data("the sheet"), message("the sheet");
+  const std::string data_path = data.path(), message_path = message.path();
   ChildProcess child(command_(draw), [&] {
-    return take_signals() && become_output(kData, data_path) && become_output(kSaid, said_path);
+    return take_signals() && become_output(kData, data_path) &&
+           become_output(kMessage, message_path);
   });
   if (child.error() != 0) {
-    return problem_response(503, "no program can be started that folds the sheet");
+    return problem_response(503, "the program that folds the sheet cannot be started");
   }
   while (!child.has_ended()) {
     if (has_ended() || has_gone()) child.send(SIGKILL);
     std::this_thread::sleep_for(kLook);
   }
-  if (child.exit_code() != 0) return problem_response(503, sentence_of(said.bytes()));
+  if (child.exit_code() != 0) return problem_response(503, sentence_of(message.bytes()));
   return json_response(200, answer_of(data.bytes()));
 }
 

@@ -1,4 +1,4 @@
-// Sheets that somebody looks at: each is folded by a process of its own, which can be ended.
+// Folds requested sheets, each in a process of its own, which can be ended.
 #pragma once
 
 #include <condition_variable>
@@ -13,22 +13,22 @@
 
 namespace misalign::search {
 
-/// One at a time, the newest request first: a large sheet takes minutes, and who asked before has
-/// often gone on to another one. Of more than kMostWaiting the oldest is refused. For any number of
-/// threads.
+/// Folds one sheet at a time, the newest request first: a large sheet takes minutes, and older
+/// requests are often obsolete. The oldest of more than kMostWaiting is refused. Safe for any
+/// number of threads.
 class FoldedSheets {
  public:
   static constexpr std::size_t kMostWaiting = 8;
 
-  /// A program and its arguments that write the report's data of one draw to standard output, as
-  /// JSON, or a sentence to standard error.
+  /// Returns a program and its arguments. It writes the report's data of one draw as JSON to
+  /// standard output, or a sentence to standard error.
   using Command = std::function<std::vector<std::string>(std::uint64_t draw)>;
   explicit FoldedSheets(Command command) : command_(std::move(command)) {}
 
-  /// JSON: {"detail": of ReportDetails, "identity": of its campaign}; or, with status 503,
-  /// {"problem": a sentence}. `has_gone`: whether nobody waits for it any more, which ends it.
+  /// Returns JSON: {"detail": of ReportDetails, "identity": of its campaign}; or, with status 503,
+  /// {"problem": a sentence}. The work ends once `has_gone` returns true: the client is gone.
   PageResponse sheet(std::uint64_t draw, const std::function<bool()>& has_gone);
-  /// What is under way ends, and nothing begins any more.
+  /// Ends the work under way, and refuses further requests.
   void end();
 
  private:
@@ -37,7 +37,7 @@ class FoldedSheets {
   bool has_ended();
 
   const Command command_;
-  std::mutex asking_;  // of what follows
+  std::mutex asking_;  // guards the members below
   std::condition_variable changes_;
   std::set<std::uint64_t> waiting_;  // numbers of requests
   std::uint64_t requests_ = 0;

@@ -12,7 +12,7 @@ using schema::Json;
 
 constexpr int kBest = 5;
 
-// By the index alone, a hundredth of the table's size.
+// Reads the index alone, a hundredth of the table's size.
 Json angles_json(SQLite::Database& database, double sample_deg) {
   Json angles = Json::array();
   SQLite::Statement rows(database,

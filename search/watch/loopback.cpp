@@ -33,10 +33,10 @@ std::string numbers_of(const addrinfo& found) {
 }  // namespace
 
 std::string loopback_address(const std::string& asked, int port) {
-  if (asked == "localhost") return "127.0.0.1";  // what a browser tries first
+  if (asked == "localhost") return "127.0.0.1";  // a browser's first choice
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_NUMERICHOST;  // who answers for other names nobody knows
+  hints.ai_flags = AI_NUMERICHOST;  // other names may lead to any machine
   addrinfo* list = nullptr;
   const int failed = getaddrinfo(asked.c_str(), nullptr, &hints, &list);
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> found(failed ? nullptr : list,
@@ -44,10 +44,9 @@ std::string loopback_address(const std::string& asked, int port) {
   if (found && is_loopback(found->ai_addr)) return numbers_of(*found);
   throw schema::UserError(solver::OptionFault{
       "address", asked,
-      "is no loopback address (whoever reaches another one could read the catalogue)",
-      fmt::format(
-          "leave it out, and look from another machine through ssh -L {}:127.0.0.1:{} THIS_MACHINE",
-          port, port)});
+      "is no loopback address (others could read the catalogue under another one)",
+      fmt::format("omit it; from another machine use ssh -L {}:127.0.0.1:{} THIS_MACHINE", port,
+                  port)});
 }
 
 std::string url_of(const std::string& address, int port) {

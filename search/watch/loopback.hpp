@@ -1,15 +1,15 @@
-// The loopback address, the only one that a catalogue is shown on.
+// Resolves loopback addresses, on which alone a catalogue is served.
 #pragma once
 
 #include <string>
 
 namespace misalign::search {
 
-/// A loopback address, in numbers, or "localhost": "127.0.0.1", "::1". UserError (bad_request) for
-/// any other, with how to look from another machine.
+/// Returns a numeric loopback address or "localhost" as numbers: "127.0.0.1", "::1". UserError
+/// (bad_request) for any other, with advice for other machines.
 std::string loopback_address(const std::string& asked, int port);
 
-/// "http://127.0.0.1:8617/", "http://[::1]:8617/".
+/// Returns "http://127.0.0.1:8617/" or "http://[::1]:8617/".
 std::string url_of(const std::string& address, int port);
 
 }  // namespace misalign::search

@@ -1,4 +1,4 @@
-// Requests and responses of the page's server.
+// Defines the responses of the page's server.
 #pragma once
 
 #include <functional>
@@ -11,18 +11,18 @@ namespace misalign::search {
 
 struct PageResponse {
   int status = 200;
-  const char* type = "";                    ///< of its content, a MIME type
-  std::shared_ptr<const std::string> body;  ///< shared by all who asked at once
+  const char* type = "";                    ///< MIME type of the body
+  std::shared_ptr<const std::string> body;  ///< shared by simultaneous requests
   std::string policy{};                     ///< Content-Security-Policy
 };
 
-/// What it throws is answered as a sentence, with status 500.
+/// Answers a request; an exception becomes a sentence with status 500.
 using PageHandler = std::function<PageResponse(const PageRequest&)>;
 
-/// {"problem": sentence}.
+/// Returns {"problem": sentence}.
 PageResponse problem_response(int status, const std::string& sentence);
 
-/// JSON, for the page's own script.
+/// Returns JSON for the page's script.
 PageResponse json_response(int status, const std::string& json);
 
 }  // namespace misalign::search

@@ -14,8 +14,8 @@
 namespace misalign::search {
 namespace {
 
-// A client that says nothing, or reads nothing, has one of the threads for so long; one that says
-// or reads a little now and then as ConnectionPatience has it.
+// A client that sends or reads nothing holds a thread for kPatience_s; a slow one as long as
+// ConnectionPatience allows.
 constexpr int kThreads = 32, kPatience_s = 2;
 
 const httplib::Headers& headers_of_all() {
@@ -34,7 +34,7 @@ PageRequest request_of(const httplib::Request& request, const ConnectionPatience
   made.path = request.path;
   const auto [first, last] = request.headers.equal_range("Host");
   for (auto header = first; header != last; ++header) made.hosts.push_back(header->second);
-  // Of several the first; a browser sends one.
+  // The first of several counts; a browser sends one.
   made.origin = request.get_header_value("Origin");
   made.fetch_site = request.get_header_value("Sec-Fetch-Site");
   made.has_range = request.has_header("Range");
@@ -42,7 +42,7 @@ PageRequest request_of(const httplib::Request& request, const ConnectionPatience
   return made;
 }
 
-// By a provider: what is set as a body is compressed, for seconds where it is large.
+// Sends the page through a provider: the library would compress a large body for seconds.
 void give(const PageResponse& page, httplib::Response& response) {
   response.status = page.status;
   response.set_header("Content-Security-Policy", page.policy);
@@ -60,7 +60,7 @@ class PageServer::Impl {
  public:
   Impl(const std::string& address, std::optional<int> port, schema::NameParameter name_parameter)
       : name_parameter_(name_parameter) {
-    // Not the library's own options, with which two programs may have one port.
+    // The library's options would allow two programs on one port.
     server_.set_socket_options([](socket_t socket) {
       const int yes = 1;
       setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -102,7 +102,7 @@ class PageServer::Impl {
     has_ended_ = true;
     if (!served) {
       throw schema::UserError(schema::Cause::failure,
-                              "connections cannot be taken any more; start it again");
+                              "connections cannot be accepted any more; start the server again");
     }
   }
 

@@ -1,4 +1,4 @@
-// An HTTP server on one loopback address; cpp-httplib is in its source alone.
+// Serves HTTP on one loopback address; only its source includes cpp-httplib.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace misalign::search {
 
-/// The port that is tried where none is asked for.
+/// The port that is tried first if none is given.
 inline constexpr int kUsualPort = 8617;
 
 class PageServer {
  public:
-  /// Binds to this port of a loopback address, in numbers; 0: to any that is free. Without one, to
-  /// kUsualPort, or to any if that is taken. UserError (failure) if it cannot.
+  /// Binds to a port of a numeric loopback address; 0: to any free port. Without a port to
+  /// kUsualPort, or to any free one if that is taken. UserError (failure) if it cannot.
   PageServer(const std::string& address, std::optional<int> port,
              schema::NameParameter name_parameter);
   ~PageServer();
@@ -24,11 +24,11 @@ class PageServer {
   PageServer& operator=(const PageServer&) = delete;
 
   PagePlace place() const;
-  /// Answers until stop(), by `answer` what refusal() lets through; with headers that keep every
-  /// answer from other sites and from caches. UserError (failure) if connections cannot be taken.
+  /// Answers until stop(), with `handler` if refusal() does not refuse. Headers keep answers from
+  /// other sites and from caches. UserError (failure) if connections cannot be accepted.
   void serve(const PageHandler& handler);
-  /// From another thread. Requests under way are answered; whoever says nothing is left within two
-  /// seconds.
+  /// Stops the server from another thread. Requests under way are answered; silent clients are
+  /// dropped within two seconds.
   void stop();
 
  private:

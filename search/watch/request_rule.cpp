@@ -11,7 +11,7 @@
 namespace misalign::search {
 namespace {
 
-// A catalogue's numbers are SQLite's.
+// The largest integer of SQLite, and so of a catalogue's draws.
 constexpr std::uint64_t kLastDraw = std::numeric_limits<std::int64_t>::max();
 
 std::string lower(std::string text) {
@@ -21,7 +21,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// The names under which this place is asked for; without the port where HTTP leaves it out.
+// Returns the Host headers of this address; without the port for HTTP's default.
 std::vector<std::string> own_hosts(const PagePlace& place) {
   std::vector<std::string> hosts;
   const bool six = place.address.find(':') != std::string::npos;
@@ -52,8 +52,8 @@ std::optional<Refusal> refusal(const PageRequest& request, const PagePlace& plac
     return std::find(ours.begin(), ours.end(), lower(host)) != ours.end();
   };
   if (request.hosts.size() != 1 || !is_ours(request.hosts[0])) {
-    return Refusal{421, fmt::format("this is asked for under another name than {}; open "
-                                    "http://{}/ (through ssh -L with the same port at both ends)",
+    return Refusal{421, fmt::format("the request names another host than {}; open http://{}/ "
+                                    "(through ssh -L with the same port at both ends)",
                                     ours[0], ours[0])};
   }
   const bool own_origin =
@@ -61,16 +61,18 @@ std::optional<Refusal> refusal(const PageRequest& request, const PagePlace& plac
   const bool own_site = request.fetch_site.empty() || request.fetch_site == "same-origin" ||
                         request.fetch_site == "none";
   if (!own_origin || !own_site) {
-    return Refusal{403, "a page of another site asks for this; open it by its address instead"};
+    return Refusal{
+        403,
+        "the request comes from a page of another site; open this page by its address instead"};
   }
   if (request.method != "GET" && request.method != "HEAD") {
-    return Refusal{405, "this page is read only; ask with GET or HEAD"};
+    return Refusal{405, "this page is read only; use GET or HEAD"};
   }
   if (request.path != kPagePath && request.path != kLivePath && !sheet_asked(request.path)) {
-    return Refusal{404, fmt::format("there is no such page; there are {}, {} and {}NUMBER",
-                                    kPagePath, kLivePath, kSheetPath)};
+    return Refusal{404, fmt::format("there is no such page; use {}, {} or {}NUMBER", kPagePath,
+                                    kLivePath, kSheetPath)};
   }
-  if (request.has_range) return Refusal{416, "answers are given whole; ask without Range"};
+  if (request.has_range) return Refusal{416, "answers are sent whole; omit the Range header"};
   return {};
 }
 

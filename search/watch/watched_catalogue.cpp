@@ -19,17 +19,17 @@ namespace {
 
 using schema::Json;
 
-// Of one core's time, whoever asks how often: ranks need the cores.
+// Largest shares of a core's time, since ranks need the cores.
 constexpr double kShareForLive = 0.05, kShareForPages = 0.2;
 constexpr double kLeastRest_s = 0.5;
-// Vertices of a sheet whose folding takes a second at most; larger ones are folded on request.
+// Largest number of vertices that fold within a second; larger sheets are folded on request.
 constexpr int kLargestDetailed = 200;
-// How long those wait who ask for what takes no time, while something else is read.
+// Longest wait of a short request while another one reads.
 constexpr std::chrono::seconds kSoon{2};
 
 constexpr const char* kHtml = "text/html; charset=utf-8";
 
-// This thread's on a core: who waits, such as for a lock, keeps none busy.
+// Returns this thread's CPU time, which excludes waiting.
 double core_time_s() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -45,7 +45,7 @@ ReportCall call_for(const std::string& path, const std::atomic<bool>& has_ended)
   return call;
 }
 
-// SQLite's file format, bytes 18 and 19: 1 a rollback journal, 2 a write-ahead log.
+// Reads byte 18 of SQLite's file format: 1 for a rollback journal, 2 for a write-ahead log.
 bool has_write_ahead_log(const std::string& path) {
   std::string begin(20, '\0');
   std::ifstream file(path, std::ios::binary);
@@ -54,17 +54,16 @@ bool has_write_ahead_log(const std::string& path) {
 }
 
 void check_kind(const std::string& path) {
-  schema::check_is_file(path, "name a catalogue that `misalign search` wrote, or will write");
+  schema::check_is_file(path, "give a catalogue that `misalign search` wrote, or will write");
 }
 
 void check_storage(const std::string& path) {
   const schema::FileSystem system = schema::file_system_of(schema::end_of_links(path));
   if (system.storage != schema::Storage::network) return;
-  throw schema::UserError(
-      schema::Cause::bad_request,
-      path + ": lies on storage that machines share (" + system.name +
-          "; there a reader would keep the search from writing); watch a catalogue on a local "
-          "disk, or ask for `misalign status` now and then");
+  throw schema::UserError(schema::Cause::bad_request,
+                          path + ": is on shared storage (" + system.name +
+                              "; there a reader would block the search); watch a catalogue on a "
+                              "local disk, or run `misalign status` now and then");
 }
 
 PageResponse html_response(int status, const schema::ServedPage& page) {
@@ -94,7 +93,7 @@ WatchedCatalogue::WatchedCatalogue(const std::string& path, schema::NameParamete
   if (!std::filesystem::is_directory(directory, ignored)) {
     throw schema::UserError(
         schema::Cause::bad_input,
-        path + ": there is no such directory; name a catalogue that is, or will be, there");
+        path + ": there is no such directory; give a catalogue in an existing one");
   }
 }
 
@@ -142,7 +141,7 @@ void WatchedCatalogue::end() {
 
 PageResponse WatchedCatalogue::response(Kept& kept, double share_of_core, const Maker& make) {
   const auto told = [&](bool also_old) {
-    const std::lock_guard own(kept.asking);
+    const std::lock_guard lock(kept.asking);
     const bool rests = also_old || Clock::now() < kept.rests_until;
     return rests ? kept.response : PageResponse();
   };
@@ -159,19 +158,19 @@ PageResponse WatchedCatalogue::response(Kept& kept, double share_of_core, const 
   }
   const double begin_s = core_time_s();
   const FileMark mark = FileMark::of(call_.path);
-  // What went wrong may be over without a change of the file, such as a lock.
+  // A fault may end without a change of the file, such as a lock.
   if (kept.response.status == 200 && kept.mark.is_like(mark)) return kept.response;
   PageResponse made = make(mark);
   const double took_s = core_time_s() - begin_s;
   const std::chrono::duration<double> rest(std::max(kLeastRest_s, took_s / share_of_core));
-  const std::lock_guard own(kept.asking);
+  const std::lock_guard lock(kept.asking);
   kept.mark = mark;
   kept.response = made;
   kept.rests_until = Clock::now() + std::chrono::duration_cast<Clock::duration>(rest);
   return made;
 }
 
-// The page without a campaign: it says what is wrong, and waits until all is well.
+// Returns the page without a campaign: it shows the problem, and waits for its end.
 PageResponse WatchedCatalogue::page_about(const std::string& problem) const {
   const Json data = {
       {"format", 1},
@@ -181,7 +180,7 @@ PageResponse WatchedCatalogue::page_about(const std::string& problem) const {
   return html_response(503, schema::served_page(data));
 }
 
-// What a reader would wait for, or make the writer wait for, is not even opened.
+// Refuses files at which a reader would wait, or make the writer wait, before opening them.
 void WatchedCatalogue::check_readable(const FileMark& mark) const {
   const std::string& path = call_.path;
   check_kind(path);
@@ -194,9 +193,9 @@ void WatchedCatalogue::check_readable(const FileMark& mark) const {
   if (mark.is_written() && !has_write_ahead_log(path)) {
     throw schema::UserError(
         schema::Cause::in_use,
-        path + ": is being written without a log (a search that begins, or one with " +
+        path + ": is being written without a log (a search begins, or runs with " +
             schema::parameter("storage", "network") +
-            ", while which nobody reads); wait for it, or watch one on a local disk");
+            ", which excludes readers); wait for its end, or watch a catalogue on a local disk");
   }
 }
 

@@ -1,4 +1,4 @@
-// A catalogue that is looked at again and again while a search may be writing it.
+// Watches a catalogue that a search may be writing.
 #pragma once
 
 #include <atomic>
@@ -15,37 +15,35 @@
 
 namespace misalign::search {
 
-/// Nobody who writes the catalogue waits for it: it is open only while it is being read, which is
-/// done when somebody asks and the file has changed, by one at a time, in short transactions, and
-/// never for more than a small share of a core's time: who asks in between is told what was read
-/// last. What goes wrong with the file is what is told, as long as it does. For any number of
-/// threads.
+/// Never makes a writer wait: the catalogue is open only while it is being read. It is read on
+/// request if the file has changed, by one thread at a time, in short transactions, within a small
+/// share of a core's time; other requests get the last answer. A fault of the file is the answer as
+/// long as it lasts. Safe for any number of threads.
 class WatchedCatalogue {
  public:
-  /// UserError: failure the program carries no page; bad_request the file system is shared;
-  /// bad_input it is no catalogue, is damaged, or not even its directory is there; in_use it is
-  /// being written where nobody may read meanwhile; foreign a newer schema. A file that is not
-  /// there yet is waited for.
+  /// UserError: failure if the program has no page; bad_request if the file system is shared;
+  /// bad_input if it is no catalogue, is damaged, or its directory does not exist; in_use if a
+  /// writer excludes readers; foreign if its schema is newer. A file may appear later.
   WatchedCatalogue(const std::string& path, schema::NameParameter name_parameter,
                    FoldedSheets::Command folds_sheet = {});
 
   bool exists() const { return FileMark::of(call_.path).exists(); }
-  /// The report's page, which asks for live() every second.
+  /// Returns the report's page, which requests live() every second.
   PageResponse page();
-  /// JSON: live_state_json with "writing": whether a search is at work, "read_at_s": when this was
-  /// read, in seconds that only go on; or, with status 503, {"problem": a sentence}.
+  /// Returns live_state_json with "writing": true while a search is at work, and "read_at_s": the
+  /// time of reading on a monotonic clock; or, with status 503, {"problem": a sentence}.
   PageResponse live();
-  /// As FoldedSheets has it.
+  /// Returns the answer of FoldedSheets.
   PageResponse sheet(std::uint64_t draw, const std::function<bool()>& has_gone);
-  /// What is under way ends soon, with a sentence.
+  /// Ends work under way soon, with a sentence.
   void end();
 
  private:
   using Clock = std::chrono::steady_clock;
   struct Kept {
-    std::mutex asking;      // of what follows
-    bool waits = false;     // for others that read, rather than telling what is old
-    PageResponse response;  // without a body before the first time
+    std::mutex asking;      // guards response and rests_until
+    bool waits = false;     // true to wait for another reader instead of giving an old answer
+    PageResponse response;  // no body before the first answer
     FileMark mark;
     Clock::time_point rests_until;
   };
@@ -57,7 +55,7 @@ class WatchedCatalogue {
   const schema::NameParameter name_parameter_;
   std::atomic<bool> has_ended_ = false;
   const ReportCall call_;
-  std::timed_mutex reading_;  // the file is open
+  std::timed_mutex reading_;  // held while the file is open
   FoldedSheets sheets_;
   Kept page_, live_;
 };

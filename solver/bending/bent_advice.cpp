@@ -10,7 +10,7 @@
 namespace misalign::solver {
 namespace {
 
-// At every angle, and by Newton's method sure of each; none otherwise.
+// Critical friction from all angles; none where Newton's method lost an equilibrium.
 std::optional<double> critical_of(const BentWay& way, double n_per_mm, BendMethod method) {
   const DiagonalSprings springs{n_per_mm, way.panels().flat_lengths_mm()};
   const std::vector<BentAngle> angles = way.bend(springs, method);
@@ -22,19 +22,19 @@ std::optional<double> critical_of(const BentWay& way, double n_per_mm, BendMetho
       .critical_n_mm_per_mm.value_or(0);
 }
 
-// Springs so stiff that panels alone give: over the stiffest that panels have against any forces.
+// Stiffness of springs that count as rigid, over the largest stiffness of the panels.
 constexpr double kStiffSprings = 1e4;
-// Springs so much softer than these overcome next to nothing.
+// Softer springs than this share of that are not tried: they overcome almost no friction.
 constexpr double kSoftSprings = 1e12;
 
-// The least stiffness from which on, up to `much` with its critical friction, that is at least so
-// much. Springs and panels give in series: one over the friction is nearly linear in one over the
+// The least stiffness from which up to `much` the critical friction is at least `wanted`. Springs
+// and panels are in series: the reciprocal of the friction is nearly linear in that of the
 // stiffness, and false position on these (Illinois) takes few steps.
 std::optional<double> least_stiffness(const BentWay& way, BendMethod method, double wanted,
                                       double much, double critical_of_much) {
   assert(wanted > 0 && much > 0 && wanted <= critical_of_much);
   struct Point {
-    double mm_per_n, above;  // one over the stiffness; one over the friction, less what is wanted
+    double mm_per_n, above;  // reciprocal stiffness; reciprocal friction, less the wanted
   };
   const auto at = [&](double mm_per_n) -> std::optional<Point> {
     const auto critical = critical_of(way, 1 / mm_per_n, method);
@@ -52,7 +52,8 @@ std::optional<double> least_stiffness(const BentWay& way, BendMethod method, dou
   int stiffer_in_turn = 0;  // negative: softer
   while (soft.mm_per_n > close * stiff.mm_per_n) {
     assert(stiff.above <= 0 && soft.above > 0);
-    // At least this far into the bracket, also where springs so soft overcome nothing.
+    // Steps go at least this far into the bracket, even where the softer springs overcome no
+    // friction.
     const double share = std::clamp(stiff.above / (stiff.above - soft.above), 0.02, 0.98);
     const auto next = at(stiff.mm_per_n + share * (soft.mm_per_n - stiff.mm_per_n));
     if (!next) return {};
@@ -93,16 +94,16 @@ std::optional<double> least_thickness(const Sheet& sheet, const BentPanels& stud
 std::optional<double> useful_stiffness_n_per_mm(const BentWay& way) {
   double least_mm_per_n = std::numeric_limits<double>::infinity();
   for (const Compliance& compliance : way.compliances()) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(compliance.mm_per_n,
-                                                             Eigen::EigenvaluesOnly);
-    // Below 1e-12 of the largest it is rounding.
-    least_mm_per_n = std::min(least_mm_per_n, std::max(own.eigenvalues().minCoeff(),
-                                                       1e-12 * own.eigenvalues().maxCoeff()));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(compliance.mm_per_n,
+                                                               Eigen::EigenvaluesOnly);
+    // Eigenvalues below 1e-12 of the largest are rounding.
+    least_mm_per_n = std::min(least_mm_per_n, std::max(eigen.eigenvalues().minCoeff(),
+                                                       1e-12 * eigen.eigenvalues().maxCoeff()));
   }
   const double much = kStiffSprings / least_mm_per_n;
   const double most = critical_of(way, much, BendMethod::linear).value_or(0);
   if (most <= 0) return {};
-  // With these Newton's method finds as much as it ever does, but for a percent.
+  // These springs are within a percent of the largest friction, by Newton's method too.
   const auto stiff = least_stiffness(way, BendMethod::linear, 0.99 * most, much, most);
   const DiagonalSprings springs{stiff.value(), way.panels().flat_lengths_mm()};
   if (way.bending(springs).method == BendMethod::linear) {

@@ -11,9 +11,9 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-// How far below the lowest angle that is asked for the first of the angles lies.
+// Ratio of the least angle computed to the least angle requested.
 constexpr double kBelow = 0.9;
-// Angles in proportion to each other at which friction is looked at.
+// Number of intervals between angles, in geometric progression, at which friction is compared.
 constexpr int kRows = 40;
 
 std::vector<Matrix3Xd> shapes_at(const Sheet& sheet, const VectorXd& pilot_deg) {
@@ -26,13 +26,13 @@ double angle_of_row(double from_deg, double to_deg, int row, int rows) {
   return from_deg * std::pow(to_deg / from_deg, static_cast<double>(row) / rows);
 }
 
-// Of an equilibrium at one of the angles.
+// An equilibrium at one of the angles.
 struct Followed {
   double turned_mm, n_mm, moment_n;
 };
 
-// Whether the energy rises from one to the other as the moments of both have it: between powers of
-// the sum, whose exponents change slowly. Another equilibrium has some times the energy.
+// Tolerance of the energy's rise between two equilibria of one path, whose moments give powers of
+// the turning with slowly changing exponents. Another equilibrium has several times the energy.
 constexpr double kSameEnergy = 0.1;
 
 bool is_same(const Followed& below, const Followed& above) {
@@ -43,7 +43,8 @@ bool is_same(const Followed& below, const Followed& above) {
          std::abs(std::log(above.n_mm / below.n_mm) - expected) <= kSameEnergy;
 }
 
-// The first place down from the start, between two rows, where a moment is no longer enough.
+// Bisects for the first angle down from the start, between two rows, at which the moment no longer
+// suffices.
 double stall_between(const EnergyCurve& curve, const OtherMomentsAt& others, double friction,
                      double moves_deg, double held_deg) {
   for (int k = 0; k < 40; ++k) {
@@ -55,8 +56,8 @@ double stall_between(const EnergyCurve& curve, const OtherMomentsAt& others, dou
   return held_deg;
 }
 
-// The largest friction of the creases with which it gets from the start to flat.
-void find_critical(const EnergyCurve& curve, const OtherMomentsAt& others, BentFriction& found) {
+// Finds the largest friction of the creases with which it gets from the start to flat.
+void find_critical(const EnergyCurve& curve, const OtherMomentsAt& others, BentFriction& friction) {
   const double from_deg = curve.most_deg();
   constexpr int kSteps = 200;
   const EnergyCurve::At start = curve.at(from_deg);
@@ -70,18 +71,18 @@ void find_critical(const EnergyCurve& curve, const OtherMomentsAt& others, BentF
   };
   for (int k = 1; k <= kSteps; ++k) {
     const double at_deg = angle_of_row(from_deg, curve.least_deg(), k, kSteps);
-    const EnergyCurve::At here = curve.at(at_deg);
+    const EnergyCurve::At point = curve.at(at_deg);
     const OtherMoments rest = others(at_deg);
-    balls_n_mm += (balls_n + rest.balls_n) / 2 * (turned_mm - here.turned_mm);
+    balls_n_mm += (balls_n + rest.balls_n) / 2 * (turned_mm - point.turned_mm);
     balls_n = rest.balls_n;
-    turned_mm = here.turned_mm;
-    see(here.n_mm + rest.n_mm, here.turned_mm, at_deg);
+    turned_mm = point.turned_mm;
+    see(point.n_mm + rest.n_mm, point.turned_mm, at_deg);
   }
   balls_n_mm += balls_n * turned_mm;
   see(0, 0, 0);
   if (least <= 0) return;
-  found.critical_n_mm_per_mm = least;
-  found.critical_deg = least_deg;
+  friction.critical_n_mm_per_mm = least;
+  friction.critical_deg = least_deg;
 }
 
 }  // namespace
@@ -107,10 +108,10 @@ BentWay::BentWay(const Sheet& sheet, const PanelMaterial& material, double thick
       pilot_deg_(EnergyCurve::angles_deg(least_deg_, from_deg, angles)),
       folded_mm_(shapes_at(sheet, pilot_deg_)) {
   for (const Matrix3Xd& folded_mm : folded_mm_) {
-    std::optional<Compliance> found = find_compliance(panels_, folded_mm);
-    is_known_ = is_known_ && found;
+    std::optional<Compliance> compliance = find_compliance(panels_, folded_mm);
+    is_known_ = is_known_ && compliance;
     if (!is_known_) return;
-    compliances_.push_back(std::move(*found));
+    compliances_.push_back(std::move(*compliance));
   }
 }
 
@@ -127,31 +128,31 @@ std::vector<BentAngle> BentWay::bend(const DiagonalSprings& springs, BendMethod 
   return angles;
 }
 
-// Down from the start; where the equilibrium is lost, from the rigid sheet again.
+// Follows the equilibrium down from the start; where it is lost, begins with the rigid sheet again.
 void BentWay::bend_far(const DiagonalSprings& springs, std::vector<BentAngle>& angles) const {
   const bool is_relaxed_flat = springs.relaxed_mm == panels_.flat_lengths_mm();
   std::optional<BentFollower> follower;
   std::optional<Followed> above;
   for (std::size_t k = angles.size(); k-- > 0;) {
     const double turned_mm = compliances_[k].turned_mm;
-    bool found = follower && follower->follow(turned_mm, springs.relaxed_mm);
-    if (!found) {
+    bool is_followed = follower && follower->follow(turned_mm, springs.relaxed_mm);
+    if (!is_followed) {
       follower.emplace(panels_, folded_mm_[k], springs.n_per_mm);
-      found = follower->follow(turned_mm, springs.relaxed_mm);
+      is_followed = follower->follow(turned_mm, springs.relaxed_mm);
     }
     BentAngle& angle = angles[k];
-    angle.is_sure = found;
-    if (!found) {
+    angle.is_sure = is_followed;
+    if (!is_followed) {
       follower.reset();
       continue;
     }
-    const Followed here{turned_mm, follower->state().n_mm, follower->state().moment_n};
-    if (is_relaxed_flat && above && !is_same(here, *above)) {
+    const Followed below{turned_mm, follower->state().n_mm, follower->state().moment_n};
+    if (is_relaxed_flat && above && !is_same(below, *above)) {
       angle.is_sure = false;
       continue;
     }
     angle.bent = follower->state();
-    above = here;
+    above = below;
   }
 }
 
@@ -180,31 +181,33 @@ EnergyCurve BentWay::curve(const DiagonalSprings& springs,
 
 BentFriction find_bent_friction(const EnergyCurve& curve, double to_deg,
                                 double friction_n_mm_per_mm, const OtherMomentsAt& others) {
-  BentFriction found;
-  find_critical(curve, others, found);
-  found.static_n_mm_per_mm = std::numeric_limits<double>::infinity();
+  BentFriction friction;
+  find_critical(curve, others, friction);
+  friction.static_n_mm_per_mm = std::numeric_limits<double>::infinity();
   const double from_deg = curve.most_deg();
   for (int row = 0; row <= kRows; ++row) {
     const double at_deg = angle_of_row(from_deg, to_deg, row, kRows);
     const OtherMoments other = others(at_deg);
-    StaticMargin here{at_deg, curve.at(at_deg).moment_n + other.moment_n, {}};
-    if (here.available_n - other.balls_n < found.static_n_mm_per_mm) {
-      found.static_n_mm_per_mm = here.available_n - other.balls_n;
-      found.static_deg = at_deg;
+    StaticMargin entry{at_deg, curve.at(at_deg).moment_n + other.moment_n, {}};
+    if (entry.available_n - other.balls_n < friction.static_n_mm_per_mm) {
+      friction.static_n_mm_per_mm = entry.available_n - other.balls_n;
+      friction.static_deg = at_deg;
     }
     const double resisting = friction_n_mm_per_mm + other.balls_n;
     if (resisting > 0) {
-      here.margin = here.available_n / resisting - 1;
-      found.static_margin = std::min(found.static_margin.value_or(*here.margin), *here.margin);
-      if (*here.margin <= 0 && !found.static_stall_deg) {
-        found.static_stall_deg = row == 0 ? at_deg
-                                          : stall_between(curve, others, friction_n_mm_per_mm,
-                                                          found.rows.back().pilot_deg, at_deg);
+      entry.margin = entry.available_n / resisting - 1;
+      friction.static_margin =
+          std::min(friction.static_margin.value_or(*entry.margin), *entry.margin);
+      if (*entry.margin <= 0 && !friction.static_stall_deg) {
+        friction.static_stall_deg = row == 0
+                                        ? at_deg
+                                        : stall_between(curve, others, friction_n_mm_per_mm,
+                                                        friction.rows.back().pilot_deg, at_deg);
       }
     }
-    found.rows.push_back(here);
+    friction.rows.push_back(entry);
   }
-  return found;
+  return friction;
 }
 
 const BentAngle& BentPanels::most_bent() const {

@@ -1,9 +1,8 @@
-// The study of a sheet whose panels bend: what its springs still do, and what friction they
-// overcome.
+// The study of a sheet whose panels bend: the energy left in its springs, and the friction that
+// they overcome.
 //
-// Rigid panels flatter: on the way from its springs to its creases most of the energy of a thin
-// sheet goes into its panels. Everything here has its rigid counterpart in `deploy`, which is an
-// upper bound.
+// Rigid panels promise too much: most of the springs' energy in a thin sheet goes into its panels.
+// Everything here has its rigid counterpart in `deploy`, which is an upper bound.
 #pragma once
 
 #include <functional>
@@ -21,47 +20,46 @@ enum class BendMethod { linear, newton };
 
 struct BentPanelsOptions {
   PanelMaterial material;
-  double to_deg = kMarginTo_deg;     ///< margins are asked from the start down to this angle
-  int angles = 16;                   ///< at which the panels are bent
-  std::optional<BendMethod> method;  ///< none: as kLinearError says
+  double to_deg = kMarginTo_deg;     ///< margins are computed from the start down to this angle
+  int angles = 16;                   ///< number of angles at which the panels are bent
+  std::optional<BendMethod> method;  ///< none: chosen by kLinearError
 };
 
-/// Linear is right where Newton's method, at the start, changes the energy by no more than this
-/// share: of all angles it bends the panels most there. 3 % rms against CalculiX is wanted.
+/// Linear bending suffices where Newton's method changes the energy at the start, where panels bend
+/// most, by no more than this share. The aim is 3 % rms against CalculiX.
 inline constexpr double kLinearError = 0.02;
 
-/// At one of the angles.
+/// Bending at one of the angles.
 struct BentAngle {
   double pilot_deg;
-  double rigid_n_mm;  ///< energy of the springs if panels were rigid
+  double rigid_n_mm;  ///< energy of the springs with rigid panels
   BentState bent;
-  bool
-      is_sure;  ///< Newton's method has followed the equilibrium to it; true where it was not asked
+  bool is_sure;  ///< true if linear, or followed by Newton's method
   double largest_saddle_mm = 0;
   double largest_stress_mpa = 0;  ///< farther than kCornerWidths from the corners of a panel
 };
 
-/// How springs bend it at the start: the method that it takes, and what Newton's changes there.
+/// The method chosen, from bending at the start, and the effect of Newton's method there.
 struct Bending {
   BendMethod method;
-  double newton_over_linear;  ///< energies; 1 where Newton's method was not asked, or lost it
+  double newton_over_linear;  ///< ratio of energies; 1 where Newton's method did not run or failed
 };
 
-/// A sheet at the angles, for any springs: its panels of one thickness and material.
+/// A sheet at all angles, for any springs; its panels have one thickness and material.
 class BentWay {
  public:
   /// `sheet` must have a way that reaches from_deg, and outlive this object.
   BentWay(const Sheet& sheet, const PanelMaterial& material, double thickness_mm, double to_deg,
           double from_deg, int angles);
 
-  /// Whether the panels' stiffness is positive at all of its angles, as it is but for rounding.
+  /// Returns whether the panels' stiffness is positive at all angles, as it is except for rounding.
   bool is_known() const { return is_known_; }
   const ElasticSheet& panels() const { return panels_; }
   const Eigen::VectorXd& pilot_deg() const { return pilot_deg_; }
   const std::vector<Compliance>& compliances() const { return compliances_; }
 
   Bending bending(const DiagonalSprings& springs) const;
-  /// At every angle, linear or by Newton's method.
+  /// Bends panels at every angle, linearly or by Newton's method.
   std::vector<BentAngle> bend(const DiagonalSprings& springs, BendMethod method) const;
   EnergyCurve curve(const DiagonalSprings& springs, const std::vector<BentAngle>& angles) const;
 
@@ -76,34 +74,35 @@ class BentWay {
   bool is_known_ = true;
 };
 
-/// What else than springs and creases' friction acts at an angle of the rigid way: the energy of
-/// elastic creases and weight, its change and that of ball joints' friction by the creases' sum.
+/// Effects other than springs and creases' friction at an angle of the rigid way: the energy of
+/// elastic creases and weight, and the derivatives of this and of ball joints' friction by the
+/// creases' turning.
 struct OtherMoments {
   double n_mm, moment_n, balls_n;
 };
 using OtherMomentsAt = std::function<OtherMoments(double pilot_deg)>;
 OtherMomentsAt other_moments(const EnergyModel& sheet);
 
-/// Of one angle between the start and `to_deg`: N mm of moment for each mm of crease.
+/// Static margin at one angle between the start and `to_deg`: N mm of moment for each mm of crease.
 struct StaticMargin {
   double pilot_deg;
-  double available_n;  ///< what drives it to flat
+  double available_n;  ///< driving moment, positive to flat
   /// available / resisting - 1; none without friction.
   std::optional<double> margin;
 };
 
 struct BentFriction {
-  /// The largest friction of the creases with which a sheet let go at the start gets to flat: the
-  /// energy margin is this over its own friction, less 1. None: it does not get there.
+  /// The largest friction of the creases with which a sheet released at the start reaches flat: the
+  /// energy margin is this over the sheet's friction, less 1. None: it does not reach flat.
   std::optional<double> critical_n_mm_per_mm;
   double critical_deg = 0;
-  /// The largest friction with which it moves on at every angle, however slowly, and where that is
-  /// decided; not positive where it does not by itself.
+  /// The largest friction with which it moves at every angle, however slowly, and the angle that
+  /// decides; not positive where the sheet does not move by itself.
   double static_n_mm_per_mm = 0, static_deg = 0;
-  /// With its own friction: the least static margin, and the first angle from which it does not
-  /// move on; none without friction, none where it moves on down to `to_deg`.
+  /// The least static margin with the sheet's friction, and the first angle at which it stalls;
+  /// none without friction, no stall where it moves down to `to_deg`.
   std::optional<double> static_margin, static_stall_deg;
-  std::vector<StaticMargin> rows;  ///< from the start down, at some forty angles
+  std::vector<StaticMargin> rows;  ///< descending from the start, about forty angles
 };
 
 BentFriction find_bent_friction(const EnergyCurve& curve, double to_deg,
@@ -113,15 +112,15 @@ struct BentPanels {
   BentPanelsOptions options;
   double from_deg, thickness_mm;
   BendMethod method;
-  double newton_over_linear;      ///< energies at the start; 1 where Newton's method was not asked
+  double newton_over_linear;      ///< energies at the start; 1 where Newton's method did not run
   std::vector<BentAngle> angles;  ///< ascending
   EnergyCurve curve;
   BentFriction friction;
-  const BentAngle& most_bent() const;  ///< the largest stress
+  const BentAngle& most_bent() const;  ///< the angle of the largest stress
   int unsure() const;                  ///< angles where Newton's method did not converge
 };
-/// Faults: of the angles as `deploy`, springs that only pull, an angle `to_deg` that does not lie
-/// below the start. Reasons: path_lost; panels_not_stable at one of the angles.
+/// Faults: those of the angles in `deploy`, springs that only pull, an angle `to_deg` that does not
+/// lie below the start. Reasons: path_lost; panels_not_stable at one of the angles.
 StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& deploying,
                                     const BentPanelsOptions& options = {});
 

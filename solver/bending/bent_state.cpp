@@ -15,14 +15,14 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The last correction's largest displacement.
+// Largest displacement of the last correction.
 constexpr double kLastStep_widths = 1e-10;
-// Corrections of one step, and all of them together as a share of the predicted displacement: a
-// thin panel that is stretched by the prediction first moves to and fro, so that single ones say
-// little.
+// Number of corrections of one step, and the share of the predicted displacement that all together
+// may have. Single ones tell little: a thin panel that the prediction stretches first moves to and
+// fro.
 constexpr int kMostCorrectionsOfStep = 12;
 constexpr double kCloseness = 0.5;
-// Steps from one load to the other, and the shortest of them as a share of the way.
+// Number of steps from one load to the other, and the shortest as a share of the way.
 constexpr int kMostBendSteps = 200;
 constexpr double kLeastBendStep = 1.0 / 512;
 
@@ -43,7 +43,7 @@ class HeldStiffness {
   HeldStiffness(const Eigen::MatrixXd& a, const Eigen::VectorXd& g);
   bool is_positive() const { return is_positive_; }
 
-  // Columns of L^-1 r without what the held sum takes: their products are r^T A^-1 r.
+  // Columns of L^-1 r without the component of the held sum: their products are r^T A^-1 r.
   Eigen::MatrixXd lower(const Eigen::MatrixXd& r) const;
   Eigen::MatrixXd upper(const Eigen::MatrixXd& lower) const;
 
@@ -52,7 +52,7 @@ class HeldStiffness {
     double lambda;
   };
   Step solve(const Eigen::VectorXd& r, double c) const;
-  // The same where A is not positive: by elimination of all at once.
+  // The same where A is not positive: by elimination of the whole system.
   static Step solve_unstable(const Eigen::MatrixXd& a, const Eigen::VectorXd& g,
                              const Eigen::VectorXd& r, double c);
 
@@ -121,7 +121,7 @@ bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
   assert(relaxed_mm.size() == sheet_.diagonals());
   if (!held_ && !correct(load_, sheet_.panel_width_mm(), state_)) return false;
   const Load from = load_;
-  double left = 1;  // of the way to the new load
+  double left = 1;  // remaining share of the way to the new load
   int steps = 0;
   for (double share = 1; left > 0; share = std::min(2 * share, left)) {
     const VectorXd pushed_n = n_per_mm_ * (relaxed_mm - from.relaxed_mm);
@@ -151,8 +151,8 @@ bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
   return true;
 }
 
-// Whether Newton's method gets to a stable state close to a prediction that moved nothing by more
-// than this.
+// Returns whether Newton's method reaches a stable state close to a prediction whose displacements
+// are at most `moved_mm`.
 bool BentFollower::correct(const Load& load, double moved_mm, State& state) {
   const double enough_mm = kLastStep_widths * sheet_.panel_width_mm();
   const Matrix3Xd predicted_mm = state.at_mm;
@@ -165,7 +165,7 @@ bool BentFollower::correct(const Load& load, double moved_mm, State& state) {
     HeldStiffness held(bend, turned_slope);
     const VectorXd push = -energy.slope(free_);
     const double short_mm = load.turned_mm - sheet_.turned_mm(state.at_mm);
-    // Off its equilibrium a thin panel is compressed in its plane, and need not be stable.
+    // A thin panel off its equilibrium is compressed in its plane, and need not be stable.
     const auto step = held.is_positive()
                           ? held.solve(push, short_mm)
                           : HeldStiffness::solve_unstable(bend, turned_slope, push, short_mm);
@@ -183,9 +183,9 @@ bool BentFollower::correct(const Load& load, double moved_mm, State& state) {
   return false;
 }
 
-double BentFollower::move(const VectorXd& by, double share, State& state) const {
+double BentFollower::move(const VectorXd& displacement, double share, State& state) const {
   VectorXd moved = VectorXd::Zero(sheet_.coordinates());
-  moved(free_) = share * by;
+  moved(free_) = share * displacement;
   const auto by_vertex = moved.reshaped(3, sheet_.vertices());
   state.at_mm += by_vertex;
   return by_vertex.colwise().norm().maxCoeff();

@@ -17,8 +17,8 @@ Matrix3d cross_with(const Vector3d& a) {
 
 }  // namespace
 
-// The shear angle of a parallelogram with sides a, b and diagonals d1, d2: of d2^2 - d1^2 =
-// -4 a b cos, without what comes from longer sides.
+// The shear angle of a parallelogram with sides a, b and diagonals d1, d2, from d2^2 - d1^2 = -4 a
+// b cos, without the part of longer sides.
 ElasticPanel::ElasticPanel(const std::array<Eigen::Vector2d, 4>& corners_mm,
                            const std::array<bool, 4>& is_straight, const PanelMaterial& material,
                            double thickness_mm, double stiffer)
@@ -32,8 +32,9 @@ ElasticPanel::ElasticPanel(const std::array<Eigen::Vector2d, 4>& corners_mm,
   const double thin = 1 + kFreeEdge * t * saddle.perimeter_mm / saddle.area_mm2;
   saddle_n_per_mm_ = e * t * t * t / 12 / (1 - nu * nu) * saddle.stiffness / thin;
   const double modulus_n_per_mm = stiffer * e * t;
-  const Eigen::Vector2d one = corners_mm[2] - corners_mm[0], other = corners_mm[3] - corners_mm[1];
-  const double cotangent = (one.squaredNorm() - other.squaredNorm()) / (4 * area_mm2_);
+  const Eigen::Vector2d diagonal_a = corners_mm[2] - corners_mm[0],
+                        diagonal_b = corners_mm[3] - corners_mm[1];
+  const double cotangent = (diagonal_a.squaredNorm() - diagonal_b.squaredNorm()) / (4 * area_mm2_);
   for (int i = 0; i < 6; ++i) {
     const int from = i < 4 ? i : i - 4, to = i < 4 ? (i + 1) % 4 : i - 2;
     const double length = (corners_mm[to] - corners_mm[from]).norm();
@@ -59,26 +60,26 @@ double ElasticPanel::stress_mpa_per_mm() const {
 ElasticPanel::Function ElasticPanel::saddle(const Corners& p) const {
   const double factor = 1 / area_mm2_;
   const Vector3d a = p.col(1) - p.col(0), b = p.col(2) - p.col(0), c = p.col(3) - p.col(0);
-  Function of;
-  of.value = factor * a.dot(b.cross(c));
+  Function saddle;
+  saddle.value = factor * a.dot(b.cross(c));
   const std::array<Vector3d, 3> slopes{b.cross(c), c.cross(a), a.cross(b)};
   const std::array<Vector3d, 3> arms{a, b, c};
   for (int i = 0; i < 3; ++i) {
-    of.slope.segment<3>(3 * (i + 1)) = factor * slopes[i];
-    of.slope.head<3>() -= factor * slopes[i];
+    saddle.slope.segment<3>(3 * (i + 1)) = factor * slopes[i];
+    saddle.slope.head<3>() -= factor * slopes[i];
     const int next = (i + 1) % 3, third = (i + 2) % 3;
     const Matrix3d block = -factor * cross_with(arms[third]);  // d(slope i) / d(next)
-    of.bend.block<3, 3>(3 * (i + 1), 3 * (next + 1)) = block;
-    of.bend.block<3, 3>(3 * (next + 1), 3 * (i + 1)) = block.transpose();
+    saddle.bend.block<3, 3>(3 * (i + 1), 3 * (next + 1)) = block;
+    saddle.bend.block<3, 3>(3 * (next + 1), 3 * (i + 1)) = block.transpose();
   }
   for (int i = 1; i < 4; ++i) {  // the same for all moved together
-    const Matrix3d sum = of.bend.block<3, 3>(3 * i, 3) + of.bend.block<3, 3>(3 * i, 6) +
-                         of.bend.block<3, 3>(3 * i, 9);
-    of.bend.block<3, 3>(3 * i, 0) = -sum;
-    of.bend.block<3, 3>(0, 3 * i) = -sum.transpose();
-    of.bend.block<3, 3>(0, 0) += sum;
+    const Matrix3d sum = saddle.bend.block<3, 3>(3 * i, 3) + saddle.bend.block<3, 3>(3 * i, 6) +
+                         saddle.bend.block<3, 3>(3 * i, 9);
+    saddle.bend.block<3, 3>(3 * i, 0) = -sum;
+    saddle.bend.block<3, 3>(0, 3 * i) = -sum.transpose();
+    saddle.bend.block<3, 3>(0, 0) += sum;
   }
-  return of;
+  return saddle;
 }
 
 // Adds factor * (|to - from|^2 - flat^2).
@@ -96,11 +97,11 @@ void ElasticPanel::add_square(double factor, const Bar& bar, const Corners& p, F
   }
 }
 
-ElasticPanel::Function ElasticPanel::squared(const Function& of) {
+ElasticPanel::Function ElasticPanel::squared(const Function& function) {
   Function squared;
-  squared.value = of.value * of.value;
-  squared.slope = 2 * of.value * of.slope;
-  squared.bend = 2 * (of.slope * of.slope.transpose() + of.value * of.bend);
+  squared.value = function.value * function.value;
+  squared.slope = 2 * function.value * function.slope;
+  squared.bend = 2 * (function.slope * function.slope.transpose() + function.value * function.bend);
   return squared;
 }
 

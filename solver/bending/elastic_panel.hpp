@@ -1,5 +1,5 @@
-// A panel that gives, as an elastic structure of its four corners: it bends into a saddle, and
-// stretches and shears a little in its plane.
+// An elastic panel as a structure of its four corners: it bends into a saddle, and stretches and
+// shears a little in its plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 namespace misalign::solver {
 
-/// The paper's, section 5: aluminium.
+/// The paper's material, section 5: aluminium.
 struct PanelMaterial {
   double e_gpa = 70;
   double poisson = 0.33;
@@ -17,8 +17,8 @@ struct PanelMaterial {
   double e_mpa() const { return 1e3 * e_gpa; }
 };
 
-/// A panel gives along a side like a strip with this share of its width: forces enter at corners.
-/// Chosen on Table 1 (results/bending/README.md), tested on other sheets.
+/// A panel stretches along a side like a strip with this share of its width: forces enter at
+/// corners. The share was fitted to Table 1 (results/bending/README.md) and tested on other sheets.
 inline constexpr double kEdgeShare = 0.12;
 /// A plate that twists loses 0.315 t of its width at each edge (Saint-Venant).
 inline constexpr double kFreeEdge = 0.315;
@@ -33,18 +33,18 @@ class ElasticPanel {
     Eigen::Matrix<double, 12, 12> bend = Eigen::Matrix<double, 12, 12>::Zero();
   };
 
-  /// The flat panel's corners as bend_into_saddle() has them. `stiffer`: times the stiffness in its
-  /// plane.
+  /// Corners of the flat panel are as in bend_into_saddle(). `stiffer` multiplies the stiffness in
+  /// its plane.
   ElasticPanel(const std::array<Eigen::Vector2d, 4>& corners_mm,
                const std::array<bool, 4>& is_straight, const PanelMaterial& material,
                double thickness_mm, double stiffer);
 
   double area_mm2() const { return area_mm2_; }
-  /// q.
+  /// The saddle's size q.
   Function saddle(const Corners& p) const;
-  /// K, N/mm.
+  /// Stiffness K of the saddle, N/mm.
   double saddle_n_per_mm() const { return saddle_n_per_mm_; }
-  /// The largest von Mises stress at its faces for each mm of q, but next to its corners
+  /// The largest von Mises stress at its faces for each mm of q, away from its corners
   /// (saddle_stress).
   double stress_mpa_per_mm() const;
 
@@ -72,15 +72,15 @@ class ElasticPanel {
     double flat_mm;
   };
   static void add_square(double factor, const Bar& bar, const Corners& p, Function& sum);
-  static Function squared(const Function& of);
+  static Function squared(const Function& function);
 
   std::array<Eigen::Vector2d, 4> corners_mm_;
-  std::array<bool, 4> is_straight_;  // from each corner to the next
+  std::array<bool, 4> is_straight_;  // edges from each corner to the next
   PanelMaterial material_;
   double thickness_mm_, area_mm2_, saddle_n_per_mm_;
   std::array<Bar, 6> bars_;  // four sides, two diagonals
   std::array<double, 4> side_n_per_mm_;
-  std::array<double, 6> shear_;  // of each bar's square: the panel's shear angle
+  std::array<double, 6> shear_;  // weights of the bars' squares in the shear angle
   double shear_n_mm_, stretch_n_per_mm3_;
 };
 

@@ -22,16 +22,18 @@ Corners corners_at(const Matrix3Xd& at_mm, const std::array<int, 4>& corners) {
   return p;
 }
 
-// Adds stiffness / 2 value^2.
-void add_elastic(double stiffness, const ElasticPanel::Function& of,
+// Adds the energy stiffness / 2 value^2.
+void add_elastic(double stiffness, const ElasticPanel::Function& function,
                  const std::array<int, 4>& corners, ElasticSheet::Energy& energy) {
-  energy.n_mm += stiffness / 2 * of.value * of.value;
+  energy.n_mm += stiffness / 2 * function.value * function.value;
   for (int i = 0; i < 4; ++i) {
-    energy.slope.segment<3>(3 * corners[i]) += stiffness * of.value * of.slope.segment<3>(3 * i);
+    energy.slope.segment<3>(3 * corners[i]) +=
+        stiffness * function.value * function.slope.segment<3>(3 * i);
     for (int j = 0; j < 4; ++j) {
       energy.bend.block<3, 3>(3 * corners[i], 3 * corners[j]) +=
-          stiffness * (of.slope.segment<3>(3 * i) * of.slope.segment<3>(3 * j).transpose() +
-                       of.value * of.bend.block<3, 3>(3 * i, 3 * j));
+          stiffness *
+          (function.slope.segment<3>(3 * i) * function.slope.segment<3>(3 * j).transpose() +
+           function.value * function.bend.block<3, 3>(3 * i, 3 * j));
     }
   }
 }
@@ -126,17 +128,17 @@ MatrixXd ElasticSheet::saddle_slopes(const Matrix3Xd& at_mm) const {
 double ElasticSheet::turned_mm(const Matrix3Xd& at_mm) const {
   double sum = 0;
   for (const Fold& fold : folds_) {
-    sum += fold.length_mm * angle_of_normals(mean_normal(corners_at(at_mm, corners(fold.one))),
-                                             mean_normal(corners_at(at_mm, corners(fold.other))));
+    sum += fold.length_mm * angle_of_normals(mean_normal(corners_at(at_mm, corners(fold.left))),
+                                             mean_normal(corners_at(at_mm, corners(fold.right))));
   }
   return sum;
 }
 
-// Of one crease by the corners of both panels, four each.
+// Derivatives of a crease's fold angle by the corners of both panels, four each.
 Eigen::Matrix<double, 3, 8> ElasticSheet::fold_slope(const Fold& fold,
                                                      const Matrix3Xd& at_mm) const {
-  const std::array<Corners, 2> p{corners_at(at_mm, corners(fold.one)),
-                                 corners_at(at_mm, corners(fold.other))};
+  const std::array<Corners, 2> p{corners_at(at_mm, corners(fold.left)),
+                                 corners_at(at_mm, corners(fold.right))};
   const Vector3d n0 = mean_normal(p[0]), n1 = mean_normal(p[1]);
   const Vector3d axis = n0.cross(n1).normalized();
   Eigen::Matrix<double, 3, 8> slope;
@@ -144,13 +146,14 @@ Eigen::Matrix<double, 3, 8> ElasticSheet::fold_slope(const Fold& fold,
     const Vector3d& n = side == 0 ? n0 : n1;
     // The angle grows as n goes away from the other normal.
     const Vector3d away = (side == 0 ? -1 : 1) * axis.cross(n) / n.squaredNorm();
-    const Vector3d one = p[side].col(2) - p[side].col(0), other = p[side].col(3) - p[side].col(1);
-    const Vector3d by_one = fold.length_mm * other.cross(away),
-                   by_other = fold.length_mm * away.cross(one);
-    slope.col(4 * side) = -by_one;
-    slope.col(4 * side + 1) = -by_other;
-    slope.col(4 * side + 2) = by_one;
-    slope.col(4 * side + 3) = by_other;
+    const Vector3d diagonal_a = p[side].col(2) - p[side].col(0),
+                   diagonal_b = p[side].col(3) - p[side].col(1);
+    const Vector3d by_a = fold.length_mm * diagonal_b.cross(away),
+                   by_b = fold.length_mm * away.cross(diagonal_a);
+    slope.col(4 * side) = -by_a;
+    slope.col(4 * side + 1) = -by_b;
+    slope.col(4 * side + 2) = by_a;
+    slope.col(4 * side + 3) = by_b;
   }
   return slope;
 }
@@ -158,10 +161,10 @@ Eigen::Matrix<double, 3, 8> ElasticSheet::fold_slope(const Fold& fold,
 VectorXd ElasticSheet::turned_slope(const Matrix3Xd& at_mm) const {
   VectorXd slope = VectorXd::Zero(coordinates());
   for (const Fold& fold : folds_) {
-    const auto of = fold_slope(fold, at_mm);
+    const auto rates = fold_slope(fold, at_mm);
     for (int i = 0; i < 8; ++i) {
-      const int vertex = corners(i < 4 ? fold.one : fold.other)[i % 4];
-      slope.segment<3>(3 * vertex) += of.col(i);
+      const int vertex = corners(i < 4 ? fold.left : fold.right)[i % 4];
+      slope.segment<3>(3 * vertex) += rates.col(i);
     }
   }
   return slope;
@@ -171,7 +174,7 @@ void ElasticSheet::add_turned_bend(const Matrix3Xd& at_mm, double factor, Matrix
   const double step_mm = 1e-5 * panel_width_mm_;
   Matrix3Xd moved = at_mm;
   for (const Fold& fold : folds_) {
-    const auto vertex_of = [&](int i) { return corners(i < 4 ? fold.one : fold.other)[i % 4]; };
+    const auto vertex_of = [&](int i) { return corners(i < 4 ? fold.left : fold.right)[i % 4]; };
     for (int i = 0; i < 8; ++i) {
       const int vertex = vertex_of(i);
       // Both panels' corners on the crease are moved together, once.
@@ -197,9 +200,10 @@ void ElasticSheet::add_turned_bend(const Matrix3Xd& at_mm, double factor, Matrix
 ElasticSheet::Energy ElasticSheet::panels_energy(const Matrix3Xd& at_mm) const {
   Energy energy{0, VectorXd::Zero(coordinates()), MatrixXd::Zero(coordinates(), coordinates())};
   for (Index k = 0; k < panels(); ++k) {
-    plate(k).each_elastic(corners_at(at_mm, corners(k)), [&](double stiffness, const auto& of) {
-      add_elastic(stiffness, of, corners(k), energy);
-    });
+    plate(k).each_elastic(corners_at(at_mm, corners(k)),
+                          [&](double stiffness, const auto& function) {
+                            add_elastic(stiffness, function, corners(k), energy);
+                          });
   }
   return energy;
 }
@@ -223,7 +227,7 @@ void ElasticSheet::add_springs(const Matrix3Xd& at_mm, double n_per_mm, const Ve
   }
 }
 
-// A corner in all directions, the next one but for along the side, and across at the third.
+// Holds a corner in all directions, the next across the side, and the third out of the plane.
 std::vector<int> ElasticSheet::supports(const Matrix3Xd& at_mm) const {
   const auto& c = corners_.front();
   const Vector3d along = at_mm.col(c[1]) - at_mm.col(c[0]),

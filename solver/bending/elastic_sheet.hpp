@@ -1,15 +1,14 @@
-// A sheet whose panels give, as an elastic structure of its vertices: panels bend into saddles and
-// stretch a little, creases turn freely, springs pull on the diagonals.
+// An elastic sheet as a structure of its vertices: panels bend into saddles and stretch a little,
+// creases turn freely, springs pull on the diagonals.
 //
-// Creases stay straight, since each lies in a panel that is stiff in its own plane; so what panels
-// do to each other goes through their corners, and the places of the vertices say everything. With
-// x all of them, a column each:
+// Creases stay straight, since each lies in a panel that is stiff in its own plane; so panels act
+// on each other through their corners, and the places x of the vertices determine everything:
 //   energy = sum over panels of K q^2 / 2 + mu q^4 / 2 + edges and shears, squared
 //          + sum over springs of k / 2 pull^2.
-// The first is exact for saddles that are small beside the thickness. In larger ones the panel's
-// middle plane has to stretch: mu = E t I / area^4, with I the volume under a clamped plate of that
-// size, load over rigidity being 1 (von Karman's equation for w = q x y / area, edges free in the
-// plane): 0.3 % of the energy in a square where q = t, 3 % where q = 3 t.
+// The first term is exact for saddles that are small beside the thickness. In larger ones the
+// panel's middle plane has to stretch: mu = E t I / area^4, with I the volume under a clamped plate
+// of that size, load over rigidity being 1 (von Karman's equation for w = q x y / area, edges free
+// in the plane): 0.3 % of the energy in a square where q = t, 3 % where q = 3 t.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,7 +31,8 @@ class ElasticSheet {
     Eigen::MatrixXd bend;
   };
 
-  /// `stiffer`: times the stiffness of panels in their planes, to come near panels that only bend.
+  /// `stiffer` multiplies the stiffness of panels in their planes, which approximates panels that
+  /// only bend.
   ElasticSheet(const FlatVertices& flat_mm, const Panels& panels,
                const std::vector<Diagonal>& diagonals, const PanelMaterial& material,
                double thickness_mm, double stiffer = 1);
@@ -48,38 +48,38 @@ class ElasticSheet {
   double panel_width_mm() const { return panel_width_mm_; }
   Eigen::Matrix3Xd flat_shape_mm() const;
 
-  /// Lengths of the diagonals flat; and how long they are, and their rates: a row for each.
+  /// Lengths of the diagonals in the flat sheet and here, and their derivatives, a row each.
   const Eigen::VectorXd& flat_lengths_mm() const { return flat_lengths_mm_; }
   Eigen::VectorXd lengths_mm(const Eigen::Matrix3Xd& at_mm) const;
   Eigen::MatrixXd length_slopes(const Eigen::Matrix3Xd& at_mm) const;
-  /// q of each panel, and its rates.
+  /// Saddle q of each panel, and its derivatives.
   Eigen::VectorXd saddles_mm(const Eigen::Matrix3Xd& at_mm) const;
   Eigen::MatrixXd saddle_slopes(const Eigen::Matrix3Xd& at_mm) const;
-  /// K of each panel, N/mm.
+  /// Saddle stiffness K of each panel, N/mm.
   const Eigen::VectorXd& saddle_n_per_mm() const { return saddle_n_per_mm_; }
-  /// Each panel's; some ms for a sheet.
+  /// See ElasticPanel; takes some ms for a sheet.
   Eigen::VectorXd stress_mpa_per_mm() const;
 
-  /// Sum over the creases of length times |fold angle| (mm): dry friction of so much for each mm of
-  /// crease takes this times its change. Fold angles are those between the panels' mean normals,
-  /// the cross products of their diagonals.
+  /// Sum over the creases of length times |fold angle| (mm): the work of dry friction is its moment
+  /// per mm of crease times the change of this sum. Fold angles are those between the panels' mean
+  /// normals, the cross products of their diagonals.
   double turned_mm(const Eigen::Matrix3Xd& at_mm) const;
   Eigen::VectorXd turned_slope(const Eigen::Matrix3Xd& at_mm) const;
-  /// Adds `factor` times its second derivatives, by central differences of the gradient: to 1e-8.
+  /// Adds `factor` times its second derivatives, by central differences of the gradient, exact to
+  /// 1e-8.
   void add_turned_bend(const Eigen::Matrix3Xd& at_mm, double factor, Eigen::MatrixXd& bend) const;
 
-  /// Of the panels; of springs that are this long when relaxed.
+  /// Energy of the panels; add_springs adds that of springs with these relaxed lengths.
   Energy panels_energy(const Eigen::Matrix3Xd& at_mm) const;
   void add_springs(const Eigen::Matrix3Xd& at_mm, double n_per_mm,
                    const Eigen::VectorXd& relaxed_mm, Energy& energy) const;
 
-  /// Six coordinates of the first panel that hold it still in space, for a shape that lies like
-  /// this; ascending.
+  /// Six coordinates of the first panel, ascending, that hold this shape still in space.
   std::vector<int> supports(const Eigen::Matrix3Xd& at_mm) const;
 
  private:
   struct Fold {
-    int one, other;  // panels
+    int left, right;  // panels
     double length_mm;
   };
   const ElasticPanel& plate(Eigen::Index panel) const {

@@ -5,19 +5,19 @@
 
 namespace misalign::solver {
 
-/// Energies go from the fourth power of the angle to the second where panels take them, and begin
-/// with the second where springs are preloaded. So what is interpolated, over the angle's
-/// logarithm, is their share of a reference which does the same and is positive.
+/// Energies change from the fourth power of the angle to the second where panels bend, and begin
+/// with the second where springs are preloaded. So their ratio to a positive reference that does
+/// the same is interpolated, over the angle's logarithm.
 class EnergyCurve {
  public:
   struct At {
-    double n_mm;       ///< above flat
+    double n_mm;       ///< energy above that of flat
     double turned_mm;  ///< sum over the creases of length times |fold angle|
     double moment_n;   ///< d energy / d turned: N mm per mm
   };
   EnergyCurve(double least_deg, double most_deg, const Eigen::VectorXd& above_flat_n_mm,
               const Eigen::VectorXd& reference_n_mm, const Eigen::VectorXd& turned_mm);
-  /// The angles (deg) at which it wants to know them.
+  /// Angles (deg) at which the energies must be given.
   static Eigen::VectorXd angles_deg(double least_deg, double most_deg, int count);
 
   double least_deg() const { return least_deg_; }

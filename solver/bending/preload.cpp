@@ -14,13 +14,14 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Panels so much stiffer in their planes that these give less than 1e-3 of what bending does there.
+// Factor on panels' stiffness in their planes, with which these give less than 1e-3 of what bending
+// does.
 constexpr double kStiffer = 1e4;
-// Below this, of the largest eigenvalue, a panel does not bend; and of the stiffest panel's, a
-// force does not push.
+// Panels do not bend in modes below this share of the largest eigenvalue; forces do not push below
+// this share of the stiffest panel's.
 constexpr double kNoPush = 1e-9;
 
-// The flat sheet as its springs' forces leave it in its plane.
+// The flat sheet in equilibrium with its springs' forces in its plane.
 Matrix3Xd settled_in_plane(const ElasticSheet& sheet, const DiagonalSprings& springs) {
   Matrix3Xd at_mm = sheet.flat_shape_mm();
   const std::vector<int> held = sheet.supports(at_mm);
@@ -91,20 +92,20 @@ BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
                               })
         .static_n_mm_per_mm;
   };
-  // One maximum in between: golden sections.
+  // Golden sections find the one maximum in between.
   const double golden = (std::sqrt(5.0) - 1) / 2;
   double low = 0, high = at_flat.none_left_n();
-  double one = high - golden * (high - low), other = low + golden * (high - low);
-  double with_one = with(one), with_other = with(other);
+  double lower = high - golden * (high - low), upper = low + golden * (high - low);
+  double with_lower = with(lower), with_upper = with(upper);
   for (int k = 0; k < 24; ++k) {
-    if (with_one >= with_other) {
-      high = other, other = one, with_other = with_one;
-      one = high - golden * (high - low);
-      with_one = with(one);
+    if (with_lower >= with_upper) {
+      high = upper, upper = lower, with_upper = with_lower;
+      lower = high - golden * (high - low);
+      with_lower = with(lower);
     } else {
-      low = one, one = other, with_one = with_other;
-      other = low + golden * (high - low);
-      with_other = with(other);
+      low = lower, lower = upper, with_lower = with_upper;
+      upper = low + golden * (high - low);
+      with_upper = with(upper);
     }
   }
   const double best_n = (low + high) / 2, best = with(best_n);

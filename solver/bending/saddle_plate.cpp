@@ -33,8 +33,9 @@ struct Quadrature {
   VectorXd points, weights;
 };
 
-// Along one direction of the square [-1, 1]^2, at the quadrature's points (rows): the two linear
-// functions, then (1 - s^2) L_k(s), which vanish at both ends. With first and second derivatives.
+// Functions along one direction of the square [-1, 1]^2, at the quadrature's points (rows), with
+// first and second derivatives: the two linear ones, then (1 - s^2) L_k(s), which vanish at both
+// ends.
 struct Ladder {
   Ladder(const VectorXd& s, int degree)
       : value(s.size(), degree + 1), slope(s.size(), degree + 1), bend(s.size(), degree + 1) {
@@ -80,8 +81,8 @@ struct Product {
   int u, v;
 };
 
-// Those that leave the corners where they are, and creases straight. Edges go round: v low, u high,
-// v high, u low.
+// Functions that keep the corners in place and creases straight. Edges in turn: v low, u high, v
+// high, u low.
 std::vector<Product> free_functions(int degree, const std::array<bool, 4>& is_straight) {
   assert(degree >= 2);
   std::vector<Product> functions;
@@ -108,7 +109,7 @@ class Plate {
     return sum;
   }
 
-  // The corners' places in a saddle of size 1, square to every plane.
+  // Displacements of the corners in a saddle of size 1, orthogonal to every plane.
   std::array<double, 4> corners_of_saddle() const {
     std::array<double, 4> lambda{};
     double sum = 0;
@@ -121,13 +122,13 @@ class Plate {
     return lambda;
   }
 
-  // At a point of the square: curvatures w_xx, w_yy, 2 w_xy of functions with these w_u, w_v and
+  // Curvatures w_xx, w_yy, 2 w_xy at a point of the square, of functions with these w_u, w_v and
   // w_uu, w_vv, w_uv, a column each.
   MatrixXd curvatures(double u, double v, const MatrixXd& slopes, MatrixXd seconds) const;
   Vector2d place_mm(double u, double v) const {
     return middle_ + u * along_u_ + v * along_v_ + u * v * both_;
   }
-  double stretch(double u, double v) const {  // of areas
+  double stretch(double u, double v) const {  // ratio of areas
     return area_of(along_u_ + v * both_, along_v_ + u * both_);
   }
   const std::vector<Product>& functions() const { return functions_; }
@@ -151,7 +152,7 @@ MatrixXd Plate::curvatures(double u, double v, const MatrixXd& slopes, MatrixXd 
   Eigen::Matrix2d jacobian;
   jacobian.row(0) = xu;
   jacobian.row(1) = xv;
-  Eigen::Matrix3d turned;  // w_uu, w_vv, w_uv of w_xx, w_yy, 2 w_xy, but for slopes
+  Eigen::Matrix3d turned;  // w_uu, w_vv, w_uv from w_xx, w_yy, 2 w_xy, without the slopes' part
   turned << xu.x() * xu.x(), xu.y() * xu.y(), xu.x() * xu.y(),  //
       xv.x() * xv.x(), xv.y() * xv.y(), xv.x() * xv.y(),        //
       xu.x() * xv.x(), xu.y() * xv.y(), (xu.x() * xv.y() + xu.y() * xv.x()) / 2;
@@ -164,7 +165,7 @@ void Plate::find_curvatures(MatrixXd& curvatures, VectorXd& weights) const {
   const Index n = rule_.gauss.points.size();
   const auto count = static_cast<Index>(functions_.size());
   const std::array<double, 4> w = corners_of_saddle();
-  const double twist = (w[0] - w[1] + w[2] - w[3]) / 4;  // of the bilinear part, times u v
+  const double twist = (w[0] - w[1] + w[2] - w[3]) / 4;  // coefficient of u v in the bilinear part
   const double tilt_u = (w[1] - w[0] + w[2] - w[3]) / 4, tilt_v = (w[3] - w[0] + w[2] - w[1]) / 4;
   curvatures.resize(3 * n * n, count + 1);
   weights.resize(3 * n * n);
@@ -189,7 +190,7 @@ void Plate::find_curvatures(MatrixXd& curvatures, VectorXd& weights) const {
   }
 }
 
-// A saddle of size 1 in equilibrium: how much there is of each function, and its stiffness.
+// A saddle of size 1 in equilibrium: the functions' coefficients, and its stiffness.
 struct Relaxed {
   VectorXd amounts;
   double stiffness;
@@ -245,20 +246,21 @@ double saddle_stress(const std::array<Vector2d, 4>& corners_mm,
                      const std::array<bool, 4>& is_straight, double poisson, int degree) {
   const Plate plate(corners_mm, is_straight, rule_of(degree));
   const VectorXd amounts = relax(plate, poisson).amounts;
-  MatrixXd of = MatrixXd::Zero(degree + 1, degree + 1);  // what there is of each product
+  MatrixXd coefficients = MatrixXd::Zero(degree + 1, degree + 1);  // one per product
   for (std::size_t k = 0; k < plate.functions().size(); ++k) {
-    of(plate.functions()[k].u, plate.functions()[k].v) = amounts(static_cast<Index>(k));
+    coefficients(plate.functions()[k].u, plate.functions()[k].v) = amounts(static_cast<Index>(k));
   }
   const std::array<double, 4> w = plate.corners_of_saddle();
-  of(0, 0) = w[0], of(1, 0) = w[1], of(1, 1) = w[2], of(0, 1) = w[3];
-  constexpr int kSide = 41;  // of points in each direction: stress changes by 1 % from one to next
+  coefficients(0, 0) = w[0], coefficients(1, 0) = w[1], coefficients(1, 1) = w[2],
+                  coefficients(0, 1) = w[3];
+  constexpr int kSide = 41;  // points in each direction: stress changes by 1 % from one to the next
   const VectorXd places = VectorXd::LinSpaced(kSide, -1, 1);
   const Ladder at(places, degree);
-  const MatrixXd w_u = at.slope * of * at.value.transpose(),
-                 w_v = at.value * of * at.slope.transpose(),
-                 w_uu = at.bend * of * at.value.transpose(),
-                 w_vv = at.value * of * at.bend.transpose(),
-                 w_uv = at.slope * of * at.slope.transpose();
+  const MatrixXd w_u = at.slope * coefficients * at.value.transpose(),
+                 w_v = at.value * coefficients * at.slope.transpose(),
+                 w_uu = at.bend * coefficients * at.value.transpose(),
+                 w_vv = at.value * coefficients * at.bend.transpose(),
+                 w_uv = at.slope * coefficients * at.slope.transpose();
   const double disc_mm = kCornerWidths * std::sqrt(plate.area());
   double largest = 0;
   for (Index i = 0; i < kSide; ++i) {
@@ -290,15 +292,15 @@ double volume_under_clamped(const std::array<Vector2d, 4>& corners_mm) {
   for (Index i = 0; i < rule.gauss.points.size(); ++i) {
     for (Index j = 0; j < rule.gauss.points.size(); ++j) {
       const double u = rule.gauss.points(i), v = rule.gauss.points(j);
-      const Clamped one(u), other(v);
-      slopes << products(one.slope, other.value), products(one.value, other.slope);
-      seconds << products(one.bend, other.value), products(one.value, other.bend),
-          products(one.slope, other.slope);
+      const Clamped along_u(u), along_v(v);
+      slopes << products(along_u.slope, along_v.value), products(along_u.value, along_v.slope);
+      seconds << products(along_u.bend, along_v.value), products(along_u.value, along_v.bend),
+          products(along_u.slope, along_v.slope);
       const MatrixXd curvatures = plate.curvatures(u, v, slopes, seconds);
       const Eigen::RowVectorXd sum = curvatures.row(0) + curvatures.row(1);
       const double weight = rule.gauss.weights(i) * rule.gauss.weights(j) * plate.stretch(u, v);
       stiffness += weight * sum.transpose() * sum;
-      volumes += weight * products(one.value, other.value).transpose();
+      volumes += weight * products(along_u.value, along_v.value).transpose();
     }
   }
   return volumes.dot(stiffness.llt().solve(volumes));

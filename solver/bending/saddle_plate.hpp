@@ -7,12 +7,13 @@
 
 namespace misalign::solver {
 
-/// A saddle's size is q = sum of lambda_i w_i over the four corners, w_i how far they are off the
+/// A saddle's size is q = sum of lambda_i w_i over the four corners, w_i their distances from the
 /// plane and lambda_i twice the share of the area that the triangle without corner i has, of
 /// alternating sign: 0 for every plane, 6 V / area with V the volume between the corners.
 struct SaddlePlate {
   double area_mm2, perimeter_mm;
-  /// Of a thin plate: energy = stiffness D q^2 / 2, with D = E t^3 / 12 (1 - nu^2). 1/mm^2.
+  /// Stiffness of a thin plate, 1/mm^2: energy = stiffness D q^2 / 2, with D = E t^3 / 12 (1 -
+  /// nu^2).
   double stiffness;
 };
 
@@ -35,8 +36,8 @@ SaddlePlate bend_into_saddle(const std::array<Eigen::Vector2d, 4>& corners_mm,
 double saddle_stress(const std::array<Eigen::Vector2d, 4>& corners_mm,
                      const std::array<bool, 4>& is_straight, double poisson, int degree);
 inline constexpr double kCornerWidths = 0.1;
-/// From 7 to 11 that stress of panels like the paper's changes by 8 % at most, downwards
-/// (tests/solver/bending/saddle_plate_test.cpp).
+/// The polynomials' degree for stress. Up to 11 the stress in panels like the paper's falls by at
+/// most 8 % (tests/solver/bending/saddle_plate_test.cpp).
 inline constexpr int kStressDegree = 7;
 
 /// The volume (mm^6) under a clamped plate of this shape, load over rigidity 1/mm^4, by (1 - u^2)^2

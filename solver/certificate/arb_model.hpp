@@ -1,7 +1,7 @@
 // The checker's arithmetic: functions of s, -1 <= s <= 1, as polynomials whose coefficients are
-// balls of FLINT's arb. A model stands for every function f for which, at each s by itself, f(s) is
-// a value of the polynomial for some choice within the balls. So an error goes into the ball of the
-// constant, and powers above the degree too. A model of degree 0 is a number.
+// balls of FLINT's arb. A model stands for every function f such that at each s, f(s) is a value of
+// the polynomial for some choice within the balls. So errors go into the ball of the constant, and
+// so do powers above the degree. A model of degree 0 is a number.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ class ArbModel {
   MISALIGN_CALL ArbModel() {
     for (arb_struct& k : c_) arb_init(&k);
   }
-  /// A constant, exactly.
+  /// An exact constant.
   ArbModel(double constant) : ArbModel() { arb_set_d(&c_[0], constant); }  // NOLINT: a number
   explicit ArbModel(const ArbModel<0>& number) requires(Degree > 0) : ArbModel() {
     arb_set(&c_[0], number[0]);
@@ -121,7 +121,7 @@ inline ArbNumber operator/(const ArbNumber& a, const ArbNumber& b) {
   arb_div(result[0], a[0], b[0], kArbBits);
   return result;
 }
-/// For certain: false where the balls overlap, and where a number is undefined.
+/// Comparisons hold for certain: they are false where the balls overlap, or a number is undefined.
 inline bool operator<(const ArbNumber& a, const ArbNumber& b) { return arb_lt(a[0], b[0]); }
 inline bool operator<=(const ArbNumber& a, const ArbNumber& b) { return arb_le(a[0], b[0]); }
 /// The middle of its ball, rounded: a guess.
@@ -136,7 +136,7 @@ inline ArbNumber size_of(const ArbNumber& a) {
   arb_abs(result[0], a[0]);
   return result;
 }
-/// A bound from above of |f(s)| for every s.
+/// An upper bound of |f(s)| for every s.
 template <int Degree>
 ArbNumber most_of(const ArbModel<Degree>& f) {
   ArbBound most, size;
@@ -182,17 +182,17 @@ ArbNumber value_at(const ArbModel<Degree>& f, const ArbNumber& s) {
   return result;
 }
 
-/// Whether a claim is proven, disproven, or neither.
+/// A claim is proven, disproven, or neither.
 enum class Proof { holds, fails, unclear };
 
-/// Whether f > 0 on the part of [-1, 1] round `middle`; by halving it.
+/// Proves f > 0 on the part of [-1, 1] round `middle`, by halving it.
 template <int Degree>
 Proof is_positive(const ArbModel<Degree>& f, double middle = 0, double half = 1) {
   ArbModel<Degree> shifted = f;
-  const ArbNumber by(middle);
+  const ArbNumber shift(middle);
   for (int i = 0; i < Degree; ++i) {
     for (int k = Degree - 1; k >= i; --k) {
-      arb_addmul(shifted[k], shifted[k + 1], by[0], kArbBits);
+      arb_addmul(shifted[k], shifted[k + 1], shift[0], kArbBits);
     }
   }
   ArbNumber at_middle;

@@ -20,8 +20,8 @@ bool is_event(CertificateEnd end) {
          end == CertificateEnd::sign_changed;
 }
 
-// Whether `where` is a diagonal, a crease, or nothing, as the end has it. An unclear slope may name
-// the diagonal, which claims nothing.
+// Returns whether `where` is a diagonal, a crease or nothing, as the end requires. An unclear slope
+// may name the diagonal, which claims nothing.
 bool is_place(const Mechanism& mechanism, const PanelCheck* panels,
               const Certificate& certificate) {
   const auto diagonals = static_cast<int>(mechanism.diagonals.size());
@@ -38,7 +38,7 @@ bool is_place(const Mechanism& mechanism, const PanelCheck* panels,
   return where == -1;
 }
 
-// What can be said without any proof.
+// Finds faults without any proof.
 const char* fault_of_form(const Mechanism& mechanism, const PanelCheck* panels,
                           const Certificate& certificate) {
   if (certificate.contact && panels == nullptr) return "nothing is known of the panels";
@@ -66,7 +66,7 @@ const char* fault_of_form(const Mechanism& mechanism, const PanelCheck* panels,
   return nullptr;
 }
 
-// Each interval by itself, and whether it begins where the one before ends.
+// Checks one interval, and that it begins where the one before ends.
 const char* fault_of_interval(const Mechanism& mechanism, const PathInterval& interval,
                               double from_deg) {
   if (interval.from_deg != from_deg) return "it does not begin where the one before ends";
@@ -112,10 +112,10 @@ class Checker {
   }
 
  private:
-  // Which of an interval's claims are to hold all over it.
+  // Claims that must hold all over an interval.
   struct Claims {
     bool cosines, sines, slopes, contact;
-    int crease;  ///< which alone keeps its sign, -1 all
+    int crease;  ///< the only one that must keep its sign; -1: all
   };
 
   const char* check(const PathInterval& interval, const Claims& claims) {
@@ -196,7 +196,7 @@ class Checker {
     return true;
   }
 
-  // Whether a state lies where that subinterval has no other than its own.
+  // Returns whether a state lies in the box of the subinterval, which has one state alone.
   static bool is_within(const ProvenInterval::Subinterval& subinterval, const ArbNumber& s,
                         const std::vector<ArbNumber>& unknowns) {
     assert(unknowns.size() >= subinterval.guess.size());
@@ -231,8 +231,8 @@ class Checker {
 
   const char* check_closing(const PathInterval& closing) {
     assert(is_event(certificate_.end) && certificate_.where >= 0);
-    // What the path of a crease goes through must be what is said: its sine keeps its sign while
-    // its cosine changes, or the other way about.
+    // A crease must end as claimed: its sine keeps its sign while its cosine changes, or its cosine
+    // while its sine does.
     const Claims claims{certificate_.end == CertificateEnd::sign_changed,
                         certificate_.end == CertificateEnd::over_folded, false, false,
                         certificate_.where};
@@ -258,7 +258,7 @@ class Checker {
   const Certificate& certificate_;
   IntervalProver prover_;
   ProvenInterval last_;
-  std::vector<int> signs_;  // of the diagonals' slopes
+  std::vector<int> signs_;  // signs of the diagonals' slopes
 };
 
 }  // namespace

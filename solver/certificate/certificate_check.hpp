@@ -1,4 +1,4 @@
-// A second opinion on certificates, which shares no arithmetic with who made them: balls of many
+// Checks certificates by arithmetic that has nothing in common with their making: balls of many
 // bits (FLINT's arb) instead of Taylor models of doubles. Slow and simple.
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace misalign::solver {
 
-/// Where a certificate claims what is not so, or what this check cannot prove.
+/// A claim of a certificate that is false, or that this check cannot prove.
 struct CertificateFault {
-  double from_deg, to_deg;  ///< of the interval
+  double from_deg, to_deg;  ///< ends of the interval
   std::string what;         ///< "the state in its middle is not the path's", ...
 };
 
@@ -20,7 +20,7 @@ std::optional<CertificateFault> check_certificate(const Model& model,
                                                   const FlatVertices& vertices_mm,
                                                   const Certificate& certificate);
 
-/// The same of a linkage whose panels are not known: what claims that none meet is refused.
+/// The same for a linkage whose panels are not known: claims that no panels meet are refused.
 std::optional<CertificateFault> check_certificate(const Mechanism& mechanism,
                                                   const FlatVertices& vertices_mm,
                                                   const Certificate& certificate);

@@ -16,16 +16,17 @@ constexpr double kLargestBox = 2e-5;
 constexpr double kShorterInterval = 0.5;
 constexpr double kFirstInterval_deg = 12, kLeastFirst_deg = 0.05;
 constexpr double kSqrt2 = 1.41421356;
-/// Up to here joints are written over the pilot's tangent.
+/// Largest angle of graded coordinates.
 constexpr double kGradedUntil_deg = 62;
-/// Intervals that would be shorter are none.
+/// Least length of an interval.
 constexpr double kShortest_deg = 2e-6;
-/// None is known that comes to more than 120: who creeps so is not let go on for hours.
+/// Bound of the number of intervals, which ends marches of hours; no sheet is known to need more
+/// than 120.
 constexpr std::size_t kMostIntervals = 10000;
-/// Tries of an interval; from so many on each is at most half as long as the one before. From 180
-/// degrees to kShortest_deg that takes 27 more, and 6 from the closing interval on.
+/// Tries of an interval; from kManyTries on each is at most half as long as the one before. That
+/// takes 27 more from 180 degrees to kShortest_deg, and 6 from the closing interval on.
 constexpr int kManyTries = 40, kMostTries = kManyTries + 27 + 6 + 2;
-/// Of a closing interval: so much less than kClosing_deg as rounding angles takes.
+/// Length of a closing interval, below kClosing_deg in spite of rounded angles.
 constexpr double kClosingInterval_deg = 0.9 * kClosing_deg;
 
 }  // namespace
@@ -45,10 +46,10 @@ struct Certifier::Workspace {
 
 namespace {
 
-// One sheet's certificate in the making.
+// Makes one sheet's certificate.
 class TubeContinuation {
  public:
-  /// `panels`: what proves that none meet; null where that is not asked for.
+  /// `panels` proves that none meet; null: not requested.
   TubeContinuation(const Model& model, const PanelProof* panels, const FlatVertices& vertices_mm,
                    double asked_deg)
       : model_(model),
@@ -72,13 +73,13 @@ class TubeContinuation {
 
  private:
   double at_deg() const { return certificate_.certified_deg(); }
-  // Where the next interval ends at the latest.
+  // Largest end of the next interval.
   double farthest_deg() const {
     const bool graded = at_deg() < kGradedUntil_deg;
     return graded ? std::min(kGradedUntil_deg, certificate_.asked_deg) : certificate_.asked_deg;
   }
 
-  // The first interval, from flat on.
+  // Proves the first interval, from flat on.
   bool begin() {
     for (double to = std::min(kFirstInterval_deg, certificate_.asked_deg); to >= kLeastFirst_deg;
          to *= kShorterInterval) {
@@ -92,7 +93,7 @@ class TubeContinuation {
     return certificate_.end != CertificateEnd::unclear_slope && begin_elsewhere();
   }
 
-  // Where the base is too far from this sheet's way: from the states of a path that was followed.
+  // Begins with states of a followed path, where the base is too far from this sheet's way.
   bool begin_elsewhere() {
     std::vector<std::pair<double, FoldState<double>>> states;
     const StationVisitor keep = [&](const Station& station, const PathPoint& point) {
@@ -102,14 +103,14 @@ class TubeContinuation {
     };
     record_history(model_, vertices_mm_, &keep);
     for (std::size_t k = states.size(); k-- > 0;) {
-      // In tau^2, which is nearly that of the angle, twice as far.
+      // The state is in the middle by tau^2, which is nearly proportional to the angle squared.
       const double to = kSqrt2 * states[k].first;
       if (to <= certificate_.asked_deg && begin_with(to, states[k].second)) return true;
     }
     return false;
   }
 
-  // With a state near that in its middle. It sets the diagonals' directions.
+  // Begins with a state near that in the middle. Sets the diagonals' directions.
   bool begin_with(double to_deg, FoldState<double> middle) {
     assert(to_deg > 0 && to_deg <= certificate_.asked_deg);
     PathTube tube;
@@ -122,7 +123,7 @@ class TubeContinuation {
     }
     const Obstacle first = first_obstacle(tube, slopes, 1e-3);
     if (first.until < 1) {
-      // The branch is proven: a diagonal stands still, unless a shorter interval says otherwise.
+      // The branch is proven: a diagonal stands still, unless a shorter interval shows otherwise.
       if (first.kind == CertificateEnd::reversal) {
         certificate_.end = CertificateEnd::unclear_slope;
         certificate_.where = first.where;
@@ -135,14 +136,14 @@ class TubeContinuation {
     return true;
   }
 
-  // From the end of the last interval on.
+  // Begins a new interval at the end of the last one.
   void begin_next(double width_deg) {
     width_deg_ = width_deg;
     tries_ = 0;
     may_widen_ = true;
   }
-  // Once more from there: shorter than what was tried, and so at last at most half as long. There
-  // are no more than kMostTries of them, since what is shorter than kShortest_deg ends the march.
+  // Tries a shorter interval from there, after kManyTries at most half as long. There are at most
+  // kMostTries tries, since an interval below kShortest_deg ends the march.
   void shorten(double tried_deg, double width_deg) {
     width_deg_ =
         tries_ < kManyTries ? width_deg : std::min(width_deg, kShorterInterval * tried_deg);
@@ -156,7 +157,7 @@ class TubeContinuation {
     return interval;
   }
 
-  // The last interval's path farther on, without the higher powers.
+  // Extrapolates the last interval's path, without its higher powers.
   FoldState<double> predict(double pilot_deg) const {
     const Ball place = last_.chart.place_of(pilot_deg);
     const double s = place.c[0];
@@ -167,7 +168,7 @@ class TubeContinuation {
     return last_.chart.state_at(x.data(), s);
   }
 
-  // One try: an interval more, a width for the next try, or the end.
+  // Tries once: adds an interval, sets a width for the next try, or ends.
   bool go_on() {
     const double to = std::min(at_deg() + width_deg_, farthest_deg());
     if (to - at_deg() < std::min(kShortest_deg, farthest_deg() - at_deg())) {
@@ -188,12 +189,12 @@ class TubeContinuation {
     return true;
   }
 
-  // What stands in the way first, and how far from s = -1 on nothing does.
+  // The first obstacle, and the s up to which there is none.
   struct Obstacle {
     double until = 1;
     CertificateEnd kind = CertificateEnd::to_the_end;
     int where = -1;
-    bool happens = false;  // for certain by the end of the interval
+    bool happens = false;  // true: it certainly happens by the end of the interval
   };
   Obstacle first_obstacle(const PathTube& tube, const std::vector<PathModel>& slopes,
                           double resolution) const {
@@ -211,7 +212,7 @@ class TubeContinuation {
     return first;
   }
 
-  // A proven interval counts, or a shorter one is to be tried, or the way ends here.
+  // Accepts a proven interval, or has a shorter one tried, or ends the certificate.
   bool consider(PathTube tube) {
     const double from = at_deg(), width = tube.chart.interval().to_deg - from;
     assert(width > 0 && tube.chart.interval().to_deg <= certificate_.asked_deg);
@@ -233,13 +234,13 @@ class TubeContinuation {
       shorten(width, good_deg - from - 0.02 * kClosing_deg);
       return true;
     }
-    // On a shorter interval rates of change are better known.
+    // Rates of change are better known on a shorter interval.
     if (width > kClosing_deg) {
       shorten(width, std::max(kShorterInterval * width, kClosingInterval_deg));
       return true;
     }
-    // It may need all of the closing interval to happen: once, since next to a fold limit there may
-    // be no such interval.
+    // The obstacle may need all of the closing interval to happen. It is tried once, since next to
+    // a fold limit there may be no such interval.
     if (may_widen_ && width < 0.8 * kClosing_deg && from + width < farthest_deg()) {
       may_widen_ = false;
       width_deg_ = kClosingInterval_deg;
@@ -273,8 +274,8 @@ class TubeContinuation {
   Certificate certificate_;
   PathTube last_;
   std::vector<int> directions_;
-  double width_deg_ = 0;  // of the next try
-  // Since the last interval: tries, and whether one may still be longer than the one before.
+  double width_deg_ = 0;  // width of the next try
+  // Tries since the last interval; true while one may still be longer than the one before.
   int tries_ = 0;
   bool may_widen_ = true;
 };

@@ -10,12 +10,12 @@ namespace misalign::solver {
 
 class Certifier {
  public:
-  /// `contact`: whether it proves that no panels meet, too. `model` must outlive this object.
+  /// `contact`: it also proves that no panels meet. `model` must outlive this object.
   explicit Certifier(const Model& model, bool contact = false);
   ~Certifier();
 
-  /// Of the sheet with these vertices, from flat to `asked_deg` (its D; at most 180) or as far as
-  /// there is a proof.
+  /// Certifies the sheet with these vertices, from flat to `asked_deg` (its D; at most 180) or as
+  /// far as there is a proof.
   Certificate certify(const FlatVertices& vertices_mm, double asked_deg);
 
  private:

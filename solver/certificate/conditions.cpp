@@ -6,7 +6,7 @@
 namespace misalign::solver {
 namespace {
 
-// Whether f > 0 on [from, to]: by its value in the middle, and how far it can fall from there.
+// Returns whether f > 0 on [from, to], by its value in the middle and its largest fall from there.
 bool is_positive(const PathModel& f, double steepest, double from, double to) {
   assert(from <= to && -1 <= from && to <= 1 && "models are known there alone");
   const Ball middle(0.5 * (from + to));

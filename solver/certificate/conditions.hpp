@@ -1,6 +1,6 @@
 // The conditions that must stay positive all along a path: every diagonal's rate of change in its
-// own direction, and of every crease the cosine and, by its mountain or valley, the sine of half
-// its fold angle.
+// direction, and the cosine and, by its mountain or valley, the sine of half of every crease's fold
+// angle.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,9 @@
 namespace misalign::solver {
 
 struct Condition {
-  CertificateEnd
-      broken;       ///< what it is where this is negative: reversal, over_folded, sign_changed
-  int where;        ///< diagonal or crease
-  PathModel value;  ///< all over a tube
+  CertificateEnd broken;  ///< end where this is negative: reversal, over_folded, sign_changed
+  int where;              ///< diagonal or crease
+  PathModel value;        ///< all over a tube
 };
 
 /// `directions`: +1 or -1 for each diagonal.
@@ -22,9 +21,8 @@ std::vector<Condition> conditions_of(const Mechanism& mechanism, const PathTube&
                                      const std::vector<PathModel>& slopes,
                                      const std::vector<int>& directions);
 
-/// The largest s, up to `end`, up to which something holds from s = -1 on: `holds(from, to)` says
-/// it of a part. Parts are halved until they are no longer than `resolution`; where something all
-/// but fails for long, not all of them are tried.
+/// The largest s, up to `end`, up to which `holds(from, to)` is true for all parts from s = -1 on.
+/// Parts are halved until they are no longer than `resolution`; their number is limited.
 template <class Holds>
 double holds_until(const Holds& holds, double end, double resolution) {
   constexpr int kMostParts = 100000;
@@ -43,11 +41,11 @@ double holds_until(const Holds& holds, double end, double resolution) {
   return from;
 }
 
-/// The largest s up to which f is proven to be positive from s = -1 on; -1 if it is nowhere. Found
-/// to within `resolution` where f changes sign.
+/// The largest s up to which f is proven to be positive from s = -1 on; -1 if it is nowhere. Exact
+/// to `resolution` where f changes sign.
 double positive_until(const PathModel& f, double resolution);
 
-/// Whether f is proven to be negative at s = 1.
+/// Returns whether f is proven to be negative at s = 1.
 bool is_negative_at_end(const PathModel& f);
 
 }  // namespace misalign::solver

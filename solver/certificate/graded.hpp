@@ -1,4 +1,4 @@
-// Rotations whose parts are kept by their order of smallness near flat. With tau = tan(rho_1 / 2)
+// Rotations whose parts are stored by their order of smallness near flat. With tau = tan(rho_1 / 2)
 // of the pilot, sigma = tau^2: fold angles and the in-plane parts of ball joints are of order tau,
 // their normal parts of order tau^2. A graded quaternion stands for
 //     w + tau x i + tau y j + tau^2 z k,
@@ -40,7 +40,7 @@ GradedQuaternion<T> product(const Sigma& sigma, const GradedQuaternion<T>& a,
           a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x};
 }
 
-/// The same where b.z = 0, as of a crease.
+/// The same where b.z = 0, as for a crease.
 template <class T, class Sigma>
 GradedQuaternion<T> product_in_plane(const Sigma& sigma, const GradedQuaternion<T>& a,
                                      const GradedQuaternion<T>& b) {
@@ -53,9 +53,9 @@ T squared_norm(const Sigma& sigma, const GradedQuaternion<T>& q) {
   return q.w * q.w + sigma(q.x * q.x + q.y * q.y + sigma(q.z * q.z));
 }
 
-/// The rotation of q displaces the vector v by (sigma x, sigma y, z) of the result, by order:
-/// R v - v = (2 w t + 2 q x t) / |q|^2 with t = q x v. `inverse` is 1 / |q|^2. Of v both gradings
-/// are of use: an axis is (tau x, tau y, tau^2 z), an edge of the sheet (x, y, tau z).
+/// The rotation of q displaces the vector v by (sigma x, sigma y, z) of the result, by order: R v -
+/// v = (2 w t + 2 q x t) / |q|^2 with t = q x v. `inverse` is 1 / |q|^2. Both gradings of v occur:
+/// an axis is (tau x, tau y, tau^2 z), an edge of the sheet (x, y, tau z).
 template <class T, class Sigma>
 GradedVector<T> displacement(const Sigma& sigma, const GradedQuaternion<T>& q, const T& inverse,
                              const GradedVector<T>& v) {
@@ -81,8 +81,8 @@ GradedVector<T> displacement_of_plane(const Sigma& sigma, const GradedQuaternion
 
 /// v moved by such a displacement.
 template <class T, class Sigma>
-GradedVector<T> moved(const Sigma& sigma, const GradedVector<T>& v, const GradedVector<T>& by) {
-  return {v.x + sigma(by.x), v.y + sigma(by.y), v.z + by.z};
+GradedVector<T> moved(const Sigma& sigma, const GradedVector<T>& v, const GradedVector<T>& shift) {
+  return {v.x + sigma(shift.x), v.y + sigma(shift.y), v.z + shift.z};
 }
 
 }  // namespace misalign::solver

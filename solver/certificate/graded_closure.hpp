@@ -1,11 +1,11 @@
-// Loop closure once more, for proofs: of degree one in every unknown, and regular at flat.
+// Loop closure for proofs: of degree one in every unknown, and regular at flat.
 //
 // Every joint is a quaternion that is affine in its own unknowns and need not have length one: a
 // loop's rotation is the identity where the vector part of the product is zero (and nowhere else: a
 // half turn has the vector part of length one). Round a hole with corners p_k, whose sides e_k =
 // p_(k+1) - p_k belong to facets turned by Q_k, the sides close: sum Q_k e_k = 0, hence, as they do
-// on the flat sheet, sum (Q_k e_k - e_k) = 0. These are (3.1), (3.4) and (3.5) of the paper in
-// other words than loop_closure.hpp's, and all of them graded (graded.hpp).
+// on the flat sheet, sum (Q_k e_k - e_k) = 0. These are (3.1), (3.4) and (3.5) of the paper, all
+// graded (graded.hpp), in another form than in loop_closure.hpp.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@
 
 namespace misalign::solver {
 
-/// How joints are written in their unknowns x, all of which are 0 in the middle of an interval.
-/// Coefficients are exact, whatever they came from.
+/// Coordinates of the joints, whose unknowns x are all 0 in the middle of an interval. Coefficients
+/// are exact, whatever their origin.
 struct Chart {
   struct Crease {
     double c, c_rate, s,
@@ -39,14 +39,13 @@ template <class T, class Sigma>
 class GradedClosure {
  public:
   using Number = T;
-  /// A joint at its unknowns: the quaternion of a passage of sense +1, of a crease without its
-  /// axis.
+  /// A joint at its unknowns: the quaternion of a passage of sense +1; a crease's lacks the axis.
   struct Joint {
-    GradedQuaternion<T> q;  ///< of a crease w = c and x = s
+    GradedQuaternion<T> q;  ///< a crease has w = c and x = s
     T inverse;              ///< 1 / |q|^2
   };
 
-  /// All must outlive this object. `x`: one for each unknown, the pilot's last.
+  /// All must outlive this object. `x` has all unknowns, the pilot's last.
   GradedClosure(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const Chart& chart,
                 const Sigma& sigma, const T* x)
       : mechanism_(mechanism), geometry_(geometry), chart_(chart), sigma_(sigma) {
@@ -70,8 +69,8 @@ class GradedClosure {
     }
   }
 
-  /// How far the loops are open, one for each equation; and the Jacobian's structural nonzeros in
-  /// the order of jacobian_entries, those of the pilot left out, unless `values` is null.
+  /// Evaluates the residual, one for each equation, and unless `values` is null the Jacobian's
+  /// structural nonzeros in the order of jacobian_entries, without those of the pilot.
   void evaluate(T* residual, std::vector<T>* values) const {
     if (values != nullptr) values->clear();
     for (const Loop& loop : mechanism_.loops) {
@@ -95,9 +94,9 @@ class GradedClosure {
     }
   }
 
-  /// What a diagonal's squared length has over that of the flat sheet, divided by sigma (panel
-  /// widths squared): 2 e_1 . (R e_2 - e_2), where R is what the joints do at the corner between
-  /// the two sides that it spans. It depends on these alone.
+  /// Change of a diagonal's squared length from the flat sheet, divided by sigma (panel widths
+  /// squared): 2 e_1 . (R e_2 - e_2), with R the rotation of the joints at the corner between the
+  /// two sides that it spans. It depends on these alone.
   T squared_elongation(const Diagonal& diagonal) const {
     if (!mechanism_.springs.at_vertices())
       return GradedSpring<GradedClosure>(*this, diagonal).stretch();
@@ -129,7 +128,7 @@ class GradedClosure {
   }
 
   /// The four corners of each panel of a sheet, reached over the joints of a tree whose first facet
-  /// lies flat: (x, y, z / tau), panel widths. `facets`, `corners`: of each panel.
+  /// lies flat: (x, y, z / tau), panel widths. Each panel has an entry in `facets` and `corners`.
   std::vector<std::array<GradedVector<T>, 4>> place_panels(
       const std::vector<FoldedShape::Branch>& tree, const std::vector<int>& facets,
       const std::vector<std::array<int, 4>>& corners) const {
@@ -166,8 +165,8 @@ class GradedClosure {
     return {geometry_.x[to] - geometry_.x[from], geometry_.y[to] - geometry_.y[from], T(0.0)};
   }
 
-  // Of the joints at one corner of a hole: the products before each of them, and by how much all of
-  // them displace the side that comes after.
+  // Joints at one corner of a hole: the products before each, and the displacement of the next side
+  // by all.
   struct Corner {
     std::vector<GradedQuaternion<T>> before;
     std::vector<T> inverse;
@@ -191,9 +190,9 @@ class GradedClosure {
     corner.displaced = displacement_of_plane(sigma_, q, inverse, side(loop, at));
     return corner;
   }
-  // What is known after a walk round a loop.
+  // Results of a walk round a loop.
   struct Walk {
-    std::vector<GradedQuaternion<T>> before;   // each passage, and after the last one
+    std::vector<GradedQuaternion<T>> before;   // one per passage, and one after the last
     std::vector<T> inverse;                    // 1 / |before|^2
     std::array<GradedVector<T>, 3> displaced;  // sides 0 to 2; the last one is as on the flat sheet
   };
@@ -208,8 +207,8 @@ class GradedClosure {
   template <class Frame>
   GradedVector<T> placed(const Frame& frame, int vertex) const {
     const GradedVector<T> flat = way(frame.vertex, vertex);
-    const GradedVector<T> by = displacement_of_plane(sigma_, frame.turn, frame.inverse, flat);
-    return plus(frame.at, moved(sigma_, flat, by));
+    const GradedVector<T> shift = displacement_of_plane(sigma_, frame.turn, frame.inverse, flat);
+    return plus(frame.at, moved(sigma_, flat, shift));
   }
   GradedVector<T> axis(const Passage& passage) const {
     const int edge = mechanism_.creases[passage.joint].edge;
@@ -254,8 +253,8 @@ class GradedClosure {
     return walk;
   }
 
-  // How a joint turns what comes after it while one of its unknowns grows at rate 1: q' q^-1, half
-  // the angular velocity as its vector and how fast the length grows as its scalar part.
+  // Rate q' q^-1 of a joint while one of its unknowns grows at rate 1: the vector part is half the
+  // angular velocity of all that comes after, the scalar part the growth of the length.
   GradedQuaternion<T> turning(const Passage& passage, int unknown) const {
     const Joint joint = passed(passage);
     if (passage.ball) {
@@ -276,7 +275,7 @@ class GradedClosure {
     return {k * q.w, k * q.x, k * q.y, k * q.z};
   }
 
-  // Half the angular velocity, in the frame of where the walk began.
+  // Half the angular velocity, in the frame of the walk's start.
   GradedVector<T> turning_from(const Passage& passage, int unknown,
                                const GradedQuaternion<T>& before, const T& inverse) const {
     const GradedVector<T> w = turning(passage, unknown).vector();
@@ -300,10 +299,11 @@ class GradedClosure {
       values.push_back(rate.z);
       if (loop.rows == 3) continue;
       const GradedVector<T> sides = sum_after(loop, j, [&](int k) { return side(loop, k); });
-      const GradedVector<T> by = sum_after(loop, j, [&](int k) { return walk.displaced[k]; });
-      const T x = sides.x + sigma_(by.x), y = sides.y + sigma_(by.y);
-      values.push_back(2.0 * (w.y * by.z - w.z * y));
-      values.push_back(2.0 * (w.z * x - w.x * by.z));
+      const GradedVector<T> displaced =
+          sum_after(loop, j, [&](int k) { return walk.displaced[k]; });
+      const T x = sides.x + sigma_(displaced.x), y = sides.y + sigma_(displaced.y);
+      values.push_back(2.0 * (w.y * displaced.z - w.z * y));
+      values.push_back(2.0 * (w.z * x - w.x * displaced.z));
       values.push_back(2.0 * (w.x * y - w.y * x));
     }
   }

@@ -1,5 +1,5 @@
-// Motions of panels, kept by orders of smallness near flat, with tau = tan(half the pilot's angle)
-// and sigma = tau^2:
+// Motions of panels, stored by orders of smallness near flat, with tau = tan(half the pilot's
+// angle) and sigma = tau^2:
 //     R = I + [ sigma a   tau b  ]      t = ( sigma t1, sigma t2, tau t3 )
 //             [ tau c     sigma d]
 // Products keep that form and hold sigma only; with sigma = 1 they are common poses.
@@ -44,7 +44,7 @@ struct Grading {
   T operator()(const T& value) const { return graded ? sigma * value : value; }
 };
 
-/// What a product of motions has beyond their sum: (R_p - I) (R_q - I), and (R_p - I) t_q.
+/// Terms of a product of motions beyond their sum: (R_p - I) (R_q - I), and (R_p - I) t_q.
 template <class T>
 Motion<T> beyond_sum(const Grading<T>& sigma, const Motion<T>& p, const Motion<T>& q) {
   Motion<T> r;

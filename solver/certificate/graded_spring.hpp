@@ -43,7 +43,7 @@ class GradedSpring {
     }
   }
 
-  /// What its squared length has over that of the flat sheet, divided by sigma.
+  /// Change of its squared length from the flat sheet, divided by sigma.
   T stretch() const {
     const GradedVector<T>& u = displaced_.front();
     return 2.0 * (apart_.x * u.x + apart_.y * u.y) + closure_.sigma_(u.x * u.x + u.y * u.y) +
@@ -71,10 +71,10 @@ class GradedSpring {
  private:
   const Closure& closure_;
   std::vector<const Passage*> passages_;
-  std::vector<GradedQuaternion<T>> before_;  // products of the joints before each
+  std::vector<GradedQuaternion<T>> before_;  // products of joints, one before each
   std::vector<T> inverse_;
   std::vector<GradedVector<T>> behind_;     // q - v_i, flat
-  std::vector<GradedVector<T>> displaced_;  // sum of Q w - w from there on
+  std::vector<GradedVector<T>> displaced_;  // sums of Q w - w, from each joint on
   GradedVector<T> apart_;                   // q - p, flat
 };
 

@@ -55,7 +55,7 @@ struct FlatVector {
   }
 };
 
-// Seen from the corner of the panel that carries each.
+// Ends of springs are seen from the corner of the panel that carries each.
 void add_spring_ends(const Mechanism& mechanism, const FlatVertices& vertices_mm,
                      SheetGeometry<Ball>& geometry) {
   assert(mechanism.springs.in_mid_plane());
@@ -90,7 +90,7 @@ HalfAngle<Ball> half_angle_ball(double angle_deg) {
   const Ball x = Ball(angle_deg) * Ball::number(kHalfDegree_rad, 2 * kUnit * kHalfDegree_rad);
   const Ball xx = x * x;
   // sin x = x (1 - xx / 6 (1 - xx / 20 (...))) and cos x likewise; |x| <= pi. Terms alternate and
-  // fall: what is left out is less than the first of them, x^38 / 38! < 2e-26.
+  // fall: the remainder is less than its first term, x^38 / 38! < 2e-26.
   constexpr int kTerms = 18;
   Ball c(1.0), s(1.0);
   for (int n = kTerms; n >= 1; --n) {
@@ -130,7 +130,7 @@ IntervalChart::IntervalChart(const Mechanism& mechanism, const PathInterval& int
     const Ball low = squared_tangent_of(interval.from_deg),
                high = squared_tangent_of(interval.to_deg);
     sigma_ = interval.from_deg == 0 ? 0.5 * high.bound() : 0.5 * (low.c[0] + high.c[0]);
-    // From flat on sigma - half_width is exactly 0.
+    // Intervals from flat have exactly sigma - half_width = 0.
     half_width_ = interval.from_deg == 0
                       ? sigma_
                       : std::max((high - Ball(sigma_)).bound(), (Ball(sigma_) - low).bound());
@@ -187,8 +187,8 @@ FoldState<double> IntervalChart::state_at(const double* x, double s) const {
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
     const Chart::Crease& at = joints_.creases[i];
     const bool is_pilot = static_cast<int>(i) == mechanism_->pilot;
-    const double own = x == nullptr ? 0 : x[mechanism_->creases[i].column];
-    const double turn = is_pilot ? half_width_ * s : own;
+    const double unknown = x == nullptr ? 0 : x[mechanism_->creases[i].column];
+    const double turn = is_pilot ? half_width_ * s : unknown;
     const double c = at.c + at.c_rate * turn, t = tau * (at.s + at.s_rate * turn);
     const double length = std::sqrt(c * c + t * t);
     state.creases.push_back({c / length, t / length});

@@ -1,5 +1,5 @@
-// The coordinates of one interval of a path: how its joints are written in unknowns that are 0 in
-// the middle, and the pilot in s from -1 to 1.
+// The coordinates of one interval of a path: unknowns of its joints that are 0 in the middle, and s
+// from -1 to 1 for the pilot.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace misalign::solver {
 
-/// The half angle of an angle that is given exactly, by Taylor series; -360 to 360 degrees.
+/// The half angle of an exact angle, by Taylor series; -360 to 360 degrees.
 HalfAngle<Ball> half_angle_ball(double angle_deg);
 
 /// The sheet whose vertices are exactly these doubles (mm), in panel widths; behind them the ends
 /// of springs that are beside the vertices (spring_vertex).
 SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
-/// A sheet that is known in S, in T.
+/// Converts a sheet from numbers S to T.
 template <class T, class S>
 SheetGeometry<T> convert(const SheetGeometry<S>& geometry) {
   const auto each = [](const std::vector<S>& from) {
@@ -37,7 +37,8 @@ class IntervalChart {
   const PathInterval& interval() const { return interval_; }
   const Chart& joints() const { return joints_; }
   bool is_graded() const { return interval_.graded; }
-  /// Of s = 1 from the middle: in sigma if graded, otherwise as the tangent of half the angle.
+  /// Half width from the middle to s = 1: in sigma if graded, otherwise as the tangent of half the
+  /// angle.
   double half_width() const { return half_width_; }
   /// sigma in the middle, where graded.
   double sigma() const { return sigma_; }
@@ -51,16 +52,16 @@ class IntervalChart {
 
   /// s of a pilot angle of the interval.
   Ball place_of(double pilot_deg) const;
-  /// The largest angle of the interval, but for less than 1e-7 degrees, whose s is at most this.
+  /// The largest angle of the interval whose s is at most this, to 1e-7 degrees.
   double angle_deg_until(double s) const;
 
-  /// A state at a pilot angle as quaternions, of creases their (c, s), whatever their lengths.
+  /// A state at a pilot angle as quaternions of any length; creases have (c, s).
   struct PlainState {
     std::vector<HalfAngle<Ball>> creases;
     std::vector<Quaternion<Ball>> balls;
   };
   PlainState plain(const std::vector<Ball>& x, double pilot_deg) const;
-  /// The unknowns of such a state, the pilot's left out.
+  /// The unknowns of such a state, without the pilot's.
   std::vector<Ball> unknowns(const PlainState& state, double pilot_deg) const;
 
  private:

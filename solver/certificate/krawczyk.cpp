@@ -8,7 +8,7 @@
 namespace misalign::solver {
 namespace {
 
-/// The least of r over its largest: no unknown's box is of no use.
+/// Least entry of r over the largest: every box must be of use.
 constexpr double kLeastWeight = 0.05;
 
 }  // namespace
@@ -68,7 +68,7 @@ void Krawczyk::bound_deviation(const std::vector<JacobianModel>& jacobian) {
       most += (value.radius + operations * kUnit * value.size()) * absolute_inverse_.col(row);
     }
     sums(j, 0) -= 1;
-    most[j] += 2 * kUnit;  // by which that may be off: it is below 2
+    most[j] += 2 * kUnit;  // rounding of that, which is below 2
     if (!(std::abs(sums(j, 0)) < 1)) most[j] = std::numeric_limits<double>::infinity();
     for (int k = 0; k < sums.cols(); ++k) most += sums.col(k).cwiseAbs();
     deviation_.col(j) = rounded_up(most);
@@ -107,8 +107,8 @@ Eigen::VectorXd Krawczyk::times_deviation(const Eigen::VectorXd& radii) const {
   return rounded_up(sum);
 }
 
-// The bound in the norm of r is at most that of `most` / (1 - contraction), and within what the
-// inequality makes of a bound.
+// The bound in the norm of r is at most that of `most` / (1 - contraction); applying the inequality
+// to a bound gives another.
 Eigen::VectorXd Krawczyk::bound_solution(const PathTube& tube, const Eigen::VectorXd& most) const {
   if (!most.allFinite()) {
     return Eigen::VectorXd::Constant(most.size(), std::numeric_limits<double>::infinity());

@@ -14,8 +14,7 @@ namespace misalign::solver {
 
 class Krawczyk {
  public:
-  /// An unknown's column of J: its values among those that GradedClosure::evaluate gives, and their
-  /// rows.
+  /// An unknown's column of J: indices among the values of GradedClosure::evaluate, and their rows.
   struct Column {
     std::vector<int> rows, values;
   };
@@ -34,7 +33,7 @@ class Krawczyk {
   /// Bounds |I - C J| for all values of J's entries.
   void bound_deviation(const std::vector<JacobianModel>& jacobian);
   const Eigen::MatrixXd& deviation() const { return deviation_; }
-  /// Radii that the deviation makes smaller, the largest 1: its eigenvector, but for small entries.
+  /// Radii that the deviation contracts, the largest 1: its eigenvector, except for small entries.
   Eigen::VectorXd find_weights() const;
 
   /// Bounds |C F| from above.
@@ -51,7 +50,7 @@ class Krawczyk {
   Eigen::MatrixXd deviation_;         // at least |I - C J|
 };
 
-/// Sums of nonnegative numbers, in a fixed order: a bound from above.
+/// An upper bound of sums of nonnegative numbers, in a fixed order.
 inline Eigen::VectorXd rounded_up(const Eigen::VectorXd& sums) {
   return kUp * sums.array() + kUnderflow;
 }

@@ -11,7 +11,7 @@
 namespace misalign::solver {
 namespace {
 
-// Off the angle of a root in doubles, so that what is claimed lies below it.
+// Subtracted from the angle of a root in doubles, so that the claim lies below it.
 constexpr double kBelowRoot_deg = 1e-6;
 
 class Prover {
@@ -42,23 +42,23 @@ class Prover {
  private:
   using Quadratic = std::array<Rational, 3>;
 
-  // The nearest shifts that keep all conditions: exact elimination, and as they are in what it
-  // leaves free.
+  // Finds nearby shifts that satisfy all conditions, by exact elimination; free unknowns stay as
+  // they are.
   void find_member(const Eigen::Matrix2Xd& shifts_mm) {
     using Row = std::map<int, Rational>;
     std::map<int, Row> solved;  // by pivot
-    const auto reduce = [&](Row& row, int pivot, const Row& by) {
+    const auto reduce = [&](Row& row, int pivot, const Row& pivot_row) {
       const auto at = row.find(pivot);
       if (at == row.end()) return;
       const Rational share = at->second;
-      for (const auto& [column, value] : by) {
+      for (const auto& [column, value] : pivot_row) {
         Rational& entry = row[column];
         entry -= share * value;
         if (entry == 0) row.erase(column);
       }
     };
     const auto add = [&](Row row) {
-      for (const auto& [pivot, by] : solved) reduce(row, pivot, by);
+      for (const auto& [pivot, solved_row] : solved) reduce(row, pivot, solved_row);
       if (row.empty()) return;
       const auto largest = std::ranges::max_element(row, {}, [](const auto& entry) {
         return abs(entry.second).template convert_to<double>();
@@ -66,7 +66,7 @@ class Prover {
       const int pivot = largest->first;
       const Rational scale = largest->second;
       for (auto& [column, value] : row) value /= scale;
-      for (auto& [other, by] : solved) reduce(by, pivot, row);
+      for (auto& [other, solved_row] : solved) reduce(solved_row, pivot, row);
       solved.emplace(pivot, std::move(row));
     };
     const auto is_hole = [&](int f) { return std::ranges::binary_search(base_.holes, f); };
@@ -113,7 +113,7 @@ class Prover {
   }
 
   // The quadratic in T = tan^2(pilot / 2) that has the sign of a diagonal's slope, with vectors u,
-  // v of the hole's edges on the base instead of unit vectors: everything is rational.
+  // v of the hole's edges on the base instead of unit vectors: all is rational.
   std::optional<Quadratic> slope_of(int hole) const {
     const auto& v = sheet_.facets[static_cast<std::size_t>(hole)];
     std::array<Rational, 4> tan_sq;
@@ -149,17 +149,17 @@ class Prover {
                      pq * (a_delta * q + b_epsilon * p + 2 * both * (uv * (p + q) - mixed))};
   }
 
-  // Whether c0 + c1 t + c2 t^2 keeps its sign for 0 < t < T (all t > 0 where there is no T): if all
-  // its Bernstein coefficients have one sign.
+  // Returns whether c0 + c1 t + c2 t^2 keeps its sign for 0 < t < T (all t > 0 without a T), by its
+  // Bernstein coefficients, which then have one sign.
   static bool keeps_sign(const Quadratic& c, const std::optional<Rational>& end) {
-    const Quadratic of =
+    const Quadratic bernstein =
         end ? Quadratic{c[0], 2 * c[0] + c[1] * *end, c[0] + c[1] * *end + c[2] * *end * *end} : c;
-    const bool any = of[0] != 0 || of[1] != 0 || of[2] != 0;
-    return any && (std::ranges::all_of(of, [](const auto& k) { return k >= 0; }) ||
-                   std::ranges::all_of(of, [](const auto& k) { return k <= 0; }));
+    const bool any = bernstein[0] != 0 || bernstein[1] != 0 || bernstein[2] != 0;
+    return any && (std::ranges::all_of(bernstein, [](const auto& k) { return k >= 0; }) ||
+                   std::ranges::all_of(bernstein, [](const auto& k) { return k <= 0; }));
   }
 
-  // Rounded up.
+  // Returns tan^2 of half the angle, rounded up.
   static std::optional<Rational> tan_sq_of_half(double pilot_deg) {
     if (pilot_deg >= 180) return {};
     const double tangent = std::tan(pilot_deg * kRadPerDeg / 2);
@@ -172,7 +172,7 @@ class Prover {
                  c2 = slope[2].convert_to<double>();
     const double square = c1 * c1 - 4 * c0 * c2;
     if (!(square >= 0)) return 0;
-    // As Vieta has it, so that no digits are lost.
+    // Vieta's formula loses no digits.
     const double sum = -0.5 * (c1 + std::copysign(std::sqrt(square), c1));
     double one_way_deg = 0;
     for (const double root : {sum / c2, c0 / sum}) {

@@ -17,7 +17,7 @@ PanelCorners corners_at(const Corners& corners, double s) {
   return middle;
 }
 
-// Along a direction, how far the corners of a panel are from a corner of it, or from the origin.
+// Coordinates of a panel's corners along a direction, from one of them or from the origin.
 std::array<CheckModel, 4> heights(const Eigen::Vector3d& direction, const Corners& corners,
                                   std::optional<int> from) {
   std::array<CheckModel, 4> along;
@@ -53,8 +53,9 @@ bool are_apart_along(const ComparedPanels& panels, const Eigen::Vector3d& direct
   return true;
 }
 
-// On a part of the subinterval; with directions of their own on both halves where one does not do.
-// `parts` counts them: panels that all but touch for long would need all of them.
+// Compares panels on a part of the subinterval; where one direction does not suffice, each half
+// gets its own. `parts` limits their number: panels that almost touch for long would need very
+// many.
 bool are_panels_apart(const ComparedPanels& panels, const Corners& a, const Corners& b,
                       double middle, double half, int& parts) {
   constexpr double kShortest = 0x1p-26;

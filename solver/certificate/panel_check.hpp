@@ -1,4 +1,4 @@
-// The checker's proof that no two panels meet on a subinterval of a path; as panel_proof.hpp, by
+// The checker's proof that no two panels meet on a subinterval of a path; like panel_proof.hpp, by
 // arb.
 #pragma once
 
@@ -15,7 +15,7 @@ class PanelCheck {
   /// `holds` or `unclear`: a subinterval on which panels meet is never proven.
   Proof are_apart(const IntervalProver& prover, const ProvenInterval& interval,
                   const ProvenInterval::Subinterval& subinterval) const;
-  /// How many pairs of panels there are, those with a common crease too.
+  /// Number of pairs of panels, including those with a common crease.
   int pairs() const { return pairs_; }
 
  private:

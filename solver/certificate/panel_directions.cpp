@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The direction along which the least of the points is as far from the origin as can be: of the
-// point nearest to it of all between them.
+// The direction in which the nearest of the points is farthest from the origin: that of their
+// convex hull's nearest point.
 Vector3d best_direction(const std::array<Vector3d, 4>& points) {
   Vector3d best = Vector3d::UnitZ();
   double most = -1;

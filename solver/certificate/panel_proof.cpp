@@ -17,7 +17,7 @@ Vector3d middle_at(const GradedVector<JacobianModel>& point, double s) {
   return {guess_at(point.x, s), guess_at(point.y, s), guess_at(point.z, s)};
 }
 
-// Encloses direction . point while s goes from `from` to `to`.
+// Encloses direction . point for s from `from` to `to`.
 struct Enclosure {
   double least, most;
 };
@@ -45,7 +45,7 @@ GradedVector<JacobianModel> arm(const Corners& corners, int at, int to) {
   return {end.x - from.x, end.y - from.y, end.z - from.z};
 }
 
-// Whether a plane with this normal tells them apart while s goes from `from` to `to`.
+// Returns whether a plane with this normal separates them for s from `from` to `to`.
 bool are_apart(const ComparedPanels& panels, const Vector3d& direction, const Corners& a,
                const Corners& b, double from, double to) {
   if (panels.kind == ContactKind::apart) {

@@ -1,8 +1,8 @@
-// Proves that no two panels meet on an interval of a path, panels being without thickness.
+// Proves that no two panels, without thickness, meet on an interval of a path.
 //
 // Directions are found in the middle of a part of the interval and kept on it; where one does not
-// do, the part is halved. Near flat, z over tau stands for z: subintervaling space keeps planes,
-// and sides.
+// suffice, the part is halved. Near flat, z / tau replaces z: stretching space keeps planes and
+// their sides.
 #pragma once
 
 #include <vector>
@@ -18,11 +18,11 @@ class PanelProof {
   PanelProof(const FoldedShape& shape, const Panels& panels);
 
   struct Apart {
-    double until = 1;  ///< from s = -1 to here no panels meet
-    int pair = -1;     ///< index of the first two of which that could not be shown farther on
+    double until = 1;  ///< no panels meet from s = -1 to here
+    int pair = -1;     ///< first pair for which that is not proven farther on
   };
-  /// All over a tube, or up to where it is not shown, found to within `resolution`. Pairs are those
-  /// of pairs_of(panels).
+  /// Proves it all over a tube, or up to an s that is exact to `resolution`. Pairs are those of
+  /// pairs_of(panels).
   Apart prove(const TubeProver& prover, const PathTube& tube, double resolution) const;
 
  private:

@@ -1,5 +1,5 @@
-// A proven interval of a folding path: a polynomial, and round it a box in which there is exactly
-// one folded state for every pilot angle of the interval.
+// A proven interval of a folding path: a polynomial with a box round it, in which every pilot angle
+// of the interval has exactly one folded state.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +9,8 @@
 
 namespace misalign::solver {
 
-/// Powers of s in p, in the steps towards it, in J along it, and in C. With these intervals of 6 x
-/// 6 are some 7 degrees long, and neither p nor C J alone limits that
-/// (results/certificates/candidates.md).
+/// Powers of s in p, in the steps towards it, in J along it, and in C. They give intervals of some
+/// 7 degrees for 6 x 6, limited by both p and C J (results/certificates/candidates.md).
 inline constexpr int kPathDegree = 9, kHalfDegree = 4, kJacobianDegree = 5;
 inline constexpr int kInversePowers = 3;
 using PathModel = TaylorModel<kPathDegree>;
@@ -20,17 +19,17 @@ using JacobianModel = TaylorModel<kJacobianDegree>;
 /// A proven interval.
 struct PathTube {
   IntervalChart chart;
-  std::vector<PathModel> path;  ///< every unknown but the pilot's: p, and by how much it may be off
-  Eigen::VectorXd radii;        ///< r: within p +- r there is one state only
-  double contraction = 0;       ///< of |I - C J| in the norm that r makes; below 1
+  std::vector<PathModel> path;  ///< p, all unknowns but the pilot's, with their errors
+  Eigen::VectorXd radii;        ///< r: there is one state only within p +- r
+  double contraction = 0;       ///< norm of |I - C J| weighted by r; below 1
 
-  /// The box that the certificate claims: less than that of X round the path, so that it holds for
-  /// the coordinates of the state that is kept too, which are off by 1e-7.
+  /// The box that the certificate claims: smaller than that of X round the path, so that it also
+  /// holds for the coordinates of the kept state, which are rounded to 1e-7.
   double isolation() const;
 };
 
-/// Whether the state in which one tube ends is the one in which the next begins: the former's
-/// enclosure lies within the latter's boxes.
+/// Returns whether one tube ends in the state in which the next begins: the former's enclosure lies
+/// within the latter's boxes.
 bool join(const PathTube& before, const PathTube& after);
 
 }  // namespace misalign::solver

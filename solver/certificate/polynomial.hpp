@@ -1,4 +1,4 @@
-// Powers of s up to a degree, and no word on errors: what proofs begin from.
+// Polynomials in s without errors: the guesses of proofs.
 #pragma once
 
 #include <array>

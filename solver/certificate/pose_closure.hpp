@@ -1,9 +1,9 @@
-// Loop closure as in loop_closure.hpp, by the product of poses round a loop, in the checker's
-// words: nothing of it is shared with graded_closure.hpp, which certificates are made with.
+// Loop closure as in loop_closure.hpp, by the product of poses round a loop, for the checker: it
+// shares nothing with graded_closure.hpp, by which certificates are made.
 //
-// Motions are graded (graded_motion.hpp). Closed are R = I and t = 0: the antisymmetric part of R
-// is zero, in these orders, and so is t. (It is zero for a half turn too, whose trace is -1 instead
-// of 3.) A loop is seen from a point of its own, which keeps t small.
+// Motions are graded (graded_motion.hpp). A loop is closed where R = I and t = 0: the antisymmetric
+// part of R is zero, in these orders, and so is t. (It is zero for a half turn too, whose trace is
+// -1 instead of 3.) Each loop is seen from one of its points, which keeps t small.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@
 namespace misalign::solver {
 
 using FourParts = std::array<double, 4>;
-/// How an interval's joints are written in its unknowns x: graded a crease is cos : sin = c : tau s
-/// of half its angle and a ball's quaternion (w, tau x, tau y, sigma z), otherwise with tau = 1.
+/// An interval's joints in its unknowns x: graded, half a crease's angle has cos : sin = c : tau s
+/// and a ball's quaternion is (w, tau x, tau y, sigma z); otherwise tau = 1.
 struct JointLines {
   struct Crease {
     double c, s, c_rate, s_rate;
@@ -48,7 +48,7 @@ class PoseClosure {
     T value;
   };
 
-  /// All must outlive this object. `x`: one for each unknown, the pilot's last.
+  /// All must outlive this object. `x` has all unknowns, the pilot's last.
   PoseClosure(const Mechanism& mechanism, const SheetGeometry<Number>& geometry,
               const JointLines& lines, const Grading<T>& sigma, const std::vector<T>& x)
       : mechanism_(mechanism), geometry_(geometry), lines_(lines), sigma_(sigma) {
@@ -76,8 +76,7 @@ class PoseClosure {
   const T& cosine(std::size_t crease) const { return creases_[crease].c; }
   const T& sine(std::size_t crease) const { return creases_[crease].s; }
 
-  /// How far the loops are open, one for each equation; and R's trace less 3, over sigma, for each
-  /// loop.
+  /// Finds the residual, one for each equation, and R's trace less 3, over sigma, for each loop.
   void open_by(std::vector<T>& residual, std::vector<T>* traces) const {
     residual.assign(mechanism_.equations, T());
     if (traces != nullptr) traces->clear();
@@ -92,15 +91,15 @@ class PoseClosure {
     }
   }
 
-  /// The Jacobian's structural nonzeros, those of the pilot left out.
+  /// The Jacobian's structural nonzeros, without those of the pilot.
   std::vector<Entry> jacobian() const {
     std::vector<Entry> entries;
     for (const Loop& loop : mechanism_.loops) add_entries(loop, entries);
     return entries;
   }
 
-  /// What a diagonal's squared length has over that of the flat sheet, over sigma: of sides e, f at
-  /// the corner that it spans |e + R f|^2 - |e + f|^2 = 2 e . (R - I) f, R that of the corner.
+  /// Change of a diagonal's squared length from the flat sheet, over sigma: with sides e, f at the
+  /// corner that it spans, and R that of the corner, |e + R f|^2 - |e + f|^2 = 2 e . (R - I) f.
   T squared_elongation(const Diagonal& diagonal) const {
     if (!mechanism_.springs.at_vertices()) return stretch_of_spring(diagonal);
     const Loop& loop = mechanism_.loops[diagonal.loop];
@@ -120,7 +119,8 @@ class PoseClosure {
   }
 
   /// The corners of every facet that a tree of joints reaches, its first one lying flat: (x, y, z /
-  /// tau), panel widths; seen from the sheet's first vertex. `corners`: of each of `facets`.
+  /// tau), panel widths; seen from the sheet's first vertex. `corners` has those of each of
+  /// `facets`.
   std::vector<std::array<std::array<T, 3>, 4>> place_panels(
       const std::vector<FoldedShape::Branch>& tree, const std::vector<int>& facets,
       const std::vector<std::array<int, 4>>& corners) const {
@@ -135,8 +135,8 @@ class PoseClosure {
       for (int k = 0; k < 4; ++k) {
         const auto p = step(0, corners[f][k]);
         for (int i = 0; i < 2; ++i) {
-          const T by = scaled(p[0], m.a[i][0]) + scaled(p[1], m.a[i][1]) + m.t[i];
-          placed[f][k][i] = T(p[i]) + sigma_(by);
+          const T shift = scaled(p[0], m.a[i][0]) + scaled(p[1], m.a[i][1]) + m.t[i];
+          placed[f][k][i] = T(p[i]) + sigma_(shift);
         }
         placed[f][k][2] = scaled(p[0], m.c[0]) + scaled(p[1], m.c[1]) + m.t[2];
       }
@@ -145,8 +145,7 @@ class PoseClosure {
   }
 
  private:
-  // Of ends p and q, which the joints between their panels take from q to q + u: 2 (q - p) . u +
-  // u^2.
+  // The joints between the panels of ends p and q take q to q + u: 2 (q - p) . u + u^2.
   T stretch_of_spring(const Diagonal& diagonal) const {
     const Loop& loop = mechanism_.loops[diagonal.loop];
     const int p = spring_vertex(mechanism_, diagonal.loop, diagonal.from_corner),
@@ -160,9 +159,9 @@ class PoseClosure {
     const auto at = step(loop.passages[0].vertex, q), apart = step(p, q);
     T inner{}, square{};
     for (int i = 0; i < 2; ++i) {
-      const T by = scaled(at[0], turn.a[i][0]) + scaled(at[1], turn.a[i][1]) + turn.t[i];
-      inner = inner + scaled(apart[i], by);
-      square = square + by * by;
+      const T shift = scaled(at[0], turn.a[i][0]) + scaled(at[1], turn.a[i][1]) + turn.t[i];
+      inner = inner + scaled(apart[i], shift);
+      square = square + shift * shift;
     }
     const T up = scaled(at[0], turn.c[0]) + scaled(at[1], turn.c[1]) + turn.t[2];
     return inner + inner + sigma_(square) + up * up;
@@ -248,8 +247,8 @@ class PoseClosure {
     return m;
   }
 
-  // How a joint's motion changes with one of its unknowns: of M = N / |q|^2 it is (N' - M |q|^2') /
-  // |q|^2.
+  // Derivative of a joint's motion by one of its unknowns: that of M = N / |q|^2 is (N' - M |q|^2')
+  // / |q|^2.
   Motion<T> rate(const Loop& loop, const Passage& passage, int unknown) const {
     Motion<T> m;
     if (passage.ball) {
@@ -282,9 +281,9 @@ class PoseClosure {
     const std::size_t count = loop.passages.size();
     std::vector<Motion<T>> before(count + 1), after(count + 1);  // the first and the last are I
     for (std::size_t j = 0; j < count; ++j) {
-      const Motion<T> here = motion(loop, loop.passages[j]);
-      before[j + 1] = j == 0 ? here : composed(sigma_, before[j], here);
-      after[j] = here;
+      const Motion<T> joint_motion = motion(loop, loop.passages[j]);
+      before[j + 1] = j == 0 ? joint_motion : composed(sigma_, before[j], joint_motion);
+      after[j] = joint_motion;
     }
     for (std::size_t j = count - 1; j-- > 0;) after[j] = composed(sigma_, after[j], after[j + 1]);
     for (std::size_t j = 0; j < count; ++j) {

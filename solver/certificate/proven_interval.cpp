@@ -56,7 +56,7 @@ SheetGeometry<ArbNumber> place_in_balls(const Mechanism& mechanism,
   return geometry;
 }
 
-// Left of q the quaternions 1, i, j, k, which turn it.
+// Products i q, j q and k q, which turn q.
 std::array<FourParts, 3> turns_of(const FourParts& q) {
   return {{{-q[1], q[0], -q[3], q[2]}, {-q[2], q[3], q[0], -q[1]}, {-q[3], -q[2], q[1], q[0]}}};
 }
@@ -80,7 +80,7 @@ IntervalProver::IntervalProver(const Mechanism& mechanism, const FlatVertices& v
 
 void IntervalProver::begin(ProvenInterval& interval) const {
   assert(interval.interval.from_deg < interval.interval.to_deg);
-  // So that both ends are within [-1, 1] for certain: more than the middle's rounding takes.
+  // Both ends must lie within [-1, 1] for certain: this exceeds the middle's rounding.
   constexpr double kMore = 1 + 1e-12, kRounding = 4 * std::numeric_limits<double>::epsilon();
   const ArbNumber low(interval.interval.from_deg), high(interval.interval.to_deg);
   const ArbNumber half = ArbNumber(0.5);
@@ -91,7 +91,7 @@ void IntervalProver::begin(ProvenInterval& interval) const {
     interval.sigma = 0.5 * as_double(a + b);
     interval.width = 0.5 * as_double(b - a) * kMore;
     if (interval.interval.from_deg == 0) {
-      interval.sigma = interval.width;  // whose s = -1 is flat exactly
+      interval.sigma = interval.width;  // s = -1 is exactly flat
     } else {
       interval.width += kRounding * interval.sigma;
     }
@@ -226,7 +226,7 @@ Proof IntervalProver::cover(ProvenInterval& interval, double low, double high,
   constexpr int kMostCuts = 10;
   assert(-1 <= low && low < high && high <= 1);
   assert(depth <= kMostCuts);
-  // Uneven, so that neither an interval's middle nor any place that is asked for is between two.
+  // Cuts are uneven, so that neither an interval's middle nor a place of interest lies on one.
   constexpr double kCut = 0.4375;
   Subinterval subinterval{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}};
   Proof proof = Proof::unclear;

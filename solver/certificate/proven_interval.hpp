@@ -1,12 +1,12 @@
-// The checker's proof that an interval of a folding path is one curve of states with no other near
-// it.
+// The checker's proof that an interval of a folding path is one isolated curve of states.
 //
-// As in path_tube.hpp by Krawczyk's theorem with a parameter, in the interval's coordinates, but by
-// arb's models and the pose closure; and an interval that is not proven in one go is cut into
-// subintervals with a tube each. Doubles are guesses only: an inverse, a polynomial, radii. With D
-// at least |I - C J| all over the tube of radii r round the polynomial p, and m at least |C F(p)|:
-//   m + D r < r   one state for every s, J regular; and p is at most e off it if m + D e < e <= r;
-//   m' + D v < v  with m' at least |C d/ds F| along p' instead of x': p' is at most v off x'.
+// It uses Krawczyk's theorem with a parameter, as path_tube.hpp does, in the interval's
+// coordinates, but by arb's models and the pose closure; an interval that is not proven at once is
+// cut into subintervals with a tube each. Doubles are guesses only: an inverse, a polynomial,
+// radii. With D at least |I - C J| all over the tube of radii r round the polynomial p, and m at
+// least |C F(p)|:
+//   m + D r < r   one state for every s, J regular; |p - x| is at most e if m + D e < e <= r;
+//   m' + D v < v  with m' at least |C d/ds F| along p' instead of x': |p' - x'| is at most v.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,28 +22,27 @@ namespace misalign::solver {
 
 inline constexpr int kCheckDegree = 8, kCheckJacobianDegree = 3;
 using CheckModel = ArbModel<kCheckDegree>;
-/// A path before it is proven: without any claim.
+/// A path before it is proven.
 using CheckGuess = Polynomial<kCheckDegree>;
 
 struct ProvenInterval {
   /// s from middle - half to middle + half.
   struct Subinterval {
     double middle, half;
-    std::vector<CheckGuess> guess;  ///< of the unknowns but the pilot's
-    Eigen::VectorXd radius;         ///< of the tube in which states are single, unknown by unknown
-    Eigen::VectorXd error;          ///< how far the path is from the guess at most
-    std::vector<CheckModel> cosines, sines;  ///< of half of each crease's angle, times what is > 0
-    std::vector<CheckModel>
-        slopes;  ///< of each diagonal's squared length along s, times what is > 0
+    std::vector<CheckGuess> guess;  ///< one per unknown but the pilot's
+    Eigen::VectorXd radius;  ///< one per unknown: radius of the tube in which states are unique
+    Eigen::VectorXd error;   ///< largest distance of the path from the guess
+    std::vector<CheckModel> cosines, sines;  ///< per crease, of its half angle; scaled by > 0
+    std::vector<CheckModel> slopes;  ///< per diagonal: rate of its squared length; scaled by > 0
   };
 
   PathInterval interval;
   JointLines lines;
   double sigma, width;         ///< the pilot at s: sigma + width s, or the tangent width s
-  ArbNumber from, middle, to;  ///< in s; within [-1, 1]
+  ArbNumber from, middle, to;  ///< values of s; within [-1, 1]
   std::vector<Subinterval> subintervals;  ///< ascending, each from the end of the one before
 
-  /// The unknowns at a place, the pilot's last; undefined where that is not within a subinterval.
+  /// The unknowns at an s, the pilot's last; undefined where that is not within a subinterval.
   std::vector<ArbNumber> unknowns_at(const ArbNumber& s) const;
 };
 
@@ -63,13 +62,13 @@ class IntervalProver {
   /// Both must outlive this object.
   IntervalProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
-  /// What else is to be proven of each subinterval of an interval; where it is unclear shorter
+  /// A further claim to prove on each subinterval of an interval; where it is unclear shorter
   /// subintervals are tried.
   using Question = std::function<Proof(const ProvenInterval&, const Subinterval&)>;
-  /// unclear: no curve is proven, or not that it has no neighbour within the interval's box.
+  /// Returns unclear where no curve is proven, or not that it is alone within the interval's box.
   Proof prove(const PathInterval& interval, const Question& question, ProvenInterval& proven);
 
-  /// Corners of panels all over a subinterval, as PoseClosure::place_panels has them.
+  /// Corners of panels all over a subinterval, from PoseClosure::place_panels.
   std::vector<std::array<std::array<CheckModel, 3>, 4>> place_panels(const ProvenInterval& interval,
                                                                      const Subinterval& subinterval,
                                                                      const FoldedShape& shape,
@@ -99,7 +98,7 @@ class IntervalProver {
   const Mechanism& mechanism_;
   SheetGeometry<double> geometry_;
   SheetGeometry<ArbNumber> arb_geometry_;
-  Eigen::VectorXd weights_;  // of radii, as the last subinterval had them
+  Eigen::VectorXd weights_;  // weights of radii on the last subinterval
   Eigen::MatrixXd inverse_, deviation_guess_;
   std::vector<ArbNumber> arb_inverse_, deviation_;  // row by row
 };

@@ -39,7 +39,7 @@ WithRate<T> reciprocal(const WithRate<T>& f) {
   return {inverse, -(f.rate * (inverse * inverse))};
 }
 
-// A function of s that is a line, on a subinterval.
+// A linear function of s, on a subinterval.
 template <int Degree>
 void set_line(double at_zero, double width, const Subinterval& subinterval,
               ArbModel<Degree>& line) {
@@ -109,7 +109,7 @@ CheckGuess derivative(const CheckGuess& f) {
   return result;
 }
 
-// How many times r its image under these sizes is, and the r of which that is least, about.
+// Perron's root of these sizes, approximately, and its vector r.
 double perron(const Eigen::MatrixXd& sizes, Eigen::VectorXd& r) {
   constexpr double kSmallest = 0.05;
   r = Eigen::VectorXd::Ones(sizes.rows());
@@ -171,7 +171,7 @@ bool IntervalProver::find_middle(const ProvenInterval& interval, Eigen::VectorXd
   return false;
 }
 
-// Newton's method on polynomials with the middle's Jacobian: a power of s more at every step.
+// Newton's method on polynomials with the middle's Jacobian gains a power of s at every step.
 void IntervalProver::find_guess(const ProvenInterval& interval, Subinterval& subinterval) const {
   const int n = mechanism_.equations;
   const auto sigma = grading<CheckGuess>(interval, subinterval);
@@ -192,7 +192,7 @@ void IntervalProver::find_guess(const ProvenInterval& interval, Subinterval& sub
   subinterval.guess = std::move(x);
 }
 
-// At least |C F(s)|, equation by equation.
+// Upper bounds of |C F(s)|, equation by equation.
 std::vector<ArbNumber> IntervalProver::preconditioned(
     const std::vector<CheckModel>& residual) const {
   const std::size_t n = residual.size();
@@ -205,7 +205,7 @@ std::vector<ArbNumber> IntervalProver::preconditioned(
   return most;
 }
 
-// At least |I - C J| all over the tube.
+// Finds upper bounds of |I - C J| all over the tube.
 void IntervalProver::find_deviation(const ProvenInterval& interval,
                                     const Subinterval& subinterval) {
   using Entry = ArbModel<kCheckJacobianDegree>;
@@ -243,7 +243,7 @@ bool IntervalProver::is_mapped_inside(const std::vector<ArbNumber>& misfit,
   return true;
 }
 
-// A little more than the least radii that may be mapped inside: a guess.
+// Guesses radii slightly above the least that may be mapped inside.
 Eigen::VectorXd IntervalProver::fixed_point(const std::vector<ArbNumber>& misfit) const {
   const Eigen::Index n = deviation_guess_.rows();
   Eigen::VectorXd m(n);
@@ -266,10 +266,10 @@ bool IntervalProver::enclose(const ProvenInterval& interval, Subinterval& subint
   for (const ArbNumber& m : misfit) {
     largest = std::max(largest, arf_get_d(arb_midref(m[0]), ARF_RND_UP));
   }
-  // More than what rounding changes in where the coordinates' middle is.
+  // The factor exceeds the rounding of the coordinates' middle.
   const double box = interval.interval.box * (1 + 1e-9);
-  // Else shorter subintervals: an end known so well lies in the next interval's box, which may be
-  // smaller.
+  // Larger errors need shorter subintervals: the end must lie in the next interval's box, which may
+  // be smaller.
   constexpr double kLargestError = 0.01;
   if (!(largest < kLargestError * box)) return false;
   double slack = 4 * largest;

@@ -23,11 +23,11 @@ class Rounder {
   }
 
  private:
-  // A vertex' creases: two in line, and two of which each is the other's mirror about that line.
+  // A vertex' creases: two in line, and two that are mirror images about that line.
   struct MirrorVertex {
     int vertex;
     std::array<int, 2> straight, mirrored;  // edges
-    Rational cosine_sq;                     // of the sector angles
+    Rational cosine_sq;                     // cos^2 of the sector angles
   };
 
   RationalVector between(int from, int to) const {
@@ -39,7 +39,7 @@ class Rounder {
     return between(vertex, e.a == vertex ? e.b : e.a);
   }
 
-  // Vertices from A1 along edges, each rounded: those that were alike are equal.
+  // Adds rounded edges from A1 on: equal edges stay equal.
   void round_vertices() {
     const auto rounded = [&](int from, int to) {
       const Eigen::Vector2d edge = sheet_.vertices_mm.col(to) - sheet_.vertices_mm.col(from);
@@ -101,12 +101,12 @@ class Rounder {
     return false;
   }
 
-  // From the pilot over all vertices: at each all four follow from one, and agree with what is
-  // known.
+  // Folds vertex after vertex from the pilot: all four creases follow from one, and must agree with
+  // those known.
   void fold() {
     std::vector<std::optional<Rational>> known(sheet_.edges.size());
     known[static_cast<std::size_t>(base_.folding.pilot_edge())] = Rational(1);
-    const auto of = [&](int e) -> std::optional<Rational>& {
+    const auto value_of = [&](int e) -> std::optional<Rational>& {
       return known[static_cast<std::size_t>(e)];
     };
     std::vector<const MirrorVertex*> waiting;
@@ -114,19 +114,20 @@ class Rounder {
     const auto follow = [&](const MirrorVertex* vertex) {
       std::optional<Rational> mirrored;
       for (const int e : vertex->mirrored) {
-        if (of(e)) mirrored = *of(e);
+        if (value_of(e)) mirrored = *value_of(e);
       }
       for (const int e : vertex->straight) {
-        if (of(e)) mirrored = Rational(*of(e) / vertex->cosine_sq);
+        if (value_of(e)) mirrored = Rational(*value_of(e) / vertex->cosine_sq);
       }
       if (!mirrored) return false;
       const Rational straight = *mirrored * vertex->cosine_sq;
       for (std::size_t k = 0; k < 2; ++k) {
-        const Rational& one =
-            of(vertex->mirrored[k]).emplace(of(vertex->mirrored[k]).value_or(*mirrored));
-        const Rational& other =
-            of(vertex->straight[k]).emplace(of(vertex->straight[k]).value_or(straight));
-        if (one != *mirrored || other != straight)
+        const Rational& known_mirrored =
+            value_of(vertex->mirrored[k])
+                .emplace(value_of(vertex->mirrored[k]).value_or(*mirrored));
+        const Rational& known_straight =
+            value_of(vertex->straight[k]).emplace(value_of(vertex->straight[k]).value_or(straight));
+        if (known_mirrored != *mirrored || known_straight != straight)
           rounded_.gap = {Kind::other_folding, vertex->vertex};
       }
       return true;

@@ -1,5 +1,5 @@
-// A base sheet in rational numbers: its vertices, and how far its creases fold in proportion to the
-// pilot, exactly.
+// A base sheet in rational numbers: its vertices, and its creases' fold angles relative to the
+// pilot's, exactly.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -30,7 +30,7 @@ inline Rational cross(const RationalVector& a, const RationalVector& b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// What of a proof's hypotheses does not hold exactly, and of which facet or vertex.
+/// A hypothesis of a proof that does not hold exactly, and its facet or vertex.
 struct ProofGap {
   enum class Kind {
     none,
@@ -41,25 +41,25 @@ struct ProofGap {
   } kind = Kind::none;
   int where = -1;
 
-  /// In words.
+  /// The gap in words.
   std::string why(const CreasePattern& sheet) const;
 };
 
-/// Edges of a base are rounded to this: those that were meant to be equal differ by less.
+/// Edges of a base are rounded to this: edges that should be equal differ by less.
 inline constexpr double kProofGrid_mm = 1.0 / (1 << 30);
 
 struct RationalBase {
   std::vector<RationalVector> vertices_mm;  ///< A1 at the origin
-  /// Per edge, tan^2 of half its fold angle over that of half the pilot's; 0 on the perimeter.
+  /// One per edge: tan^2 of half its fold angle over that of half the pilot's; 0 on the perimeter.
   std::vector<Rational> tangents_sq;
-  double off_mm = 0;  ///< the most by which an edge was rounded, in x or y
-  ProofGap gap;       ///< the rest has no meaning where there is one
+  double off_mm = 0;  ///< largest rounding of an edge, in x or y
+  ProofGap gap;       ///< the rest is meaningless if there is a gap
 };
 
-/// Of a base whose vertices all have two creases in line, of opposite signs, and two of equal signs
-/// in the mirror about them, as the family "miura" has them: round such a vertex those in line fold
-/// alike, so do the others, and tangents of half the angles of the former are cos(sector angle)
-/// times those of the latter (Huffman 1976; tests/solver/pattern/degree_four_test.cpp).
+/// The base's vertices must all have two creases in line, of opposite signs, and two mirror images
+/// about them, of equal signs, as in the family "miura": those in line fold by equal angles, so do
+/// the others, and tangents of half the former's angles are cos(sector angle) times those of the
+/// latter (Huffman 1976; tests/solver/pattern/degree_four_test.cpp).
 RationalBase rational_base(const PerforatedSheet& base);
 
 }  // namespace misalign::solver

@@ -1,11 +1,11 @@
-// Where a proof's sheet has the ends of springs that are beside the vertices: behind its vertices.
+// A proof's sheet has the ends of springs beside the vertices, as points after its vertices.
 #pragma once
 
 #include "solver/kinematics/mechanism.hpp"
 
 namespace misalign::solver {
 
-/// The number among the flat sheet's points of the end at a corner of a hole.
+/// The index of the end at a corner of a hole, among the flat sheet's points.
 inline int spring_vertex(const Mechanism& mechanism, int loop, int corner) {
   return mechanism.springs.at_vertices() ? mechanism.loops[static_cast<std::size_t>(loop)]
                                                .corners[static_cast<std::size_t>(corner)]

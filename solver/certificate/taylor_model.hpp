@@ -1,10 +1,10 @@
 // Numbers and functions with proven errors. A Taylor model is a polynomial in s, -1 <= s <= 1, and
-// a radius: it stands for every function that is nowhere farther from the polynomial than that. One
+// a radius: it stands for every function whose distance from the polynomial is nowhere larger. One
 // of degree 0 is a number known to within its radius (midpoint-radius arithmetic; Rump 1999, Berz &
 // Makino 1998).
 //
 // All sums and products are rounded to nearest, no rounding mode is switched, and each result's
-// radius takes up what rounding may have changed. With u = 2^-53:
+// radius includes its rounding error. With u = 2^-53:
 //   fl(a + b) is off by at most u |fl(a + b)|; never by underflow
 //   fl(a b) by at most u |a b|, or by 2^-1075 where it underflows
 //   a sum of n products in any order by at most (n u / (1 - n u)) times the sum of their sizes
@@ -25,25 +25,25 @@ namespace misalign::solver {
 
 inline constexpr double kUnit = 0x1p-53;
 inline constexpr int kMostOperations = 20000;
-/// At least (1 - u)^-kMostOperations.
+/// Upper bound of (1 - u)^-kMostOperations.
 inline constexpr double kUp = 1 + 2 * kMostOperations * kUnit;
 /// More than kMostOperations underflows of 2^-1075 each, and far below any error that counts.
 inline constexpr double kUnderflow = 0x1p-1000;
 
-/// Whether this thread's arithmetic is what the bounds are proven for: rounding to nearest, and
-/// numbers below 2^-1022 are kept.
+/// Returns whether this thread's arithmetic is that of the bounds: it rounds to nearest, and keeps
+/// numbers below 2^-1022.
 inline bool rounds_as_proven() {
-  volatile const double one = 1, a_little = 0x1p-53, more = 0x1.8p-53, least = 0x1p-1022;
-  return one + a_little == 1 && one + more == 1 + 0x1p-52 && least * 0.5 > 0;
+  volatile const double unity = 1, a_little = 0x1p-53, more = 0x1.8p-53, least = 0x1p-1022;
+  return unity + a_little == 1 && unity + more == 1 + 0x1p-52 && least * 0.5 > 0;
 }
 
 template <int Degree>
 struct TaylorModel {
-  std::array<double, Degree + 1> c{};  ///< of 1, s, s^2, ...
+  std::array<double, Degree + 1> c{};  ///< coefficients of 1, s, s^2, ...
   double radius = 0;
 
   TaylorModel() = default;
-  /// A constant, exactly.
+  /// An exact constant.
   TaylorModel(double constant) { c[0] = constant; }  // NOLINT: a number is a Taylor model
   /// A number as a constant.
   template <int Lower>
@@ -62,13 +62,13 @@ struct TaylorModel {
     return result;
   }
 
-  /// What the polynomial alone can be at most, in size; rounded, see kUp.
+  /// Bound of the polynomial's size, without its radius; rounded, see kUp.
   double size() const {
     double sum = 0;
     for (const double k : c) sum += std::abs(k);
     return sum;
   }
-  /// At least |f(s)| for every s.
+  /// Upper bound of |f(s)| for every s.
   double bound() const { return kUp * (size() + radius); }
 
   TaylorModel operator-() const {
@@ -95,7 +95,7 @@ struct TaylorModel {
     result.radius = kUp * (std::abs(k) * a.radius + kUnit * result.size()) + kUnderflow;
     return result;
   }
-  /// Powers above the degree are left out, and their sizes added to the radius.
+  /// Powers above the degree go into the radius.
   MISALIGN_CALL friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
     TaylorModel result;
     double left_out = 0, tail = 0, size_a = std::abs(a.c[0]);
@@ -120,8 +120,8 @@ struct TaylorModel {
 /// A number known to within a radius.
 using Ball = TaylorModel<0>;
 
-/// 1 / f. Of infinite radius where f is not known to stay away from zero. With y near 1 / f(0) and
-/// e = 1 - f y: 1 / f = y (1 + e + e^2 + ... ), what is left out being e^(n + 1) / (1 - e).
+/// 1 / f; its radius is infinite where f is not known to stay away from zero. With y near 1 / f(0)
+/// and e = 1 - f y: 1 / f = y (1 + e + e^2 + ... ), with the remainder e^(n + 1) / (1 - e).
 template <int Degree>
 TaylorModel<Degree> reciprocal(const TaylorModel<Degree>& f) {
   const double y = 1 / f.c[0];
@@ -132,7 +132,7 @@ TaylorModel<Degree> reciprocal(const TaylorModel<Degree>& f) {
   }
   TaylorModel<Degree> sum(1);
   double left_out = most;
-  // Until what is left out is below rounding; most < 1/2 needs 53 terms at worst.
+  // Terms are added until the remainder is below rounding; most < 1/2 needs at most 53.
   for (int n = 0; n < 60 && left_out > kUnit; ++n) {
     sum = TaylorModel<Degree>(1) + e * sum;
     left_out = kUp * (left_out * most);
@@ -167,7 +167,7 @@ Ball value_at(const TaylorModel<Degree>& f, const Ball& s) {
   return sum;
 }
 
-/// The same of its polynomial alone, as if that were exact.
+/// Its polynomial at one s, as if that were exact.
 template <int Degree>
 Ball polynomial_at(TaylorModel<Degree> f, const Ball& s) {
   f.radius = 0;
@@ -182,8 +182,8 @@ double guess_at(const TaylorModel<Degree>& f, double s, int degree = Degree) {
   return sum;
 }
 
-/// Square root of a positive number: of infinite radius where it is not known to be one. The
-/// correctly rounded root of the middle is off by u of itself; |sqrt(m + d) - sqrt(m)| <= |d| /
+/// Square root of a number; its radius is infinite where that is not known to be positive. The
+/// correctly rounded root of the middle has a relative error of u; |sqrt(m + d) - sqrt(m)| <= |d| /
 /// sqrt(m).
 inline Ball square_root(const Ball& x) {
   const double root = std::sqrt(x.c[0]);

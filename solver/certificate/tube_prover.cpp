@@ -11,22 +11,22 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kNewtonSteps = 12;
-/// A first correction that is larger has come from elsewhere.
+/// A larger first correction comes from another branch.
 constexpr double kLongestCorrection = 0.3;
-/// Beyond it the inverse is made anew.
+/// A larger correction has the inverse computed again.
 constexpr double kFarCorrection = 1e-3;
-/// Where in an interval J^-1 is taken, beside its middle.
+/// The s, besides the middle, at which J^-1 is evaluated.
 constexpr double kInverseAt = 0.85;
 constexpr double kSolved = 1e-12, kNearlySolved = 1e-8;
-/// An interval whose contraction is larger is made shorter, so that others can prove it again.
+/// An interval whose contraction is larger is shortened, so that checkers can prove it again.
 constexpr double kLargestContraction = 0.9;
-/// So well is the path to be known that rates of change are, and that it joins the smallest boxes.
+/// Largest error of the path, with which rates are known and the smallest boxes join.
 constexpr double kLargestError = 2e-9;
 
-// No interval is made shorter or longer by more at once.
+// Largest factor by which an interval is shortened or lengthened at once.
 constexpr double kMuchShorter = 0.3;
 
-// The root of this degree, but between kMuchShorter and its inverse.
+// The root of this degree, clamped between kMuchShorter and its inverse.
 double limited_root(double power, int degree) {
   double low = kMuchShorter, high = 1 / kMuchShorter;
   for (int step = 0; step < 20; ++step) {
@@ -48,8 +48,8 @@ PathModel derivative(const PathModel& p) {
 
 }  // namespace
 
-// Error and contraction grow with a power of the length. By multiplication alone, so that intervals
-// have the same ends on every machine.
+// Error and contraction grow with a power of the length. Only multiplications decide, so that
+// intervals have the same ends on every machine.
 double TubeProver::better_length() const {
   constexpr double kTargetError = 1e-10, kTargetContraction = 0.5;
   if (!(error_ < 1)) return kMuchShorter;
@@ -125,7 +125,7 @@ void TubeProver::find_inverse(const PathTube& tube) {
   krawczyk_.set_ends(inverse_near(-kInverseAt), inverse_near(kInverseAt), kInverseAt);
 }
 
-// Newton's method with one inverse for polynomials: a power of s more with each step.
+// Newton's method with one inverse for polynomials gains a power of s with each step.
 template <int Degree>
 void TubeProver::add_powers(const IntervalChart& chart,
                             const SheetGeometry<Polynomial<Degree>>& sheet, int steps,
@@ -198,7 +198,8 @@ TubeProver::End TubeProver::prove(const PathInterval& interval, double box, Path
       residual_of(tube.chart, path_sheet_, tube.path, PathModel::line(0, 1));
   Eigen::VectorXd sizes(mechanism_.equations);
   for (int i = 0; i < mechanism_.equations; ++i) sizes[i] = residual[i].bound();
-  error_ = (krawczyk_.middle().cwiseAbs() * sizes).maxCoeff();  // by C in the middle: no proof
+  error_ =
+      (krawczyk_.middle().cwiseAbs() * sizes).maxCoeff();  // uses C in the middle only: no proof
   if (!(error_ < kLargestError)) return End::too_curved;
 
   find_inverse(tube);
@@ -232,7 +233,7 @@ std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {
     closure.evaluate(residual.data(), nullptr);
     for (const Diagonal& diagonal : mechanism_.diagonals) {
       const Moving g = closure.squared_elongation(diagonal);
-      // Of sigma g, where graded.
+      // The slope is that of sigma g, where graded.
       slopes.push_back(tube.chart.is_graded()
                            ? (PathModel(tube.chart.sigma()) + half_width * s.value) * g.rate +
                                  half_width * g.value
@@ -241,7 +242,7 @@ std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {
   });
   std::vector<PathModel> misfit(n);
   for (int i = 0; i < n; ++i) misfit[i] = residual[i].rate;
-  // With w = F_s + J p' all over the tube, C w = C J (p' - x'), hence |x' - p'| <= |C w| + |I - C
+  // All over the tube, w = F_s + J p' gives C w = C J (p' - x'), hence |x' - p'| <= |C w| + |I - C
   // J| |x' - p'|.
   const Eigen::VectorXd errors = krawczyk_.bound_solution(tube, krawczyk_.bound_product(misfit));
   const double scale = tube.chart.is_graded() ? kUp * (tube.chart.sigma() + half_width) : 1;

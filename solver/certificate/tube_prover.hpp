@@ -1,5 +1,5 @@
-// An interval of a folding path, proven: for every pilot angle of an interval there is exactly one
-// folded state within a box round a polynomial, and J is regular there.
+// Proves an interval of a folding path: every pilot angle of the interval has exactly one folded
+// state within a box round a polynomial, and J is regular there.
 //
 // With F(x, s) = 0 the loop closure, s in [-1, 1] the place in the interval, p(s) the path as a
 // polynomial, C(s) near J^-1 and X(s) = p(s) + [-r, r]: if for every s
@@ -23,24 +23,24 @@ class TubeProver {
   enum class End {
     proven,
     no_state,    ///< Newton's method finds no state from the middle that was given
-    too_curved,  ///< the path is no polynomial to within the box: a shorter interval may be
+    too_curved,  ///< no polynomial is within the box of the path: a shorter interval may have one
     not_unique   ///< C J is too far from I: it may be nearer on a shorter interval, or in a smaller
                  ///< box
   };
 
-  /// Of the sheet with these vertices. `mechanism` must outlive this object.
+  /// Proves intervals of the sheet with these vertices. `mechanism` must outlive this object.
   TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
-  /// Proves an interval; `box` is the largest of r. Unless proven `tube` is of no use.
+  /// Proves an interval; `box` is the largest of r. `tube` is valid only if proven.
   End prove(const PathInterval& interval, double box, PathTube& tube);
-  /// Of the last interval, proven or not: by which factor it should have been longer.
+  /// Factor by which the last interval, proven or not, should have been longer.
   double better_length() const;
 
-  /// Of the last tube that was proven: for every diagonal its squared length's derivative, times a
-  /// positive number, all over the tube.
+  /// Derivatives of all diagonals' squared lengths, times positive numbers, all over the tube,
+  /// which must be the last proven one.
   std::vector<PathModel> find_slopes(const PathTube& tube) const;
 
-  /// Corners of the panels all over a tube, as GradedClosure::place_panels has them.
+  /// Corners of the panels all over a tube, from GradedClosure::place_panels.
   std::vector<std::array<GradedVector<JacobianModel>, 4>> place_panels(const PathTube& tube,
                                                                        const FoldedShape& shape,
                                                                        const Panels& panels) const;
@@ -70,9 +70,9 @@ class TubeProver {
   SheetGeometry<double> sheet_;
   SheetGeometry<Polynomial<kHalfDegree>> half_sheet_;
   SheetGeometry<Polynomial<kPathDegree>> whole_sheet_;
-  // Of the last interval.
+  // State of the last interval.
   Krawczyk krawczyk_;
-  Eigen::MatrixXd rate_bounds_;  // columns: diagonals, at least |d elongation / dx|
+  Eigen::MatrixXd rate_bounds_;  // columns: diagonals, upper bounds of |d elongation / dx|
   double error_ = 0, contraction_ = 0;
 };
 

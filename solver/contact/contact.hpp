@@ -10,27 +10,26 @@
 
 namespace misalign::solver {
 
-/// Corners are trimmed by this part of the panel width where nothing else is said: 5 mm on the
-/// paper's sheet.
+/// Default trim of corners, by panel width: 5 mm on the paper's sheet.
 inline constexpr double kTrimPart = 1.0 / 16;
 /// Clearances are shown at multiples of this pilot angle.
 inline constexpr double kClearanceStep_deg = 1;
 
 struct ContactOptions {
-  std::optional<double> trim_mm = {};  ///< of corners; none: kTrimPart of the panel width
-  /// The plates are to fold from flat up to this pilot angle; none: up to D.
+  std::optional<double> trim_mm = {};  ///< corner trim; none: kTrimPart of the panel width
+  /// Angle of use: plates fold from flat up to this pilot angle; none: up to D.
   std::optional<double> from_deg = {};
 };
 
 struct ContactStudy {
   double deploys_from_deg = 0, end_deg = 0;
-  double known_until_deg = 0;  ///< as far as the motion is resolved
-  double used_from_deg = 0;    ///< as asked; D where nothing was
-  double reach_deg = 0;        ///< that, or the first contact where it comes before
+  double known_until_deg = 0;  ///< end of the resolved motion
+  double used_from_deg = 0;    ///< angle of use
+  double reach_deg = 0;        ///< angle of use, or the first contact where that comes before
   double trim_mm = 0;
   std::optional<Contact> first;
   std::vector<double> pilot_deg;
-  std::vector<ContactFinder::Clearance> clearances;  ///< at these
+  std::vector<ContactFinder::Clearance> clearances;  ///< one per pilot_deg
   std::optional<PlateThickness> thickness;           ///< none where the sheet deploys from nothing
 };
 

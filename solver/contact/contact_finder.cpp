@@ -14,42 +14,44 @@ using Eigen::Vector3d;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// The corners before and after one, seen from it.
+// The neighbours of a corner, seen from it.
 std::array<Vector3d, 2> arms_of(const PolygonCorners& corners, int at) {
   assert(corners.cols() == 4 && at >= 0 && at < 4);
   return {corners.col((at + 3) % 4) - corners.col(at), corners.col((at + 1) % 4) - corners.col(at)};
 }
 
-// The sector that a panel is of at a corner, out to `radius_mm` at least: a triangle.
+// The sector of a panel at a corner, out to `radius_mm` at least: a triangle.
 PolygonCorners sector_of(const PolygonCorners& corners, int at, double radius_mm) {
   assert(radius_mm > 0);
   const auto [before, after] = arms_of(corners, at);
-  const Vector3d one = after.normalized(), other = before.normalized();
-  const double cos_half = (one + other).norm() / 2;
+  const Vector3d to_after = after.normalized(), to_before = before.normalized();
+  const double cos_half = (to_after + to_before).norm() / 2;
   assert(cos_half > 0 && "corners of a panel are convex");
   const double side_mm = 1.01 * radius_mm / cos_half;
   PolygonCorners sector(3, 3);
-  sector << corners.col(at), corners.col(at) + side_mm * one, corners.col(at) + side_mm * other;
+  sector << corners.col(at), corners.col(at) + side_mm * to_after,
+      corners.col(at) + side_mm * to_before;
   return sector;
 }
 
-// Of a unit vector from the sector between two.
-double angle_from_sector(const Vector3d& ray, const Vector3d& one, const Vector3d& other) {
+// Angle between a unit vector and the sector between two others.
+double angle_from_sector(const Vector3d& ray, const Vector3d& first_side,
+                         const Vector3d& second_side) {
   assert(std::abs(ray.norm() - 1) < 1e-6);
-  const Vector3d normal = one.cross(other).normalized();
+  const Vector3d normal = first_side.cross(second_side).normalized();
   const double height = normal.dot(ray);
   const Vector3d foot = ray - height * normal;
-  if (normal.dot(one.cross(foot)) >= 0 && normal.dot(foot.cross(other)) >= 0) {
+  if (normal.dot(first_side.cross(foot)) >= 0 && normal.dot(foot.cross(second_side)) >= 0) {
     return std::asin(std::min(1.0, std::abs(height)));
   }
   const auto between = [&](const Vector3d& edge) {
     return std::atan2(ray.cross(edge).norm(), ray.dot(edge));
   };
-  return std::min(between(one), between(other));
+  return std::min(between(first_side), between(second_side));
 }
 
-// The clearance of two panels with a common crease: how far its fold angle is from +-180 degrees,
-// times the panel width.
+// The clearance of two panels with a common crease: 180 degrees less its |fold angle|, times the
+// panel width.
 class CreaseWalk : public GapWalk {
  public:
   CreaseWalk(const PanelMotion& motion, int crease) : GapWalk(motion), crease_(crease) {}
@@ -125,7 +127,7 @@ Contact ContactFinder::contact_of(const PanelPair& pair, const Separation& where
     contact.on_b_mm = contact.on_a_mm;
     return contact;
   }
-  // Seen from panel a; of b by way of where both lie.
+  // Points are seen from panel a; those of b are transformed by the poses of both.
   const PanelMotion::Pose a = motion_.pose(x, pair.a), b = motion_.pose(x, pair.b);
   const Vector3d on_b = seen_from(b, a, where.on_b);
   contact.on_a_mm = way.drawn_mm(where.on_a.head<2>());

@@ -1,5 +1,5 @@
-// Finds the first contact of panels on a folding way, at any angle, and how far apart they are
-// before. Panels are without thickness; what thickness adds is plate_thickness.hpp's.
+// Finds the first contact of panels on a folding way, at any angle, and their distances before.
+// Panels have no thickness here; plate_thickness.hpp adds it.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace misalign::solver {
 
-/// Panels this close touch. Above what the shapes are off by (results/deployment/contact.md).
+/// Panels this close touch. Errors of the shapes are smaller (results/deployment/contact.md).
 inline constexpr double kTouch_mm = 1e-6;
 
 struct Contact {
   PanelPair pair;
   double x, pilot_deg;
-  /// Where on either panel, on the flat sheet as it is drawn; of a crease its middle, of a common
-  /// vertex a point on the ray.
+  /// Place on either panel, on the flat sheet as drawn: the middle of a crease; of a common vertex
+  /// a point on the ray.
   Eigen::Vector2d on_a_mm, on_b_mm;
 };
 
@@ -25,18 +25,17 @@ class ContactFinder {
  public:
   /// The least distances at one place.
   struct Clearance {
-    double apart_mm;    ///< of panels without a common vertex; infinity if there are none
+    double apart_mm;    ///< least, of panels without a common vertex; infinity: none
     double vertex_deg;  ///< angle between panels with one common vertex, seen from it
-    double crease_deg;  ///< of the most folded crease from +-180
-    int apart;          ///< index of that pair; -1 if there are none
+    double crease_deg;  ///< 180 less the largest |fold angle|
+    int apart;          ///< pair of apart_mm; -1: none
   };
 
   /// The sheet must outlive this object.
   ContactFinder(const Panels& panels, const PanelMotion& motion, double touch_mm = kTouch_mm);
 
-  /// The first contact up to `end` (x), which lies where the motion is resolved: before it no
-  /// panels meet, for certain, as GapWalk bounds it. Those that come within touch_mm without
-  /// crossing are said to meet.
+  /// The first contact up to `end` (x), where the motion is resolved: GapWalk's bounds make certain
+  /// that no panels meet before. Panels meet where they come within touch_mm.
   std::optional<Contact> first(double end) const;
   Clearance clearance(double x) const;
 

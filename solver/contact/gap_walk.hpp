@@ -2,10 +2,10 @@
 // direction at a time): certain between any two places, not only at them.
 //
 // Seen from one panel, take the direction in which the other is nearest. Along it each corner of
-// the other is so far off, and goes at a rate that is known at nodes along the way. Between two
-// nodes a rate is the straight line through both within h^2/8 of its second derivative, which its
-// second differences tell. So the gap is at least a parabola, and open up to where that has its
-// first root. There the gap is measured again.
+// the other has a distance, and a rate that is known at nodes along the way. Between two nodes a
+// rate is the straight line through both within h^2/8 of its second derivative, which its second
+// differences tell. So the gap is at least a parabola, and open up to where that has its first
+// root. There the gap is measured again.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ namespace misalign::solver {
 /// Rates between two nodes differ from a straight line by an eighth of the larger of the second
 /// differences at both, times this (up to 7.9 was seen: results/deployment/contact.md).
 inline constexpr double kRateSafety = 20;
-/// And by what the nodes' own rates are off by, per mm and unit of x: next to flat, where states
-/// are singular, up to 3e-7.
+/// Error of the nodes' rates, per mm and unit of x: up to 3e-7 next to flat, where states are
+/// singular.
 inline constexpr double kRateError = 1e-6;
 
 class GapWalk {
@@ -28,13 +28,14 @@ class GapWalk {
 
   /// Moves to x, from where gaps are bounded from now on: the gap there, in mm, or less.
   virtual double move_to(double x) = 0;
-  /// How far, up to `end`, the gap is certain to stay above `level_mm`, which it is now.
+  /// Largest x, up to `end`, to which the gap certainly stays above `level_mm`, which it exceeds
+  /// now.
   double certain_until(double level_mm, double end) const;
 
  protected:
   explicit GapWalk(const PanelMotion& motion) : motion_(motion) {}
-  /// Of every corner, seen from the other panel, mm per unit of x. Nodes before flat, -1 and so
-  /// on, are the mirror images of 0 and so on.
+  /// Velocities of the corners, seen from the other panel, mm per unit of x. Nodes before flat, -1
+  /// and so on, are the mirror images of 0 and so on.
   virtual void find_rates(int node, PolygonCorners& rates) const = 0;
   /// Rates at both ends of the segment that ends at this node, or behind the last one; and an
   /// eighth of the largest second differences around it.
@@ -47,28 +48,27 @@ class GapWalk {
   const PanelMotion& motion_;
   double x_ = 0;
   Eigen::Vector3d direction_ = Eigen::Vector3d::UnitZ();
-  Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 8> gaps_mm_;  // of the corners
+  Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 8> gaps_mm_;  // one per corner
 
  private:
   const PolygonCorners& rates(int node) const;
 
   static constexpr int kNone = std::numeric_limits<int>::min();
-  // Of the last segment that was asked for, and of the nodes round it: the next one needs three of
-  // the same four.
+  // Last segment and the nodes round it: the next segment needs three of the same four.
   mutable std::array<int, 4> nodes_{kNone, kNone, kNone, kNone};
   mutable std::array<PolygonCorners, 4> rates_;
   mutable int segment_index_ = kNone;
   mutable Segment segment_;
 };
 
-/// Between a polygon of one panel and one of another, or a segment of it.
+/// Walk of the gap between a polygon of one panel and a polygon or segment of another.
 class PolygonWalk : public GapWalk {
  public:
   PolygonWalk(const PanelMotion& motion, int a, int b, PolygonCorners of_a, PolygonCorners of_b)
       : GapWalk(motion), a_(a), b_(b), of_a_(std::move(of_a)), of_b_(std::move(of_b)) {}
 
   double move_to(double x) override;
-  /// Not more than the gap at x is, by spheres round both.
+  /// Lower bound of the gap at x, by spheres round both.
   double least_mm(double x) const;
   /// The separation at the place of the last move, in flat coordinates of panel a.
   const Separation& separation() const { return separation_; }
@@ -82,12 +82,12 @@ class PolygonWalk : public GapWalk {
   Separation separation_;
 };
 
-/// The first x, up to `end`, at which the gap is at most `touch_mm`; it is more than half of that
-/// up to there. Infinity: it is more than half of it all the way.
+/// Returns an x, up to `end`, at which the gap is at most `touch_mm`, and before which it exceeds
+/// half of that. Infinity: it exceeds that half all the way.
 double first_touch(GapWalk& walk, double touch_mm, double end);
 
-/// Whether the gap gets smaller than `least_mm` up to `end`; then that is lowered to a gap that is
-/// reached, and the others are larger but for a `slack` of it.
+/// Returns whether the gap falls below `least_mm` up to `end`. If so, lowers that to a gap that is
+/// reached at `at_x`; all others are larger, except for the share `slack`.
 bool lower_to_least(GapWalk& walk, double slack, double end, double& least_mm, double& at_x);
 
 }  // namespace misalign::solver

@@ -16,11 +16,11 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-// Steps of a descent: the first, and where it ends.
+// First and last steps of a descent.
 constexpr double kFirstTurn_deg = 15, kLastTurn_deg = 1e-3;
 // Starts beside the principal axes turn by multiples of this about each axis.
 constexpr double kBetweenStarts_deg = 30;
-// Points in a plane have an area to be compared.
+// Boxes of points in a plane are compared by area.
 constexpr double kThin_mm = 1e-3;
 
 struct Box {
@@ -42,8 +42,8 @@ Matrix3d turned_by(const Vector3d& by_deg) {
   return AngleAxisd(angle_rad, by_deg.normalized()).toRotationMatrix();
 }
 
-// A pattern search: the best neighbour of a cube of rotations, whose size is halved where there is
-// none.
+// Pattern search: moves to the best neighbour in a cube of rotations, or halves the cube where none
+// is better.
 Box descended(Box best, const Matrix3Xd& points_mm) {
   for (double step_deg = kFirstTurn_deg; step_deg > kLastTurn_deg;) {
     const Box from = best;

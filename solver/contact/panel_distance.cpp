@@ -18,7 +18,8 @@ struct PolygonPlane {
 
 PolygonPlane plane_of(const PolygonCorners& polygon) {
   assert(polygon.cols() >= 3);
-  // Of the widest triangle from the first corner: where corners are cut off, edges may be short.
+  // The widest triangle from the first corner gives the normal: where corners are cut off, edges
+  // may be short.
   Vector3d normal = Vector3d::Zero();
   for (Index k = 2; k < polygon.cols(); ++k) {
     normal += (polygon.col(k - 1) - polygon.col(0)).cross(polygon.col(k) - polygon.col(0));
@@ -27,7 +28,7 @@ PolygonPlane plane_of(const PolygonCorners& polygon) {
   return {normal, normal.dot(polygon.col(0))};
 }
 
-// Of a point of the polygon's plane.
+// The point lies in the polygon's plane.
 bool is_inside(const PolygonCorners& polygon, const Vector3d& normal, const Vector3d& point) {
   const Index count = polygon.cols();
   for (Index k = 0, before = count - 1; k < count; before = k++) {
@@ -37,7 +38,7 @@ bool is_inside(const PolygonCorners& polygon, const Vector3d& normal, const Vect
   return true;
 }
 
-// `normal`, of any length, is that of what is closest, either way round; 0: there is none.
+// `normal`, of any length and sign, is that of the closest face or edges; 0: there is none.
 void keep_closer(const Vector3d& on_a, const Vector3d& on_b, const Vector3d& normal,
                  Separation& closest) {
   const Vector3d apart = on_b - on_a;

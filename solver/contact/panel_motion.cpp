@@ -14,13 +14,13 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Newton squares the error: what is left behind a correction of 1e-7 rad is rounding.
+// Newton squares the error: after a correction of 1e-7 rad only rounding is left.
 constexpr int kMostCorrections = 4;
 constexpr double kLastCorrection_rad = 1e-7;
 
 constexpr Index kPerPose = 12;  // the rotation's columns, then the shift
 
-// On the other side of flat lies the mirror image: z is odd, and so is what z adds to x and y.
+// The mirror image lies on the other side of flat: z is odd, and so is what z adds to x and y.
 std::vector<SmoothTable::Parity> parities_of(Index panels) {
   const auto even = SmoothTable::Parity::even, odd = SmoothTable::Parity::odd;
   std::vector<SmoothTable::Parity> parities;
@@ -130,11 +130,11 @@ double PanelMotion::resolved_part() const {
   for (int node = 1; node + 1 < nodes(); ++node) {
     for (int panel = 0; panel < panels(); ++panel) {
       for (int corner = 0; corner < 4; ++corner) {
-        const Vector3d before = rate(node - 1, panel, corner), here = rate(node, panel, corner),
+        const Vector3d before = rate(node - 1, panel, corner), middle = rate(node, panel, corner),
                        after = rate(node + 1, panel, corner);
         const double largest =
-            std::max({before.norm(), here.norm(), after.norm(), panel_width_mm() / 10});
-        if (!((after - 2 * here + before).norm() <= kResolved * largest)) {
+            std::max({before.norm(), middle.norm(), after.norm(), panel_width_mm() / 10});
+        if (!((after - 2 * middle + before).norm() <= kResolved * largest)) {
           return way_.x_of_station(static_cast<std::size_t>(std::max(node - 2, 0)));
         }
       }
@@ -195,7 +195,7 @@ void PanelMotion::solve(double x) const {
     correction_rad = 0;
     for (const double turn : turn_) correction_rad = std::max(correction_rad, std::abs(turn));
   }
-  // Next to its fold limit the pilot cannot be held.
+  // The pilot cannot be held next to its fold limit.
   if (!(correction_rad <= kLastCorrection_rad)) state_ = looked_up;
   place(state_, solved_);
 }

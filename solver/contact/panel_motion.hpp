@@ -14,38 +14,38 @@ namespace misalign::solver {
 
 class PanelMotion {
  public:
-  /// Takes a panel's flat coordinates (mm, A1 at the origin, z = 0) to folded ones, in which the
-  /// first panel stays where it is.
+  /// Maps a panel's flat coordinates (mm, A1 at the origin, z = 0) to folded ones, in which the
+  /// first panel does not move.
   struct Pose {
     Eigen::Matrix3d rotation;
     Eigen::Vector3d shift_mm;
   };
-  /// Also how that changes, per unit of x.
+  /// A pose and its rates per unit of x.
   struct MovingPose : Pose {
     Eigen::Matrix3d rotation_rate;
     Eigen::Vector3d shift_rate_mm;
   };
 
-  /// What it is made from must outlive it.
+  /// All arguments must outlive this object.
   PanelMotion(const Model& model, const FoldingWay& way, const Panels& panels);
 
   const FoldingWay& way() const { return way_; }
   int panels() const { return static_cast<int>(corners_mm_.size()); }
   double panel_width_mm() const { return model_.mechanism().panel_width_mm; }
-  /// Four corners of a panel on the flat sheet.
+  /// The four corners of a panel on the flat sheet.
   const PolygonCorners& corners_mm(int panel) const {
     return corners_mm_[static_cast<std::size_t>(panel)];
   }
 
-  /// At x: by the polynomials between the stations as far as these are good for it, from there on
-  /// from states that are solved once more.
+  /// Pose at x: by the polynomials between the stations where these are accurate (kSmooth_mm),
+  /// beyond by states that are solved once more.
   Pose pose(double x, int panel) const;
   /// Fold angle of a crease, likewise.
   double crease_rad(double x, int crease) const;
   /// Poses of all panels in a state.
   void place(const FoldState<double>& state, std::vector<Pose>& poses) const;
-  /// As far as rates at the stations tell those between: no corner's second difference is more than
-  /// kResolved of the rates there. Else the path turns too sharply for so many stations.
+  /// Largest x to which rates at the stations tell those between: no corner's second difference
+  /// exceeds kResolved of the rates there. Beyond, the path turns too sharply for these stations.
   double resolved_until() const { return resolved_until_; }
 
   /// Stations are nodes, from 0 on, the k-th at (k + 1/2) step().
@@ -55,7 +55,7 @@ class PanelMotion {
     assert(node >= 0 && node < nodes() && panel >= 0 && panel < panels());
     return nodes_[static_cast<std::size_t>(node * panels() + panel)];
   }
-  /// How fast a crease turns at a node, rad per unit of x.
+  /// Rate of a crease's fold angle at a node, rad per unit of x.
   double crease_rate(int node, int crease) const;
 
  private:
@@ -71,14 +71,14 @@ class PanelMotion {
   std::vector<PolygonCorners> corners_mm_;
   std::vector<MovingPose> nodes_;
   double smooth_until_ = 0, resolved_until_ = 0;
-  std::vector<SmoothTable> poses_;  // one: twelve functions a panel
-  // The state that was solved last, and where.
+  std::vector<SmoothTable> poses_;  // twelve functions of a panel each
+  // The state that was solved last, and its x.
   mutable double solved_at_ = -1;
   mutable FoldState<double> state_;
   mutable std::vector<Pose> solved_;
   mutable SparseLu<double> lu_;
   mutable std::vector<double> residual_, work_, turn_;
-  // The last pose of each panel and of all creases that the polynomials gave, and where.
+  // The last poses of the panels and angles of the creases that the polynomials gave, and their x.
   struct CachedPose {
     double x;
     Pose pose;
@@ -89,21 +89,21 @@ class PanelMotion {
   mutable Eigen::VectorXd values_, slopes_;
 };
 
-/// What eighth differences of corners' coordinates may be, mm. The polynomials are off by a
+/// Bound of the eighth differences of corners' coordinates, mm. The polynomials' error is a
 /// thousandth of them between stations, and a fifth behind the last one.
 inline constexpr double kSmooth_mm = 1e-7;
 
 inline constexpr double kResolved = 0.1;
 
-/// How few stations are enough for the motion of most sheets' panels, and how many are tried.
+/// Stations that suffice for the panels of most sheets, and the largest number tried.
 inline constexpr int kFewestMotionStations = 120, kMostMotionStations = 960;
 
-/// Along a way with as many stations as the motion needs: kFewestMotionStations, twice as many, and
-/// so on up to kMostMotionStations, where it may still not be resolved to the end. Nothing where
-/// the path is lost. `sheet` must outlive it.
+/// Motion along a way with enough stations: kFewestMotionStations, doubled up to
+/// kMostMotionStations, where it may still not be resolved to the end. None where the path is lost.
+/// `sheet` must outlive it.
 std::optional<PanelMotion> resolved_motion(const Sheet& sheet);
 
-/// A point of panel b, flat coordinates, seen from panel a; and how fast it moves.
+/// A point of panel b, flat coordinates, seen from panel a; and its velocity.
 inline Eigen::Vector3d seen_from(const PanelMotion::Pose& a, const PanelMotion::Pose& b,
                                  const Eigen::Vector3d& point) {
   return a.rotation.transpose() * (b.rotation * point + b.shift_mm - a.shift_mm);

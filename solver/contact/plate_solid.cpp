@@ -59,20 +59,20 @@ void cut_off(const Vector3d& on, const Vector3d& normal, PlateSolid& solid) {
     return at->second;
   };
   std::vector<std::vector<int>> faces;
-  std::map<int, int> along_cut;  // its edges, the other way round than in the faces beside it
+  std::map<int, int> along_cut;  // edges of the cut, reversed
   for (const std::vector<int>& face : solid.faces) {
     std::vector<int> kept;
     int leaves = -1, comes_back = -1;
     for (std::size_t k = 0; k < face.size(); ++k) {
-      const int here = face[k], next = face[(k + 1) % face.size()];
-      const double at = beyond[static_cast<std::size_t>(here)],
+      const int vertex = face[k], next = face[(k + 1) % face.size()];
+      const double at = beyond[static_cast<std::size_t>(vertex)],
                    then = beyond[static_cast<std::size_t>(next)];
-      if (at <= 0) kept.push_back(here);
+      if (at <= 0) kept.push_back(vertex);
       if (at <= 0 && then > 0) {
-        leaves = at < 0 ? on_edge(here, next) : here;
+        leaves = at < 0 ? on_edge(vertex, next) : vertex;
         if (at < 0) kept.push_back(leaves);
       } else if (at > 0 && then <= 0) {
-        comes_back = then < 0 ? on_edge(here, next) : next;
+        comes_back = then < 0 ? on_edge(vertex, next) : next;
         if (then < 0) kept.push_back(comes_back);
       }
     }

@@ -1,4 +1,4 @@
-// A panel as a solid: its trimmed outline as thick as the plate is, tapered towards its creases.
+// A panel as a solid: its trimmed outline with the plate's thickness, tapered towards its creases.
 #pragma once
 
 #include "solver/contact/plate_thickness.hpp"
@@ -12,8 +12,7 @@ struct PlateSolid {
 };
 
 /// All plates on the flat sheet (A1 at the origin, mid-planes at z = 0), in the panels' order, with
-/// the rules of plate_thickness.hpp. Of a plate that is thicker than its tapers leave it, what is
-/// left.
+/// the rules of plate_thickness.hpp. A plate that is thicker than its tapers allow loses the rest.
 std::vector<PlateSolid> plate_solids(const Panels& panels, const FlatVertices& vertices_mm,
                                      double thickness_mm, double trim_mm,
                                      const std::vector<double>& largest_rad);

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 // Number of fold angles that are compared between two stations.
 constexpr int kAnglesPerStation = 4;
-// Where the least distance is first guessed, so that most pairs are seen to be farther at once.
+// Number of places of the first guess of the least distance, which rules out most pairs at once.
 constexpr int kGuesses = 6;
 
 // Corners of each panel at which it meets another one in that point alone.
@@ -40,24 +40,24 @@ std::array<Vector3d, 4> corners_of(const Panels& panels, std::size_t panel,
   return corners_mm;
 }
 
-// How far along the edges a trim of 1 reaches: 1 / cos of half the corner's angle.
+// Reach of a trim of 1 along the edges: 1 / cos of half the corner's angle.
 double reach_of(const std::array<Vector3d, 4>& corners_mm, std::size_t at) {
   const Vector3d before = (corners_mm[(at + 3) % 4] - corners_mm[at]).normalized();
   const Vector3d after = (corners_mm[(at + 1) % 4] - corners_mm[at]).normalized();
   return 2 / (before + after).norm();
 }
 
-// What of a convex polygon is on the left of the line through `on` along `along`, `far_mm` away
-// from it or more.
+// The part of a convex polygon that is on the left of the line through `on` along `along`, at least
+// `far_mm` away from it.
 PolygonCorners clipped(const PolygonCorners& polygon, const Vector3d& on, const Vector3d& along,
                        double far_mm) {
   const Vector3d left = Vector3d::UnitZ().cross(along.normalized());
   std::vector<Vector3d> kept;
   for (Index k = 0; k < polygon.cols(); ++k) {
-    const Vector3d here = polygon.col(k), next = polygon.col((k + 1) % polygon.cols());
-    const double at = left.dot(here - on) - far_mm, then = left.dot(next - on) - far_mm;
-    if (at >= 0) kept.push_back(here);
-    if (at * then < 0) kept.push_back(here + at / (at - then) * (next - here));
+    const Vector3d corner = polygon.col(k), next = polygon.col((k + 1) % polygon.cols());
+    const double at = left.dot(corner - on) - far_mm, then = left.dot(next - on) - far_mm;
+    if (at >= 0) kept.push_back(corner);
+    if (at * then < 0) kept.push_back(corner + at / (at - then) * (next - corner));
   }
   PolygonCorners rest(3, std::min<Index>(static_cast<Index>(kept.size()), 8));
   for (Index k = 0; k < rest.cols(); ++k) rest.col(k) = kept[static_cast<std::size_t>(k)];
@@ -151,7 +151,7 @@ PlateThickness::Taper taper_limit(const Panels& panels, const std::vector<Polygo
   PlateThickness::Taper limit{kUnlimited, -1};
   for (std::size_t panel = 0; panel < trimmed.size(); ++panel) {
     for (const int side : {1, -1}) {
-      std::vector<FoldLine> folds;  // with the panel on their left
+      std::vector<FoldLine> folds;  // the panel is on their left
       std::vector<double> tangents;
       for (std::size_t k = 0; k < panels.folds.size(); ++k) {
         FoldLine fold = panels.folds[k];

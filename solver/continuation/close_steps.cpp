@@ -8,8 +8,8 @@
 namespace misalign::solver {
 namespace {
 
-// Where sheets fold flat other branches cross. (Next to the flat sheet they do too, and there
-// Newton's method is slow on the right one.)
+// Angle beyond which solutions may be double: other branches cross where sheets fold flat. (They do
+// at the flat sheet too, but there Newton's method is slow on the right branch.)
 constexpr double kDoubleFrom_deg = 179;
 
 }  // namespace
@@ -59,7 +59,8 @@ double CloseSteps::longest_half_sine() const {
                                     : options_.longest_half_sine;
 }
 
-// The pilot is at the station and every loop closes: believed if it is still the path's own curve.
+// Accepts a state with the pilot at the station and every loop closed if it lies on the path's own
+// curve.
 PathStep CloseSteps::converged(const NewtonReport& report) {
   ++result_.newton_solves;
   const double sign = report.tangent_pilot < 0 ? -1 : 1;
@@ -92,7 +93,7 @@ void CloseSteps::note(const NewtonReport& report, double rate) {
   nodes_[kept_++ % kStatePlaces] = {report.pilot, target().pilot_deg * kRadPerDeg, rate};
 }
 
-// With the rates of change at the last stations, dx/dpilot = tangent / its pilot entry.
+// Extrapolates by the rates of change at the last stations, dx/dpilot = tangent / its pilot entry.
 PathStep CloseSteps::proceed() {
   assert(phase_ == Phase::stepping && stations_ > 0);
   if (++station_ == plan_->stations.size()) return end(PathEnd::end_reached);
@@ -127,7 +128,7 @@ PathStep CloseSteps::begin_arc() {
   return go_along();
 }
 
-// The next step along the arc from the last point believed.
+// Takes the next step along the arc from the last accepted point.
 PathStep CloseSteps::go_along() {
   assert(phase_ == Phase::arc);
   ++arc_steps_;
@@ -144,7 +145,7 @@ PathStep CloseSteps::go_along() {
   return step;
 }
 
-// A point of the curve was found with the pilot free.
+// Judges a point of the curve that was found with the pilot free.
 PathStep CloseSteps::found_on_arc(const NewtonReport& report) {
   const double sign = report.tangent_cosine < 0 ? -1 : 1;
   if (!is_own_curve(report, sign, result_.forward_sign, options_.arc.least_tangent_cosine)) {
@@ -177,8 +178,8 @@ PathStep CloseSteps::found_on_arc(const NewtonReport& report) {
   return step;
 }
 
-// Towards a limit point that was seen. Elsewhere no farther than to where the pilot's rate would
-// vanish if it went on falling: two limit points close together might be stepped over.
+// Length of the next step: to the limit point if one was passed; else at most to where the pilot's
+// falling rate would vanish, lest two limit points close together are stepped over.
 double CloseSteps::next_along_arc(double tangent_pilot) const {
   if (bend_ > 0) return tangent_pilot / bend_;
   const double longest = std::min(1.5 * ds_, options_.arc.longest_step_rad);
@@ -187,14 +188,14 @@ double CloseSteps::next_along_arc(double tangent_pilot) const {
   return std::min(longest, std::max(tangent_pilot / falls_by, options_.arc.least_step_by_fall_rad));
 }
 
-// Between the last point believed and the one that rises by at most `rise_rad` more.
+// Ends at a limit point at most `rise_rad` above the last accepted point.
 PathStep CloseSteps::at_limit_point(double rise_rad) {
   result_.fold_limit_deg = angle_deg(last().pilot) + 0.5 * rise_rad / kRadPerDeg;
   return no_way_on(PathEnd::fold_limit);
 }
 
-// Unless the station is next to the last point believed, and has a solution after all: straight
-// ahead of a node a little farther away, or as Newton's method finds it from the newest.
+// Ends the path, unless the station lies next to the last accepted point and has a solution after
+// all: along the tangent of a slightly older node, or by Newton's method from the newest.
 PathStep CloseSteps::no_way_on(PathEnd why) {
   result_.end = why;
   const double gap = gap_rad(newest());
@@ -215,7 +216,7 @@ PathStep CloseSteps::try_station(int from) {
   return step;
 }
 
-// From a node to the station.
+// Pilot angle from node k to the station.
 double CloseSteps::gap_rad(int k) const {
   return 2 * half_sine_between(target().pilot, node(k).pilot);
 }

@@ -1,5 +1,5 @@
-// Steps from station to station: a path follower's next station is reached with the pilot held, or
-// along the arc until the pilot comes to it or reaches a limit point.
+// Chooses steps from station to station: the next one is reached with the pilot held, or along the
+// arc until the pilot reaches it or a limit point.
 #pragma once
 
 #include "solver/continuation/path.hpp"
@@ -14,24 +14,24 @@ class CloseSteps {
   /// unknowns.
   struct ArcOptions {
     double longest_step_rad = 0.1;
-    double shortest_step_rad = 1e-9;  ///< below it the path has stalled
-    /// Steps get no shorter than this where the pilot's rate falls, before a limit point was seen.
+    double shortest_step_rad = 1e-9;  ///< a path that needs shorter ones has stalled
+    /// The shortest step while the pilot's rate falls, before a limit point was passed.
     double least_step_by_fall_rad = 0.005;
     /// 15 degrees between the tangents of neighbouring points.
     double least_tangent_cosine = 0.966;
-    int most_steps = 5000;  ///< from one station to the next
-    /// The error of the pilot's largest value: 6e-8 degrees; 0.001 is asked for.
+    int most_steps = 5000;  ///< largest number between two stations
+    /// The error of the pilot's largest value: 6e-8 degrees; 0.001 is required.
     double limit_tolerance_rad = 1e-9;
-    /// A path that stalls or finds a limit point this close below a station is tried once more with
-    /// the pilot held: the station may be singular, as 180 degrees where another branch crosses. 0:
+    /// If a path stalls or has a limit point within this below a station, the pilot is held there
+    /// once more: the station may be singular, as 180 degrees is where another branch crosses. 0:
     /// never.
     double singular_gap_rad = 0;
-    /// That try starts from a node at least this far below it: straight ahead from there is off by
-    /// the square of that, and where that closes all loops nothing is better. A correction is off
-    /// by the rounding errors over the least singular value.
+    /// The try starts from a node at least this far below the station. The tangent's prediction
+    /// from there has the square of this as its error, and is kept if it closes all loops: a
+    /// correction has an error of rounding divided by the least singular value.
     double try_from_rad = 1e-6;
-    /// The largest turn of a crease in that try, sin(half of it). The curve's own solution is at a
-    /// distance like the root of the gap: 4e-4 rad from 1e-5 degrees.
+    /// The largest turn of a crease in that try, sin(half of it). The path's own solution lies at a
+    /// distance of about the gap's root: 4e-4 rad for 1e-5 degrees.
     double longest_try_half_sine = 5e-3;
   };
 
@@ -39,16 +39,16 @@ class CloseSteps {
     double closure_tolerance = Newton::Options{}.closure_tolerance;
     /// Extrapolated stations converge in one or two corrections; more have lost the branch.
     int max_corrections = 10;
-    /// A station needs so many corrections before it is believed, but for the first: its tangent is
-    /// that of the state before the last one.
+    /// The least number of corrections at a station other than the first: its tangent is that of
+    /// the state before the last correction.
     int least_corrections = 1;
-    /// The least gain of a correction next to a solution beyond 179 degrees, see Correction: double
-    /// ones are for the arc.
+    /// The least gain of a correction next to a solution beyond 179 degrees (see Correction):
+    /// double solutions are left to the arc.
     double least_gain = 8;
     /// The largest turn of a crease from one station to the next, sin(half of it), and of all its
-    /// corrections together (rad): what has gone farther is looked for along the arc. Steps of 1
-    /// degree move a crease by 1 to 3 degrees, more only within 0.1 of a fold limit; 20 degrees is
-    /// a jump to another branch.
+    /// corrections together (rad): a state beyond them is sought along the arc. Steps of 1 degree
+    /// move a crease by 1 to 3 degrees, more only within 0.1 of a fold limit; 20 degrees is a jump
+    /// to another branch.
     double longest_half_sine = 0.17364817766693033;
     double longest_correction_rad = 2 * kPi;
     double longest_start_share = kLongestStartShare;
@@ -58,31 +58,31 @@ class CloseSteps {
     ArcOptions arc;
   };
 
-  /// That states are extrapolated from.
+  /// Nodes from which states are extrapolated.
   static constexpr int kNodes = 2;
 
   CloseSteps() : CloseSteps(Options{}) {}
   explicit CloseSteps(const Options& options) : options_(options) {}
 
-  /// A path whose start lies near the plan's station number `first_station`. Stations ascend, or
-  /// descend where the arc is not needed. `forward_sign` is the determinant's on this half of the
-  /// curve, 0 if it is not known yet.
+  /// Begins a path near the plan's station number `first_station`. Stations ascend, or descend if
+  /// the arc is not needed. `forward_sign` is the determinant's sign on this half of the curve, 0
+  /// if unknown.
   void begin(const PathStart& start);
   PathStep after(const NewtonReport& report);
-  /// From the station where it arrived to the next one.
+  /// Departs from the station reached to the next one.
   PathStep proceed();
-  /// The visitor has seen enough.
+  /// Ends the path because the visitor has seen enough.
   PathStep stop() { return end(PathEnd::stopped); }
 
-  /// Whether it asks how far the creases have turned: where every loop closes at a station.
+  /// Returns whether the largest turn of a crease is needed: at a station where every loop closes.
   bool asks_for_turn(double open_by) const {
     return !is_free() && open_by <= options_.closure_tolerance;
   }
   bool under_way() const { return phase_ != Phase::idle; }
-  /// Whether the corrector is free to move the pilot.
+  /// Returns whether the corrector may move the pilot.
   bool is_free() const { return phase_ == Phase::arc; }
   const Station& target() const { return plan_->stations[station_]; }
-  /// The newest node's number, from 0 on.
+  /// The newest node's number, counted from 0.
   int newest() const { return kept_ - 1; }
   const PathResult& result() const { return result_; }
 
@@ -90,8 +90,8 @@ class CloseSteps {
   enum class Phase { idle, stepping, arc, landing, ahead, last_try };
   struct Node {
     HalfAngle<double> pilot;
-    double at_rad;  // the same, of stations
-    double rate;    // the pilot's, of the unit tangent
+    double at_rad;  // the station's angle
+    double rate;    // the unit tangent's entry for the pilot
   };
 
   Correction::Options correction() const;
@@ -118,9 +118,9 @@ class CloseSteps {
   Phase phase_ = Phase::idle;
   Correction correction_;
   int kept_ = 0;                   // nodes, of stations and on the arc
-  int stations_ = 0;               // of these, the newest ones that states are extrapolated from
+  int stations_ = 0;               // number of newest nodes for extrapolation
   Node nodes_[kStatePlaces] = {};  // by place
-  double ds_ = 0;                  // on the arc: the next step
+  double ds_ = 0;                  // the next step along the arc
   double bend_ = 0;    // fall of the tangent's pilot entry per unit of length, past a limit point
   int arc_steps_ = 0;  // since the last station
   PathResult result_{};

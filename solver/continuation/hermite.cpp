@@ -58,14 +58,14 @@ void HermiteTable::add_value(double x, const double* values) {
 void HermiteTable::finish() {
   for (int order = 1; order < order_; ++order) {
     for (int i = order_ - 1; i >= order; --i) {
-      double* const here = row(i);
+      double* const differences = row(i);
       if (order == 1 && i % 2 == 1) {
-        std::copy_n(rates_.data() + i * functions_, functions_, here);
+        std::copy_n(rates_.data() + i * functions_, functions_, differences);
         continue;
       }
       const double* const before = row(i - 1);
       const double per_gap = 1 / (nodes_[i] - nodes_[i - order]);
-      for (int f = 0; f < functions_; ++f) here[f] = (here[f] - before[f]) * per_gap;
+      for (int f = 0; f < functions_; ++f) differences[f] = (differences[f] - before[f]) * per_gap;
     }
   }
 }
@@ -107,7 +107,8 @@ void HermiteTable::find_rate(int function, double from, double to, double* coeff
   assert(order_ <= kMostOrder);
   assert(order_ >= 2);
   const double width = to - from;
-  double powers[kMostOrder] = {row(order_ - 1)[function]};  // of (x - from) / width
+  double powers[kMostOrder] = {
+      row(order_ - 1)[function]};  // coefficients of powers of (x - from) / width
   for (int k = order_ - 2, degree = 0; k >= 0; --k) {
     const double at = from - nodes_[k];
     ++degree;
@@ -116,7 +117,7 @@ void HermiteTable::find_rate(int function, double from, double to, double* coeff
   }
   const int degree = order_ - 2;
   for (int i = 0; i <= degree; ++i) coefficients[i] = (i + 1) * powers[i + 1] / width;
-  // From powers to Bernstein's polynomials: running sums of the coefficients over binomials.
+  // Converts powers to Bernstein polynomials: running sums of the coefficients over binomials.
   double binomial = 1;
   for (int i = 0; i <= degree; ++i) {
     coefficients[i] /= binomial;
@@ -128,7 +129,8 @@ void HermiteTable::find_rate(int function, double from, double to, double* coeff
 }
 
 double HermiteTable::largest_rate_change(double from, double to, int last_terms) const {
-  // The derivative of the product of the distances to the first nodes, each as far as it gets.
+  // Bounds the derivative of the product of distances to the first nodes, each by its largest
+  // value.
   assert(order_ <= kMostOrder && last_terms <= order_);
   double product = 1, rate = 0, most = 0, change[kMostOrder] = {};
   for (int k = 0; k < order_; ++k) {
@@ -173,11 +175,11 @@ void HermiteTable::look(double x, int functions, double* values, double* rates,
   std::fill_n(values, functions, 0.0);
   std::fill_n(rates, functions, 0.0);
   for (int k = order_ - 1; k >= 0; --k) {
-    const double by = x - nodes_[k];
+    const double distance = x - nodes_[k];
     const double* const term = row(k);
     for (int f = 0; f < functions; ++f) {
-      rates[f] = rates[f] * by + values[f];
-      values[f] = values[f] * by + term[f];
+      rates[f] = rates[f] * distance + values[f];
+      values[f] = values[f] * distance + term[f];
     }
   }
   find_last_terms(x, functions, last_terms);
@@ -186,9 +188,9 @@ void HermiteTable::look(double x, int functions, double* values, double* rates,
 void HermiteTable::find_values(double x, int functions, double* values, double* last_terms) const {
   std::fill_n(values, functions, 0.0);
   for (int k = order_ - 1; k >= 0; --k) {
-    const double by = x - nodes_[k];
+    const double distance = x - nodes_[k];
     const double* const term = row(k);
-    for (int f = 0; f < functions; ++f) values[f] = values[f] * by + term[f];
+    for (int f = 0; f < functions; ++f) values[f] = values[f] * distance + term[f];
   }
   find_last_terms(x, functions, last_terms);
 }

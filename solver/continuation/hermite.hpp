@@ -1,13 +1,13 @@
-// Polynomials through values and rates of change at nodes (Hermite interpolation): weights for a
-// point, and Newton's divided differences for many functions of the same nodes at once.
+// Interpolates values and rates of change at nodes by polynomials (Hermite): weights for a point,
+// and Newton's divided differences for many functions of the same nodes at once.
 #pragma once
 
 #include <vector>
 
 namespace misalign::solver {
 
-/// With which weights values and rates at distinct nodes make the polynomial's value at `x`. If
-/// `origin` is given, the value there counts too, with a weight of its own, its rate does not.
+/// Weights of values and rates at distinct nodes in the polynomial's value at `x`. If `origin` is
+/// given, the value there has a weight too, its rate none.
 void hermite_weights(const double* nodes, int count, const double* origin, double x,
                      double* of_values, double* of_rates, double* of_origin);
 
@@ -15,19 +15,19 @@ void hermite_weights(const double* nodes, int count, const double* origin, doubl
 /// n nodes; Stoer & Bulirsch, Introduction to Numerical Analysis, 2.1.5).
 class HermiteTable {
  public:
-  /// At most, for one that is asked for a rate's coefficients.
+  /// Largest order of a table for find_rate().
   static constexpr int kMostOrder = 12;
 
-  /// Room for so many functions and nodes. Allocates nothing afterwards.
+  /// Reserves room for `functions` functions and `most_nodes` nodes; allocates nothing afterwards.
   HermiteTable(int functions, int most_nodes);
 
-  /// New nodes follow; what comes first decides most.
+  /// Empties the table for new nodes; the first ones have the most influence.
   void begin() { order_ = 0; }
-  /// The next node: values and rates of all functions there.
+  /// Adds a node with values and rates of all functions.
   void add(double x, const double* values, const double* rates);
-  /// The same without rates, after all others.
+  /// Adds a node without rates, after all others.
   void add_value(double x, const double* values);
-  /// Once all nodes are there.
+  /// Computes the differences once all nodes are added.
   void finish();
 
   int order() const { return order_; }
@@ -35,20 +35,20 @@ class HermiteTable {
   double rate(int function, double x) const;
   double value_and_rate(int function, double x, double& rate) const;
   double second_rate(int function, double x) const;
-  /// The sizes of the last two terms of all functions at x: by how much the polynomial would change
-  /// there if the last node were left out. That bounds its error as long as terms fall.
+  /// Size of a function's last two terms at x, the change of the polynomial without its last node.
+  /// It bounds the error as long as terms decrease.
   double last_terms(int function, double x) const;
-  /// The largest of any function.
+  /// The largest over all functions.
   double largest_last_terms(double x) const;
   /// A function's rate on [from, to] by its Bernstein coefficients, which enclose it: order() - 1
   /// of them.
   void find_rate(int function, double from, double to, double* coefficients) const;
-  /// By how much the rate of any function would change anywhere on [from, to], at most, without the
-  /// last terms: so many of them.
+  /// Upper bound of the change of any function's rate on [from, to] without the last `last_terms`
+  /// terms.
   double largest_rate_change(double from, double to, int last_terms) const;
-  /// The first so many functions at once, their values and last terms.
+  /// Values and last terms of the first `functions` functions at once.
   void find_values(double x, int functions, double* values, double* last_terms) const;
-  /// The same with rates.
+  /// Values, rates and last terms of these functions.
   void look(double x, int functions, double* values, double* rates, double* last_terms) const;
 
  private:

@@ -3,19 +3,19 @@
 namespace misalign::solver {
 namespace {
 
-// Shares at which the shifts pause: every tenth of them.
+// Number of stations of the share: one at every tenth.
 constexpr int kShares = 10;
 
 }  // namespace
 
 StartFinder::~StartFinder() = default;
 
-// Everything is as small as the pilot's angle at the first station.
+// Scales all lengths with the pilot's angle at the first station.
 CloseSteps::Options options_of_shares(const HalfAngle<double>& pilot) {
   const double unit_rad = 2 * pilot.s;
   CloseSteps::Options options;
-  // Creases at the first station may turn by this share of the pilot's own angle from one share to
-  // the next: what goes farther has left the branch.
+  // Creases may turn by half of the pilot's angle between two stations; farther turns have left the
+  // branch.
   options.longest_half_sine = 0.5 * pilot.s;
   options.least_tangent_cosine = 0.9;
   options.arc.longest_step_rad = 0.05 * unit_rad;
@@ -26,7 +26,7 @@ CloseSteps::Options options_of_shares(const HalfAngle<double>& pilot) {
   return options;
 }
 
-// From no share to all of them, carried by angles from 0 to the pilot's at the first station.
+// Plans shares from 0 to 1, represented by angles from 0 to the pilot's at the first station.
 PathPlan plan_of_shares(const PathPlan& path, const Mechanism& mechanism) {
   PathPlan shares;
   const Station& first = path.stations.front();

@@ -1,8 +1,7 @@
-// A homotopy in the shifts (Allgower & Georg, Introduction to Numerical Continuation Methods, ch.
-// 1), for sheets too far from the base for Newton's method: from the base sheet to the sheet
-// itself, the shifts growing from nothing to all of themselves, the pilot held at the first
-// station. It is a path like any other, whose pilot is the share of the shifts; as many are
-// followed side by side as there are lanes.
+// Follows a homotopy in the shifts (Allgower & Georg, Introduction to Numerical Continuation
+// Methods, ch. 1), for sheets too far from the base for Newton's method: the shifts grow from zero
+// to those of the sheet, with the pilot held at the first station. It is a path whose pilot is the
+// share of the shifts; one is followed in each lane.
 #pragma once
 
 #include <array>
@@ -15,32 +14,32 @@ namespace misalign::solver {
 
 class StartFinder {
  public:
-  /// A sheet that is far from the base, and what the homotopy says of it. end_reached: `state` is
-  /// its path's own at the first station. fold_limit: the branch of the base folding turns before
-  /// the shifts are whole, so this sheet has no such folding next to flat. Otherwise neither was
-  /// found: a numerical failure.
+  /// A sheet that is far from the base, with the homotopy's result. end_reached: `state` is on its
+  /// path at the first station. fold_limit: the base folding's branch turns before the shifts are
+  /// whole, so this sheet has no such folding next to flat. Anything else is a numerical failure.
   struct FarStart {
     explicit FarStart(const Mechanism& mechanism) : state(flat_state<double>(mechanism)) {}
 
-    int sheet = 0;  ///< its number, for whoever asks
+    int sheet = 0;  ///< its number, for the caller
     SheetGeometry<double> geometry;
     PathEnd end = PathEnd::start_lost;
     FoldState<double> state;
   };
 
   virtual ~StartFinder();
-  /// Of all these sheets.
+  /// Finds the start of every sheet.
   virtual void find(std::span<FarStart> sheets) = 0;
 };
 
-/// How the share's path is followed, and where it pauses.
+/// Options and stations of the share's path.
 CloseSteps::Options options_of_shares(const HalfAngle<double>& pilot);
 PathPlan plan_of_shares(const PathPlan& path, const Mechanism& mechanism);
 
 template <class T>
 class ShiftHomotopy final : public StartFinder {
  public:
-  /// The first two must outlive this object. `base_vertices_mm` are those of the unshifted sheet.
+  /// `mechanism` and `elimination` must outlive this object. `base_vertices_mm` are those of the
+  /// unshifted sheet.
   ShiftHomotopy(const Mechanism& mechanism, const Elimination& elimination, const PathPlan& plan,
                 const FlatVertices& base_vertices_mm)
       : pilot_(mechanism.pilot),
@@ -55,7 +54,7 @@ class ShiftHomotopy final : public StartFinder {
     follower_.run(*this, *this);
   }
 
-  // For the follower.
+  // Gives the follower its next path.
   bool next(PathStart& start, int lane) {
     if (next_ == sheets_.size()) return false;
     in_lane_[lane] = next_++;
@@ -71,10 +70,10 @@ class ShiftHomotopy final : public StartFinder {
   }
 
  private:
-  // Loop closure of sheets with a share of their shifts, factored in the fixed order. The pilot
-  // crease of a state stands for the share: half_sine / that of the first station. The joint itself
-  // is held there; its column of the Jacobian is the share's, which is in every equation and so
-  // kept beside the sparse factors. As a PathFollower wants it, like SparseClosure.
+  // Loop closure of sheets with a share of their shifts, factored in the fixed order; a policy of
+  // PathFollower, like SparseClosure. The pilot crease of a state represents the share: half_sine /
+  // that of the first station. The joint itself is held there. Its column of the Jacobian is the
+  // share's, which occurs in every equation and is kept beside the sparse factors.
   class Closure {
    public:
     // `mechanism` and `elimination` must outlive this object.
@@ -99,8 +98,8 @@ class ShiftHomotopy final : public StartFinder {
     T orientation() const { return lu_.orientation(); }
 
    private:
-    // The difference of shares that gives the residual's rate of change: error 1e-10 of it, which
-    // only bends the tangent.
+    // Difference of shares for the residual's rate of change, with an error of 1e-10 that only
+    // affects the tangent.
     static constexpr double kDifference = 1e-5;
 
     void solve_with(const T& of_residual, const T& partner, const T& share, T* x);
@@ -110,8 +109,8 @@ class ShiftHomotopy final : public StartFinder {
     SheetGeometry<T> base_, geometry_;
     SparseLu<T> lu_;
     FoldState<T> state_;
-    // Columns of an entry per equation and one more: the residual and the share's column, then L y
-    // of each.
+    // Columns with one entry more than equations: the residual and the share's column, then L y of
+    // each.
     std::vector<T> residual_, before_, after_, of_residual_, of_share_, work_;
   };
 
@@ -156,8 +155,8 @@ void ShiftHomotopy<T>::Closure::solve(const T& is_free, T* x, T* null) {
   solve_with(T(0), -of_share, of_partner, null);
 }
 
-// So many times the residual, less the share's column: for a share and a partner that satisfy the
-// equation that is left.
+// Solves for `of_residual` times the residual less `share` times its column; `share` and `partner`
+// satisfy the last equation.
 template <class T>
 void ShiftHomotopy<T>::Closure::solve_with(const T& of_residual, const T& partner, const T& share,
                                            T* x) {

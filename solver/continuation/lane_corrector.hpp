@@ -1,7 +1,6 @@
-// One Newton iteration of many sheets side by side, one in each lane: with the pilot held, or the
-// shortest correction to the curve (Moore-Penrose; Allgower & Georg, Introduction to Numerical
-// Continuation Methods, ch. 3). With T = double it is one sheet's, and that is the definition: a
-// lane has its bits.
+// Makes one Newton iteration for one sheet in each lane: with the pilot held, or the shortest
+// correction to the curve (Moore-Penrose; Allgower & Georg, Introduction to Numerical Continuation
+// Methods, ch. 3). T = double, one sheet, is the definition: a lane has its bits.
 #pragma once
 
 #include <utility>
@@ -26,7 +25,7 @@ class LaneCorrector {
         correction_(mechanism.unknowns, T(0)),
         null_(correction_) {}
 
-  /// A sheet and its first trial state, whose pilot is put at `pilot`.
+  /// Puts a sheet and its first trial state into lane i, with its pilot at `pilot`.
   void put(const SheetGeometry<double>& geometry, const FoldState<double>& state,
            const HalfAngle<double>& pilot, int i) {
     closure_.restart(i);
@@ -39,8 +38,9 @@ class LaneCorrector {
     lane(trial_.creases[mechanism_.pilot].s, i) = pilot.s;
   }
 
-  /// Corrects the trial states; lanes where `is_free` is positive may move their pilot. Tells about
-  /// the states before the correction all but its size; angles are with `last_tangent`.
+  /// Corrects the trial states; lanes where `is_free` is positive may move their pilot. All results
+  /// but the correction's size are those before the correction; angles are measured from
+  /// `last_tangent`.
   void iterate(const T& is_free, const std::vector<T>& last_tangent) {
     open_ = closure_.linearize(geometry_, trial_);
     find_correction(is_free, last_tangent);
@@ -56,11 +56,11 @@ class LaneCorrector {
   const SheetGeometry<T>& geometry() const { return geometry_; }
   FoldState<T>& trial() { return trial_; }
   const FoldState<T>& trial() const { return trial_; }
-  /// The unit tangent as the factors gave it: of either direction.
+  /// The unit tangent from the factors, of either direction.
   const std::vector<T>& tangent() const { return null_; }
   const T& open_by() const { return open_; }
   const T& largest_correction() const { return largest_correction_; }
-  /// Of the angle between the tangent and the last one.
+  /// Cosine of the angle between the tangent and the last one.
   const T& cosine() const { return cosine_; }
   /// Sign of det [J; t] for the tangent as it is.
   const T& orientation() const { return orientation_; }

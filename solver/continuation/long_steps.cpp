@@ -9,18 +9,17 @@
 namespace misalign::solver {
 namespace {
 
-// The first step multiplies the pilot's angle by this.
+// Factor by which the first step multiplies the pilot's angle.
 constexpr double kFirstGrowth = 3;
-// A step that failed is shortened to this share, and the next one is longer than the last by this
-// factor at most.
+// A failed step is shortened by the first factor; a step is at most the second times the last.
 constexpr double kShorter = 0.4, kLonger = 2;
-// Of what the last step's errors foretell for the next.
+// Share of the step length that follows from the last step's errors.
 constexpr double kCaution = 0.9;
 
-// Nodes that are solved for the sake of one limit point.
+// Largest number of nodes solved for one limit point.
 constexpr int kMostLimitNodes = 3;
 
-// Whether a state is extrapolated from flat as well.
+// Returns whether flat counts among the nodes of an extrapolation.
 bool counts_flat(const PathFunction& function) {
   return function.count() < kStateNodes && function.from_flat();
 }
@@ -34,9 +33,8 @@ double distance_to_nodes(const PathFunction& function, double x) {
   return product;
 }
 
-// The n-th root, within 1e-4 of itself, which is enough for a step's length: a Newton step from
-// where its logarithm says, written out, since the last bits of the C library's powers differ by
-// processor.
+// The n-th root within 1e-4, enough for a step's length: a Newton step from an estimate by
+// logarithms. It is written out, since the last bits of the C library's powers differ by processor.
 double root_of(double x, int n) {
   int exponent = 0;
   const double lacks = 1 - std::frexp(std::clamp(x, 1e-290, 1e290), &exponent);  // (0, 0.5]
@@ -106,8 +104,8 @@ PathStep LongSteps::take_back() {
 
 bool LongSteps::ends_segment() const {
   if (!function_.turns()) return true;
-  // From a node next to the turn the rise follows from its rate and the bend of the pilot's angle,
-  // which is known to a hundredth.
+  // The rise from a node next to the turn follows from the pilot's rate and curvature there, which
+  // is known to a hundredth.
   return function_.has_node_at_turn()
              ? function_.pilot_rise() <= 100 * options_.limit_tolerance_rad
              : function_.pilot_error(function_.end()) <= options_.limit_tolerance_rad;
@@ -140,23 +138,23 @@ PathStep LongSteps::proceed() {
 }
 
 void LongSteps::choose_step() {
-  const double here = function_.at(0);
+  const double x = function_.at(0);
   if (function_.count() == 1) {
-    step_ = (kFirstGrowth - 1) * here;
+    step_ = (kFirstGrowth - 1) * x;
     return;
   }
   const double last = function_.to() - function_.from();
   double step = kLonger * last;
   // The extrapolation's error is a constant times the product of the distances to its nodes: those
-  // before the newest, and flat as long as they were fewer than kStateNodes.
-  double distance = function_.from_flat() ? here : 1;
+  // before the newest, and flat while there were fewer than kStateNodes.
+  double distance = function_.from_flat() ? x : 1;
   const int before = std::min(function_.kept() - 1, kStateNodes);
-  for (int k = 1; k <= before; ++k) distance *= (here - function_.at(k)) * (here - function_.at(k));
+  for (int k = 1; k <= before; ++k) distance *= (x - function_.at(k)) * (x - function_.at(k));
   const double share =
       options_.wanted_correction_rad / std::max(correction_.first_rad(), 1e-12) * distance;
   const int order = 2 * std::min(function_.kept(), kStateNodes);
   for (int k = 0; k < 4; ++k) {
-    const double off = distance_to_nodes(function_, here + step) / share;
+    const double off = distance_to_nodes(function_, x + step) / share;
     step /= root_of(off, order);
   }
   const double rough = std::max(function_.roughness(), 1e-15);

@@ -1,6 +1,6 @@
-// Steps from node to node of a path function: as long as the extrapolation through the last nodes
-// and the polynomials between them allow. They give up early: what they cannot follow with
-// certainty is for CloseSteps.
+// Chooses steps from node to node of a path function, as long as the extrapolation through the last
+// nodes and the polynomials between them allow. It gives up early: paths that it cannot follow with
+// certainty are left to CloseSteps.
 #pragma once
 
 #include <vector>
@@ -14,13 +14,13 @@ namespace misalign::solver {
 class LongSteps {
  public:
   struct Options {
-    /// The largest sum of a node's corrections (rad): what lies farther from the extrapolation may
+    /// The largest sum of a node's corrections (rad): a state farther from the extrapolation may
     /// belong to another branch.
     double longest_correction_rad = 0.1;
-    /// The wanted error of the extrapolation (rad): the next step's length follows.
+    /// Target error of the extrapolation (rad), from which the next step's length follows.
     double wanted_correction_rad = 3e-3;
-    /// The same of what a segment's polynomials would lose without their last node (panel widths,
-    /// rad); beyond the last number the segment is not believed.
+    /// Target and largest roughness of a segment: the change of its polynomials without their last
+    /// node (panel widths, rad). Beyond the largest the segment is rejected.
     double wanted_roughness = 3e-8, most_roughness = 3e-7;
     /// Paths are followed closely beyond this angle: next to 180 degrees branches are near each
     /// other.
@@ -29,7 +29,7 @@ class LongSteps {
     /// The least cosine between the tangents of neighbouring nodes.
     double least_tangent_cosine = 0.7;
     int max_corrections = 5;
-    /// The wanted error of a limit point (rad of pilot): 6e-8 degrees.
+    /// Target error of a limit point (rad of pilot): 6e-8 degrees.
     double limit_tolerance_rad = 1e-9;
   };
 
@@ -38,19 +38,18 @@ class LongSteps {
   ~LongSteps();
   LongSteps(const LongSteps&);
 
-  /// As of CloseSteps; stations ascend.
+  /// Like those of CloseSteps; stations ascend.
   void begin(const PathStart& start);
   PathStep after(const NewtonReport& report);
   PathStep proceed();
   PathStep stop(PathEnd how) { return end(how); }
 
-  /// Where the node that was found is to be written.
+  /// Place for the node that was solved.
   PathFunction::Node& vacant() { return function_.vacant(); }
-  /// Takes the node that was written; false: its segment is not believed, take_back() says what
-  /// next.
+  /// Takes the node in vacant(); returns false if its segment is rejected, and take_back() is next.
   bool take();
   PathStep take_back();
-  /// Whether the node ends a segment: one on the way to a limit point does not.
+  /// Returns whether the node ends a segment: one on the way to a limit point does not.
   bool ends_segment() const;
   const PathFunction& function() const { return function_; }
   /// Weights of the last nodes for the state at a point of the newest segment.
@@ -59,7 +58,7 @@ class LongSteps {
   bool under_way() const { return plan_ != nullptr; }
   bool is_free() const { return is_free_; }
   int newest() const { return function_.count() - 1; }
-  /// The path up to here: its end if it has reached one.
+  /// The path so far, with its end if it has reached one.
   const PathResult& result() const { return result_; }
 
  private:

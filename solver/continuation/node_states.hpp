@@ -1,6 +1,5 @@
-// The last solved states of many sheets side by side, one sheet in each lane, with their rates; and
-// the states that are predicted from them: polynomials in the cosines and sines of half angles and
-// in quaternions.
+// Keeps the last solved states of one sheet in each lane, with their rates, and predicts states
+// from them: by polynomials in the cosines and sines of half angles and in quaternions.
 #pragma once
 
 #include <array>
@@ -22,23 +21,24 @@ class NodeStates {
     nodes_.fill({ahead_, ahead_, tangent_});
   }
 
-  /// The newest node of lane i, into this of its places: its state, and its unit tangent but for a
-  /// sign.
+  /// Keeps the newest node of lane i in its place `place`: its state, and its unit tangent times
+  /// `tangent_sign`.
   void keep(int i, int place, double tangent_sign, const FoldState<T>& state,
             const std::vector<T>& tangent);
-  /// The node in this place is the newest again.
+  /// Makes the node in `place` the newest again.
   void go_back(int i, int place) {
     const std::vector<T>& newest = nodes_[place].tangent;
     for (std::size_t j = 0; j < tangent_.size(); ++j) lane(tangent_[j], i) = lane(newest[j], i);
   }
   const FoldState<T>& state(int place) const { return nodes_[place].state; }
-  /// Of the newest nodes.
+  /// Tangents of the newest nodes.
   const std::vector<T>& tangent() const { return tangent_; }
 
-  /// Of the lanes that depart, into ahead(): without their pilots held. False: none does.
+  /// Predicts the states of lanes that depart into ahead(), with their pilots not held. Returns
+  /// false if none departs.
   MISALIGN_FLATTEN bool predict(const std::array<PathStep, kLanes<T>>& steps);
   const FoldState<T>& ahead() const { return ahead_; }
-  /// The same of one lane, for a state that has its size.
+  /// Predicts the state of one lane; `state` has its size already.
   void find_state(int i, const PathStep& step, FoldState<double>& state) const;
 
  private:
@@ -49,7 +49,7 @@ class NodeStates {
   };
 
   const Mechanism& mechanism_;
-  std::array<Node, kStatePlaces> nodes_;  // by place, which lanes have for themselves
+  std::array<Node, kStatePlaces> nodes_;  // by place, per lane
   FoldState<T> ahead_;
   std::vector<T> tangent_;
 };
@@ -73,19 +73,19 @@ void NodeStates<T>::keep(int i, int place, double tangent_sign, const FoldState<
   }
   for (std::size_t k = 0; k < state.balls.size(); ++k) {
     const Quaternion<T>& q = state.balls[k];
-    const Quaternion<double> here{lane(q.w, i), lane(q.x, i), lane(q.y, i), lane(q.z, i)};
+    const Quaternion<double> orientation{lane(q.w, i), lane(q.x, i), lane(q.y, i), lane(q.z, i)};
     const T* const turn = tangent_.data() + mechanism_.balls[k].column;
     const Quaternion<double> rate =
         Quaternion<double>{0, 0.5 * lane(turn[0], i), 0.5 * lane(turn[1], i),
                            0.5 * lane(turn[2], i)} *
-        here;
+        orientation;
     const auto put = [i](Quaternion<T>& to, const Quaternion<double>& from) {
       lane(to.w, i) = from.w;
       lane(to.x, i) = from.x;
       lane(to.y, i) = from.y;
       lane(to.z, i) = from.z;
     };
-    put(node.state.balls[k], here);
+    put(node.state.balls[k], orientation);
     put(node.rate.balls[k], rate);
   }
 }

@@ -10,8 +10,6 @@ namespace {
 // A quotient this close below a whole number, relative, is that number: 170.3 / 0.1.
 constexpr double kWholeMultiple = 1e-9;
 
-// Angles closer than this are one station: far below any sample_deg, far above rounding.
-
 }  // namespace
 
 PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
@@ -34,7 +32,7 @@ PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
     add_multiples(options.longest_step_deg, false, false);
   }
   plan.stations.push_back({options.end_deg, {}, 0, true});
-  // Of equal angles the sample comes first and stays.
+  // Samples come first among equal angles and are kept.
   std::stable_sort(plan.stations.begin(), plan.stations.end(),
                    [](const Station& a, const Station& b) {
                      return a.pilot_deg < b.pilot_deg - kSameAngle_deg;

@@ -1,13 +1,13 @@
-// The folding paths of many sheets of one topology side by side, one in each lane, each at its own
-// angle; a lane takes the next sheet as soon as its own path has ended. With T = double it follows
-// one path, and that is the definition: a lane has its bits, whatever its neighbours do.
+// Follows the folding paths of sheets of one topology, one in each lane, each at its own angle; a
+// lane takes the next sheet as soon as its path has ended. T = double, one path, is the definition:
+// a lane has its bits, whatever its neighbours do.
 //
 // Predictor: the polynomial through the last nodes' states and tangents, in cosines and sines of
 // half angles and in quaternions. Corrector: Newton's method with the pilot held, or along the
 // shortest way to the curve (Moore-Penrose; Allgower & Georg, Introduction to Numerical
-// Continuation Methods, ch. 3 and 6). The policy Steps chooses how far and which: CloseSteps from
-// station to station, LongSteps from node to node of a function. The policy Closure solves the
-// equations.
+// Continuation Methods, ch. 3 and 6). The policy Steps chooses the step and the corrector:
+// CloseSteps from station to station, LongSteps from node to node of a function. The policy Closure
+// solves the equations.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@
 
 namespace misalign::solver {
 
-/// A state that an observer of LongSteps wants: the sheet's at a point of its newest segment, as
-/// the last nodes foretell it. `state` has its size already.
+/// A state that an observer of LongSteps requests: at a point of the newest segment, predicted from
+/// the last nodes. `state` has its size already.
 struct NearState {
   double x;
   FoldState<double>* state;
@@ -40,17 +40,17 @@ class PathFollower {
 
   /// Owns its memory from the start; `mechanism` must outlive it.
   PathFollower(const Mechanism& mechanism, Closure closure, const Options& options = {});
-  /// By an elimination in its fixed order, which must outlive this object too.
+  /// Uses an elimination in fixed order, which must outlive this object too.
   PathFollower(const Mechanism& mechanism, const Elimination& elimination,
                const Options& options = {})
       : PathFollower(mechanism, Closure(mechanism, elimination), options) {}
 
-  /// Follows the paths of a queue: its `bool next(PathStart&, int lane)` gives the next one for
-  /// this lane, false: none is left. Allocates nothing. An observer has
+  /// Follows the paths of a queue, whose `bool next(PathStart&, int lane)` gives a lane its next
+  /// path, or false if none is left. Allocates nothing. An observer has
   ///   bool see(const Station&, int lane)   at each station to be seen; false: seen enough
   ///   or, of LongSteps, ObserverResult see(const PathFunction&, int lane)   a new segment
   ///   void ended(const PathResult&, int lane)
-  /// and where it wants to
+  /// and optionally
   ///   void begin_path(PathStart&, int lane)   a path begins, which it may change
   ///   void arrivals(const T&)   before any `see`: 1 in each lane at a station, 0 in the others
   ///   PathPoint& point()   to be filled in at a station before `see`
@@ -71,15 +71,15 @@ class PathFollower {
   }
 
   const SheetGeometry<T>& geometry() const { return corrector_.geometry(); }
-  /// Of all lanes: at a station, the states that were found there.
+  /// States of all lanes: at a station, the solved ones.
   const FoldState<T>& state() const { return corrector_.trial(); }
-  /// In lane i: the state of its newest node.
+  /// State of the newest node of lane i.
   const FoldState<T>& last_state(int i) const { return nodes_.state(place(i)); }
-  /// Of LongSteps, in lane i.
+  /// Finds a near state of lane i (LongSteps).
   void find_state(const NearState& near, int i) const {
     nodes_.find_state(i, steps_[i].state_at(near.x), *near.state);
   }
-  /// The equations there, but for the last correction (1e-12 / the Jacobian's singular values).
+  /// The equations at state(), up to the last correction (1e-12 / the Jacobian's singular values).
   const Closure& closure() const { return corrector_.closure(); }
 
  private:
@@ -175,7 +175,7 @@ class PathFollower {
     }
   }
 
-  // In which of the places the newest node's state is.
+  // Place of the newest node's state.
   int place(int i) const { return steps_[i].newest() % kStatePlaces; }
   MISALIGN_FLATTEN void iterate() { corrector_.iterate(free_lanes(), nodes_.tangent()); }
   NewtonReport report(int i) const;
@@ -240,13 +240,13 @@ double PathFollower<T, Steps, Closure>::largest_half_sine(int i) const {
   return largest;
 }
 
-// Instead of its first correction.
+// Takes the predicted state of lane i, without its last correction.
 template <class T, class Steps, class Closure>
 void PathFollower<T, Steps, Closure>::take_prediction(int i) {
-  T here(0);
-  lane(here, i) = 1;
+  T chosen(0);
+  lane(chosen, i) = 1;
   const HalfAngle<T> pilot = corrector_.trial().creases[mechanism_.pilot];
-  replace(here, nodes_.ahead(), corrector_.trial());
+  replace(chosen, nodes_.ahead(), corrector_.trial());
   corrector_.hold({lane(pilot.c, i), lane(pilot.s, i)}, i);
 }
 
@@ -267,7 +267,7 @@ void PathFollower<T, Steps, Closure>::write_node(int i) {
   node.misfit = lane(misfit_, i);
 }
 
-// Sets the lanes that depart on their way.
+// Puts the lanes that depart at their predicted states.
 template <class T, class Steps, class Closure>
 void PathFollower<T, Steps, Closure>::predict() {
   if (!nodes_.predict(now_)) return;
@@ -295,11 +295,12 @@ void PathFollower<T, Steps, Closure>::find_slopes() {
   lengths_known_ = slopes_known_ = true;
 }
 
-// What follows from the states is found for all lanes at once, on first demand.
+// Copies a station's results; those that follow from the states are computed for all lanes at once,
+// on first demand.
 template <class T, class Steps, class Closure>
 void PathFollower<T, Steps, Closure>::copy_point(int i, bool with_slopes, PathPoint& point) {
   copy_lane(corrector_.trial(), i, point.state);
-  const double pilot_rate = lane(corrector_.tangent()[unknowns_ - 1], i);  // either direction's
+  const double pilot_rate = lane(corrector_.tangent()[unknowns_ - 1], i);  // of either sign
   point.pilot_rate = std::abs(pilot_rate);
   if (with_slopes && !slopes_known_) find_slopes();
   if (!lengths_known_) find_lengths();

@@ -10,7 +10,8 @@ namespace {
 // The pilot is the variable while its rate is at least this share of the fastest crease's.
 constexpr double kFastEnough = 0.6;
 
-// Of a solved point's length, and per radian of the segment for each unit of the tangent's misfit.
+// Errors of a solved point's length, and per radian of the segment and unit of the tangent's
+// misfit.
 constexpr double kNodeError_widths = 1e-11, kErrorPerMisfit = 10;
 
 }  // namespace
@@ -89,48 +90,48 @@ void PathFunction::drop() {
   find_angles();
 }
 
-// Each node's once, as long as the variable stays.
+// Computes each node's angle once, unless the variable changes.
 void PathFunction::find_angles() {
   for (int k = 0; k < kept(); ++k) {
-    Node& here = nodes_[place(k)];
-    if (here.angle_of != variable_) {
-      here.angle_of = variable_;
-      here.angle_rad = angle_rad(here.creases[variable_]);
+    Node& point = nodes_[place(k)];
+    if (point.angle_of != variable_) {
+      point.angle_of = variable_;
+      point.angle_rad = angle_rad(point.creases[variable_]);
     }
-    at_[k] = sign_ * here.angle_rad;
+    at_[k] = sign_ * point.angle_rad;
   }
 }
 
 void PathFunction::choose_variable() {
   const std::vector<double>& rates = node(0).crease_rates;
   double fastest = 0;
-  int of = pilot_;
+  int candidate = pilot_;
   for (std::size_t k = 0; k < rates.size(); ++k) {
     double least = std::abs(rates[k]);
     if (least <= fastest) continue;
-    // It must go the same way at all nodes.
+    // The variable must turn in the same direction at all nodes.
     for (int i = 1; i < kept(); ++i) {
       if (node(i).crease_rates[k] * rates[k] <= 0) least = 0;
     }
     if (least <= fastest) continue;
     fastest = least;
-    of = static_cast<int>(k);
+    candidate = static_cast<int>(k);
   }
   const double now = sign_ * rates[variable_];
   if (count_ < kNodes || now >= kFastEnough * fastest) return;
-  variable_ = of;
-  sign_ = rates[of] < 0 ? -1 : 1;
+  variable_ = candidate;
+  sign_ = rates[candidate] < 0 ? -1 : 1;
 }
 
 void PathFunction::make_table() {
   table_.begin();
   for (int k = 0; k < kept(); ++k) {
-    const Node& here = node(k);
+    const Node& point = node(k);
     const double per_rate = 1 / variable_rate(k);
-    std::copy(here.lengths.begin(), here.lengths.end(), values_.begin());
-    values_.back() = variable_ == pilot_ ? at_[k] : angle_rad(here.creases[pilot_]);
-    for (int d = 0; d < diagonals_; ++d) rates_[d] = here.slopes[d] * per_rate;
-    rates_.back() = here.crease_rates[pilot_] * per_rate;
+    std::copy(point.lengths.begin(), point.lengths.end(), values_.begin());
+    values_.back() = variable_ == pilot_ ? at_[k] : angle_rad(point.creases[pilot_]);
+    for (int d = 0; d < diagonals_; ++d) rates_[d] = point.slopes[d] * per_rate;
+    rates_.back() = point.crease_rates[pilot_] * per_rate;
     table_.add(at_[k], values_.data(), rates_.data());
   }
   if (from_flat()) {
@@ -157,7 +158,7 @@ double PathFunction::pilot_error(double x) const {
   return variable_ == pilot_ ? 0 : pilot_error(x, table_.largest_last_terms(x));
 }
 
-// Its own last terms may vanish by accident.
+// The largest of all last terms counts, since the pilot's own may vanish by accident.
 double PathFunction::pilot_error(double x, double largest_of_lengths) const {
   if (variable_ == pilot_) return 0;
   return kFunctionSafety * std::max(largest_of_lengths, table_.last_terms(diagonals_, x)) + 1e-14;
@@ -168,7 +169,7 @@ double PathFunction::pilot_rise() const {
   return 0.5 * rate * rate / std::abs(table_.second_rate(diagonals_, at_[0]));
 }
 
-// Newton's method from where it was asked last, in a bracket; samples lie side by side.
+// Uses Newton's method in a bracket, starting from the last result, since samples are neighbours.
 double PathFunction::locate(double pilot_rad) const {
   assert(kept() > 0);
   if (variable_ == pilot_) return pilot_rad;
@@ -193,10 +194,12 @@ bool PathFunction::pilot_goes_on() const {
   if (variable_ == pilot_) return true;
   constexpr int kParts = 10;
   const double last = end();
-  // A slope's error next to an end of the segment is some times that of the value per length.
+  // A slope's error next to the segment's end is several times the value's error divided by the
+  // length.
   const double room = kParts * pilot_error(0.5 * (from() + to())) / (to() - from());
   for (int k = 0; k < kParts; ++k) {
-    const double left = 1 - static_cast<double>(k) / kParts;  // near the turn it falls to zero
+    const double left =
+        1 - static_cast<double>(k) / kParts;  // the slope falls to zero near the turn
     const double x = last + (from() - last) * left;
     if (pilot_slope(x) <= (turns() ? room * left : room)) return false;
   }
@@ -253,8 +256,8 @@ double PathFunction::slope(int diagonal, double x) const {
 }
 
 bool PathFunction::creases_are_clear() const {
-  // A cubic stays within 4/27 of its ends' tangents from the chord; twice that for what is no
-  // cubic.
+  // A cubic deviates from its chord by at most 4/27 of its end slopes' deviation times its length;
+  // twice that for functions that are not cubic.
   constexpr double kRoom = 8.0 / 27;
   const Node& next = node(inside_);
   const double step = to() - from(), next_rate = 0.5 / variable_rate(inside_);

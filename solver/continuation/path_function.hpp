@@ -1,10 +1,10 @@
-// A folding path as a function: between two of its solved points (nodes) everything is a polynomial
-// through the last nodes' values and rates of change, with a bound of its error.
+// Represents a folding path as a function: between two solved points (nodes) every quantity is a
+// polynomial through the last nodes' values and rates of change, with a bound of its error.
 //
-// The variable is the fold angle of one crease: of the pilot as long as that turns about as fast as
-// any other, then of a faster one, along which the path goes on smoothly where the pilot turns back
-// (local parameterisation; Rheinboldt & Burkardt, ACM TOMS 9, 1983). Flat is a node too, where
-// lengths are known and do not change; of springs off the mid-plane only lengths are known there.
+// The variable is the fold angle of one crease: the pilot's while that turns about as fast as any
+// other, then a faster one's, in which the path is smooth where the pilot turns back (local
+// parameterisation; Rheinboldt & Burkardt, ACM TOMS 9, 1983). Flat is a node too: lengths are known
+// and stationary there; for springs off the mid-plane only lengths are known.
 #pragma once
 
 #include <vector>
@@ -14,16 +14,16 @@
 
 namespace misalign::solver {
 
-/// What an observer says of a new segment of a path.
+/// An observer's answer to a new segment of a path.
 enum class ObserverResult {
   go_on,
-  enough,  ///< nothing more is wanted of the path
-  lost,    ///< it cannot be judged by a function
-  unsure   ///< the errors are too large for what it wants to know: a shorter segment is wanted
+  enough,  ///< the rest of the path is not needed
+  lost,    ///< the path cannot be judged by a function
+  unsure   ///< errors are too large: a shorter segment is requested
 };
 
-/// Terms do not always fall: the largest error that was seen was 36 times the largest last terms of
-/// all diagonals, in 5 million angles of 110,000 sheets; in all but one family 11 times.
+/// Bound of the error, in largest last terms of all diagonals, which do not always decrease: 36 was
+/// the largest at 5 million angles of 110,000 sheets, 11 in all but one family.
 inline constexpr double kFunctionSafety = 60;
 
 class PathFunction {
@@ -39,8 +39,8 @@ class PathFunction {
 
     std::vector<HalfAngle<double>> creases;
     std::vector<double> crease_rates;
-    std::vector<double> lengths, slopes;  ///< of the diagonals, panel widths
-    double misfit = 0;                    ///< how far the tangent is from one
+    std::vector<double> lengths, slopes;  ///< per diagonal, panel widths
+    double misfit = 0;                    ///< error of the tangent
     int angle_of = -1;                    ///< the crease whose angle is known
     double angle_rad = 0;
   };
@@ -55,7 +55,7 @@ class PathFunction {
     std::vector<double> slopes;         ///< panel widths per radian of pilot
   };
 
-  /// Nodes that the polynomials go through, at most.
+  /// Largest number of nodes of a polynomial.
   static constexpr int kNodes = 5;
 
   /// `mechanism` must outlive this object, which owns its memory from the start.
@@ -64,35 +64,35 @@ class PathFunction {
   PathFunction(const PathFunction&);
   PathFunction(PathFunction&&);
 
-  /// A sheet whose diagonals have these lengths flat.
+  /// Begins a sheet with these flat lengths of its diagonals.
   void begin(const double* flat_lengths);
-  /// Where the next node is to be written, before add().
+  /// Place for the next node, to be filled before add().
   Node& vacant() {
     Node& next = nodes_[place(-1)];
     next.angle_of = -1;
     return next;
   }
-  /// The next node, at the end of a new segment.
+  /// Adds the node in vacant() at the end of a new segment.
   void add();
-  /// The next node near the turning point of the newest segment: instead of another one that is
+  /// Adds the node in vacant() near the newest segment's turning point, replacing an earlier one
   /// there.
   void add_at_turn();
-  /// Takes the last node back.
+  /// Removes the last node.
   void drop();
 
   int count() const { return count_; }
-  /// The k-th node, the newest first; as many as kNodes are kept.
+  /// The k-th node, the newest first; at most kNodes are kept.
   const Node& node(int k) const { return nodes_[place(k)]; }
   int kept() const;
 
   /// The crease whose fold angle is the variable, and its value at the k-th node, increasing (rad).
   int variable() const { return variable_; }
   double at(int k) const { return at_[k]; }
-  /// Of the k-th node's tangent: its entry for the variable.
+  /// Entry of the k-th node's tangent for the variable.
   double variable_rate(int k) const { return sign_ * node(k).crease_rates[variable_]; }
-  /// Whether flat counts as a node, at 0.
+  /// Returns whether flat counts as a node, at 0.
   bool from_flat() const { return count_ < kNodes && variable_ == pilot_; }
-  /// Whether lengths are even in the pilot's angle, so that their rates are 0 there.
+  /// Returns whether lengths are even in the pilot's angle, so that their rates are 0 at flat.
   bool is_even() const { return mechanism_.springs.in_mid_plane(); }
   /// The newest segment: from node to node, or to the pilot's turning point.
   double from() const { return from_; }
@@ -100,34 +100,36 @@ class PathFunction {
   bool has_node_at_turn() const { return inside_ > 0; }
   bool turns() const { return node(inside_).crease_rates[pilot_] <= 0; }
   double end() const { return end_; }
-  /// By how much the segment's lengths and pilot angle would change without its last node, at the
-  /// middle of it (panel widths, rad).
+  /// Change of the lengths and the pilot angle at the segment's middle without its last node (panel
+  /// widths, rad).
   double roughness() const;
   /// The pilot's fold angle (rad), its rate, and a bound of its error.
   double pilot(double x) const;
   double pilot_slope(double x) const;
   double pilot_error(double x) const;
-  /// What the polynomials' own terms do not say of a length's error: that of a node, and of its
-  /// tangent (panel widths).
+  /// Error of a length that the polynomials' terms do not show: that of a node and of its tangent
+  /// (panel widths).
   double node_error() const;
-  /// How far the pilot still goes on from the node at the turn.
+  /// Rise of the pilot's angle from the node at the turn to the turning point, rad.
   double pilot_rise() const;
-  /// Where on the way from the oldest node kept the pilot has this angle; it must grow there.
+  /// Finds the point after the oldest kept node at which the pilot has this angle; the pilot must
+  /// be increasing.
   double locate(double pilot_rad) const;
   double pilot_at_oldest() const { return pilot(from_flat() ? 0 : at_[kept() - 1]); }
-  /// Whether the pilot goes on all over the segment for certain, though not at its end if it turns.
+  /// Returns whether the pilot certainly increases on the whole segment, except at its end if it
+  /// turns.
   bool pilot_goes_on() const;
 
   /// The diagonals' lengths at a point of the segment (panel widths), and bounds of their errors.
   void find_lengths(double x, std::vector<double>& lengths, std::vector<double>& errors) const;
-  /// The same with their slopes.
+  /// Finds lengths, error bounds and slopes.
   void look(double x, Estimate& estimate) const;
-  /// The same of a single one: its rate per radian of pilot.
+  /// Slope of one diagonal per radian of pilot.
   double slope(int diagonal, double x) const;
 
-  /// Whether no crease comes near zero or 180 degrees on the segment.
+  /// Returns whether all creases stay clear of zero and 180 degrees on the segment.
   bool creases_are_clear() const;
-  /// The creases at a point of the segment, and a bound of the error of any of these numbers.
+  /// Finds the creases at a point of the segment; returns a bound of the error of each number.
   double find_creases(double x, std::vector<HalfAngle<double>>& creases) const;
 
  private:
@@ -141,7 +143,7 @@ class PathFunction {
 
   const Mechanism& mechanism_;
   const int pilot_, diagonals_;
-  int count_ = 0, inside_ = 0;  // nodes; of them at the newest segment's turn, 0 or 1
+  int count_ = 0, inside_ = 0;  // nodes; nodes at the newest segment's turn, 0 or 1
   std::vector<Node> nodes_;     // a ring
   std::vector<double> flat_, values_, rates_;
   mutable std::vector<double> scratch_;
@@ -150,7 +152,7 @@ class PathFunction {
   double at_[kNodes + 1] = {};
   double from_ = 0, end_ = 0;
   mutable double located_x_ = 0, located_rad_ = 0, located_slope_ = 1;  // by the last locate()
-  HermiteTable table_;  // of the diagonals, and of the pilot's angle
+  HermiteTable table_;  // diagonals, then the pilot's angle
 };
 
 }  // namespace misalign::solver

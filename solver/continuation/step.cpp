@@ -8,13 +8,13 @@
 namespace misalign::solver {
 namespace {
 
-// Where Newton's method has found a solution: an opening below it.
+// Opening below which Newton's method has found a solution.
 constexpr double kFound = 1e-6;
 
 }  // namespace
 
-// Where a coordinate or a pivot is no number the tangent is none; the residual's and the
-// corrections' largest entries may hide it.
+// The tangent is not a number if a coordinate or pivot is not; the residual's and the corrections'
+// largest entries may hide that.
 bool NewtonReport::is_finite() const {
   return std::isfinite(open_by) && std::isfinite(tangent_pilot);
 }

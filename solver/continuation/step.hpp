@@ -1,6 +1,6 @@
-// What every step along a path has in common, whoever chooses its length: the states it is
-// extrapolated from, and when the corrector is believed. No mechanism, no vector: the same for a
-// single path, for a lane among others and for a homotopy, whatever solves the equations.
+// Defines a step along a path, whatever chooses its length: the states from which it is
+// extrapolated, and the conditions for accepting a correction. Without mechanism or vector it
+// serves a single path, a lane and a homotopy alike.
 #pragma once
 
 #include "solver/linear/newton.hpp"
@@ -8,50 +8,50 @@
 
 namespace misalign::solver {
 
-/// Of the last nodes (solved states with their tangents) that a state is extrapolated from.
+/// Number of last nodes (solved states with their tangents) from which a state is extrapolated.
 inline constexpr int kStateNodes = 4;
 /// Places for them: one more, so that a node can be taken back.
 inline constexpr int kStatePlaces = kStateNodes + 1;
 
-/// Of a path's first state, unless that is flat: all corrections together, as a share of the
-/// pilot's angle there. What is farther from the base folding may belong to another branch: of
-/// 2,400 sheets with sector angles of 20 to 89.5 degrees the nearest such start was 0.73 off.
+/// Largest sum of corrections of a path's first state, unless that is flat, as a share of the
+/// pilot's angle. A state farther from the base folding may belong to another branch: of 2,400
+/// sheets with sector angles of 20 to 89.5 degrees the nearest such start was 0.73 off.
 inline constexpr double kLongestStartShare = 0.5;
 
-/// What is known after a Newton iteration. The tangent is that of the corrected state, of either
-/// direction.
+/// Results of a Newton iteration. The tangent is that of the corrected state, of either direction.
 struct NewtonReport {
-  double open_by;           ///< before the correction: largest closure entry, radians, panel widths
-  double correction_rad;    ///< its largest entry
-  int orientation;          ///< sign of det [J; t] for the unit tangent as it was computed
-  double tangent_pilot;     ///< that tangent's pilot entry
-  double tangent_cosine;    ///< with the tangent at the newest node, as it was oriented
-  HalfAngle<double> pilot;  ///< of the corrected state
-  /// sin(half of the largest turn of a crease) since the newest node, where the steps ask for it.
+  double open_by;           ///< largest closure entry before the correction, radians, panel widths
+  double correction_rad;    ///< largest entry of the correction
+  int orientation;          ///< sign of det [J; t] for the computed unit tangent
+  double tangent_pilot;     ///< the tangent's pilot entry
+  double tangent_cosine;    ///< cosine with the oriented tangent at the newest node
+  HalfAngle<double> pilot;  ///< pilot of the corrected state
+  /// sin(half of the largest turn of a crease) since the newest node, if requested.
   double largest_half_sine = 0;
 
   bool is_finite() const;
-  /// Of the Jacobian without the pilot's column.
+  /// Sign of the determinant of the Jacobian without the pilot's column.
   int determinant_sign() const { return tangent_pilot < 0 ? -orientation : orientation; }
 };
 
-/// What to do with a lane now.
+/// Instructions for a lane.
 struct PathStep {
   bool keep = false;         ///< the corrected state is the newest node
-  bool uncorrected = false;  ///< and its last correction is not taken
-  double tangent_sign = 1;   ///< with which its tangent is kept
-  bool arrived = false;      ///< at a state to be seen before `proceed`
+  bool uncorrected = false;  ///< the last correction is not taken
+  double tangent_sign = 1;   ///< sign with which its tangent is kept
+  bool arrived = false;      ///< the observer sees this state before `proceed`
   bool ended = false;        ///< result() says how
-  bool depart = false;       ///< to the state that these weights make of the last nodes, by place
+  bool depart = false;       ///< go to the state with these weights of the last nodes, by place
   double of_values[kStatePlaces] = {}, of_rates[kStatePlaces] = {}, of_flat = 0;
   bool hold = false;  ///< put the pilot at `pilot` after departing
   HalfAngle<double> pilot{1, 0};
 
-  /// The polynomial through `count` nodes, `newest` of all counted from 0 on: the newest first, at
-  /// `at` with these rates of the variable per unit of arc length; and through flat, at 0.
+  /// Extrapolates to x by the polynomial through the last `count` nodes, the newest first (number
+  /// `newest`, counted from 0), at `at` with the variable's `rates` per unit of arc length, and
+  /// with `from_flat` through flat at 0.
   void extrapolate(const double* at, const double* rates, int count, int newest, bool from_flat,
                    double x);
-  /// From a node along its tangent (Euler).
+  /// Predicts along a node's tangent (Euler).
   void go_along(int node, double length);
 };
 
@@ -62,19 +62,19 @@ class Correction {
   struct Options {
     double closure_tolerance;
     int least = 0, most;  ///< corrections
-    double longest_rad;   ///< of all of them together
-    /// By which each must divide the opening once a solution is found; 0: whatever. Newton's method
-    /// squares it there. At a branch point, where solutions are double, it divides it by four, and
-    /// a state is known to the root of it only.
+    double longest_rad;   ///< all corrections together
+    /// Least factor by which a correction must reduce the opening next to a solution; 0: any.
+    /// Newton's method squares the opening there. At a branch point solutions are double: it
+    /// divides the opening by four, and the state's error is the opening's root.
     double least_gain = 0;
   };
 
   void begin() { *this = {}; }
-  /// A first one of a path starts from another sheet's state: near flat it closes the loops better
-  /// than its error in the joints lets the second, so that one may open them again.
+  /// A path's first state starts from another sheet's. Near flat that closes the loops better than
+  /// its error in the joints lets the second iterate, which may open them again.
   Now after(const NewtonReport& report, const Options& options, bool is_first);
 
-  /// How far off the prediction was, as the first of them has it.
+  /// The first correction: the error of the prediction.
   double first_rad() const { return first_rad_; }
 
  private:
@@ -82,8 +82,8 @@ class Correction {
   double corrected_rad_ = 0, first_rad_ = 0, last_open_ = 0;
 };
 
-/// Whether a state that closes all loops belongs to the path's own curve, on its way forward: its
-/// tangent has turned little since the newest node, and [J; t] keeps the sign of its determinant.
+/// Returns whether a state that closes all loops lies ahead on the path's own curve: its tangent
+/// has turned little since the newest node, and [J; t] keeps the sign of its determinant.
 bool is_own_curve(const NewtonReport& report, double tangent_sign, int forward_sign,
                   double least_tangent_cosine);
 

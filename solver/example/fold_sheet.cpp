@@ -1,5 +1,5 @@
 // Folds the sheet of the paper's Table 1 as far as it goes. Prints the angle D up to which every
-// diagonal goes one way, and of each its length when flat and at D.
+// diagonal is monotone, and each diagonal's length when flat and at D.
 #include <cstdio>
 #include <variant>
 
@@ -9,7 +9,7 @@
 using namespace misalign::solver;
 
 int main() {
-  // 6 x 6 panels of 80 mm; of the inner sixteen every second one is taken out.
+  // 6 x 6 panels of 80 mm; every second one of the inner sixteen is taken out.
   const MiuraShape shape = MiuraShape::uniform(6, 6, 80, 80, 40);
   PerforatedSheet base{miura_sheet(shape), {}, {}};
   base.holes = checkerboard(base.sheet, 1);

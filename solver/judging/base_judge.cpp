@@ -9,7 +9,7 @@
 namespace misalign::solver {
 namespace {
 
-// The pilot angle with this square of the tangent of its half.
+// Pilot angle whose half has this squared tangent.
 HalfAngle<double> angle_of(double tangent_sq) {
   const double cosine_sq = 1 / (1 + tangent_sq);
   return {std::sqrt(cosine_sq), std::sqrt(tangent_sq * cosine_sq)};

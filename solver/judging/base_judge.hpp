@@ -1,5 +1,5 @@
-// The verdict on a sheet that folds by its base's own fold angles, by the closed forms of its
-// holes: nothing is followed. solver/pattern/README.md has the theorem.
+// Judges a sheet that folds by its base's fold angles, by closed forms of its holes, without
+// following a path. solver/pattern/README.md has the theorem.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,18 @@ namespace misalign::solver {
 
 class BaseJudge {
  public:
-  /// The model is overconstrained, its base has a parallel family, and it must outlive this object.
+  /// `model` must be overconstrained, have a parallel family, and outlive this object.
   explicit BaseJudge(const Model& model);
 
-  /// Of the sheet with these vertices: undecided where they are off the family.
+  /// Verdict on the sheet with these vertices: undecided if they are not of the family.
   Verdict judge(const FlatVertices& vertices_mm);
-  /// Of the sheet that was judged last.
+  /// Results of the sheet judged last.
   const Between& between() const { return judge_.between(); }
-  /// Where the first of its diagonals turns back, deg, past faults too.
+  /// Pilot angle of its first reversal, also beyond faults.
   std::optional<double> reverses_deg() const;
 
  private:
-  // The diagonal that goes back the most between these pilot angles; -1: none does that counts.
+  // Diagonal with the largest retreat between these pilot angles; -1 if none counts.
   int goes_back_between(const HalfAngle<double>& from, const HalfAngle<double>& to) const;
 
   const Model& model_;

@@ -12,7 +12,7 @@
 namespace misalign::solver {
 namespace {
 
-// What a state may be away from its prediction (rad).
+// Largest sum of corrections from a prediction (rad).
 constexpr double kFarthest_rad = 0.2;
 
 }  // namespace
@@ -40,8 +40,8 @@ void BetweenSolver::prepare() {
   if (!workspace_) workspace_ = std::make_unique<Workspace>(mechanism_, elimination_);
 }
 
-// Predicted by the rates of the nearer place, but for flat, where there are none; by the fixed
-// order of elimination, or where that is poor by dense matrices.
+// Predicts by the rates of the nearer place, unless that is flat, which has none. Uses the fixed
+// order of elimination, or dense matrices where that is poor.
 bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPlace& from,
                           const SolvedPlace& to, double pilot_rad, PathPoint& point) {
   prepare();
@@ -71,7 +71,8 @@ bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPla
                               point.lengths.data(), point.slopes.data(), misfits.data());
     for (double& slope : point.slopes) slope /= rate;
     point.rates.resize(tangent.size());
-    std::ranges::transform(tangent, point.rates.begin(), [rate](double of) { return of / rate; });
+    std::ranges::transform(tangent, point.rates.begin(),
+                           [rate](double entry) { return entry / rate; });
     point.misfit = 0;
     for (const double rest : misfits) {
       point.misfit = std::max(point.misfit, std::abs(rest / rate));

@@ -1,4 +1,4 @@
-// Solves single states of a path in close steps, each between two that are known.
+// Solves single states of a path in close steps, each between two known ones.
 #pragma once
 
 #include <memory>
@@ -16,13 +16,13 @@ struct SolvedPlace {
 
 class BetweenSolver {
  public:
-  /// Both must outlive this object, which makes its workspace when it is first asked.
+  /// Both must outlive this object, which makes its workspace when it is first needed.
   BetweenSolver(const Mechanism& mechanism, const Elimination& elimination);
   ~BetweenSolver();
 
-  /// Makes it now: `solve` then allocates nothing, but for dense matrices where those are needed.
+  /// Makes the workspace now: `solve` then allocates nothing except dense matrices where needed.
   void prepare();
-  /// The same sheet between two places. False: no state is found near them.
+  /// Solves a state between two places of one sheet. Returns false if none is found near them.
   bool solve(const SheetGeometry<double>& geometry, const SolvedPlace& from, const SolvedPlace& to,
              double pilot_rad, PathPoint& point);
 

@@ -9,16 +9,15 @@
 namespace misalign::solver {
 namespace {
 
-// What a segment's polynomials would lose without their last node where extremes are looked for
-// (panel widths, rad): a thousandth of what long steps allow themselves, whose extremes are solved
-// once more.
+// Largest roughness of a segment on which extremes are sought (panel widths, rad): 1e-4 of that of
+// long steps, whose extremes are solved once more.
 constexpr double kMostRoughness = 3e-11;
 
-// Ways back known as well as this are as good as solved (panel widths): what else is in doubt comes
-// from the errors of nodes, which no shorter segment has less of.
+// Uncertainty of a retreat that counts as solved (panel widths): the rest comes from errors of
+// nodes, which shorter segments do not reduce.
 constexpr double kSolved_widths = 1e-12;
 
-// Of shorter segments divided differences lose more digits than the polynomials gain.
+// Shortest segment: on shorter ones divided differences lose more digits than the polynomials gain.
 constexpr double kShortest_rad = 1e-4;
 
 constexpr int kMostReversalSolves = 6;
@@ -32,7 +31,7 @@ CloseJudge::CloseJudge(const Model& model, BetweenSolver& solver)
       path_(model.mechanism(), solver),
       bumps_(model.mechanism()),
       finder_(model.mechanism().diagonal_count()),
-      here_(model.mechanism()) {}
+      estimate_(model.mechanism()) {}
 
 CloseJudge::~CloseJudge() = default;
 CloseJudge::CloseJudge(CloseJudge&&) = default;
@@ -69,7 +68,7 @@ bool CloseJudge::see(const Station& station, const PathPoint& point, bool with_s
   return true;
 }
 
-// Segment by segment to the sample; by halves where one is too long to tell.
+// Judges segment by segment up to the sample, and halves segments that are too long.
 void CloseJudge::look_between(const Station& station, const PathPoint& point,
                               const SheetGeometry<double>& geometry) {
   const LeastSlope least_slope = finder_.least_slope();
@@ -99,8 +98,8 @@ void CloseJudge::look_between(const Station& station, const PathPoint& point,
                                         std::max(last_deg_, oldest_deg), station.pilot_deg));
 }
 
-// As it stands, where it was halved as often as it may be; what is not believed even then stays
-// unsure.
+// Returns whether the newest segment needs no halving, also if it cannot be halved further; if its
+// polynomials have not converged it then stays unsure.
 bool CloseJudge::is_short_enough() {
   const PathFunction& function = path_.function();
   const bool can_halve = path_.can_halve() && function.to() - function.from() > kShortest_rad;
@@ -126,12 +125,12 @@ bool CloseJudge::is_short_enough() {
 void CloseJudge::find_extremes() {
   const PathFunction& function = path_.function();
   if (function.count() < 2) return;
-  here_.lengths = path_.end().lengths;
-  here_.slopes = path_.end().slopes;
+  estimate_.lengths = path_.end().lengths;
+  estimate_.slopes = path_.end().slopes;
   const double end_deg = path_.end_rad() / kRadPerDeg;
-  if (!is_believed_) return finder_.pass(end_deg, here_);
+  if (!is_believed_) return finder_.pass(end_deg, estimate_);
   const bool had_reversed = finder_.first_reversal().diagonal >= 0;
-  finder_.see(end_deg, !is_over_, function.end(), here_, judge_, function);
+  finder_.see(end_deg, !is_over_, function.end(), estimate_, judge_, function);
   if (!had_reversed && finder_.first_reversal().pilot_deg > 0) solve_reversal();
 }
 
@@ -148,7 +147,7 @@ void CloseJudge::solve_reversal() {
 
 PathExtremes CloseJudge::extremes() const {
   PathExtremes extremes = finder_.extremes();
-  extremes.drop_bump();  // between() has it
+  extremes.drop_bump();  // the bump is in between()
   extremes.least_slope = finder_.least_slope().slope;
   if (std::isfinite(extremes.least_slope)) {
     extremes.least_slope = std::min(extremes.least_slope, least_slope_at_last_);

@@ -1,5 +1,5 @@
-// The verdict on one path in close steps, whose samples are solved: a Judge. What lies between the
-// samples is asked of the path as a function through them.
+// Judges one path in close steps by a Judge of its solved samples, and between samples by the path
+// as a function through them.
 #pragma once
 
 #include <vector>
@@ -18,13 +18,14 @@ class CloseJudge {
   ~CloseJudge();
   CloseJudge(CloseJudge&&);
 
-  /// The extremes of the path, past faults too, where they are wanted.
+  /// Begins a path; `finds_extremes` requests its extremes, also beyond faults.
   void begin(const std::vector<double>& flat_lengths, bool finds_extremes = false);
-  /// The next sample, with its slopes if those are to be looked at; false once a fault is known.
-  /// `geometry`: of the sheet, if looks_between().
+  /// Judges the next sample, with its slopes if they are needed; returns false once a fault is
+  /// known. `geometry` is the sheet's, needed if looks_between().
   bool see(const Station& station, const PathPoint& point, bool with_slopes,
            const SheetGeometry<double>* geometry);
-  /// Whether it looks between the samples: needs slopes and rates, and may solve states there.
+  /// Returns whether it judges between samples: this needs slopes and rates, and may solve states
+  /// there.
   bool looks_between() const { return looks_for_bumps_ || finds_extremes_; }
   Verdict conclude(const PathResult& path) const { return judge_.conclude(path); }
   const Between& between() const { return judge_.between(); }
@@ -45,11 +46,11 @@ class CloseJudge {
   FunctionBumps bumps_;
   FunctionBumps::Heading heading_ = FunctionBumps::Heading::forward;
   bool is_over_ = false;
-  bool is_believed_ = true;  // the newest segment, as a function
-  double last_deg_ = 0;      // the last sample
+  bool is_believed_ = true;  // true if the newest segment's polynomials have converged
+  double last_deg_ = 0;      // pilot angle of the last sample
   ExtremeFinder finder_;
   double least_slope_at_last_ = 0;
-  PathFunction::Estimate here_;
+  PathFunction::Estimate estimate_;
 };
 
 }  // namespace misalign::solver

@@ -1,5 +1,5 @@
-// The way out for the rare path that the fixed order of elimination does not suit: the same path
-// once more, by dense matrices with pivoting. Nothing else judges after them.
+// Follows the rare paths that the fixed order of elimination does not suit again, by dense matrices
+// with pivoting. Their verdict is final.
 #pragma once
 
 #include <memory>
@@ -12,10 +12,9 @@
 
 namespace misalign::solver {
 
-/// The second pass of an observer of full paths. It is asked of every path that has ended; in the
-/// first pass it keeps which sheets are for dense matrices:
-/// - paths that were lost;
-/// - verdicts that hang on a fold limit within 1e-3 degrees of 180, where the fixed order's factors
+/// The second pass of an observer of full paths. In the first pass it considers every path that has
+/// ended, and keeps the sheets for dense matrices: - paths that were lost; - verdicts that depend
+/// on a fold limit within 1e-3 degrees of 180, where the fixed order's factors
 ///   are poor and false limits were seen.
 class DenseFallback {
  public:
@@ -23,21 +22,21 @@ class DenseFallback {
   explicit DenseFallback(const Mechanism& mechanism);
   ~DenseFallback();
 
-  /// Whether a path's end lies so close to 180 degrees that only dense matrices can tell it.
+  /// Returns whether a path's end lies so close to 180 degrees that only dense matrices can decide.
   static bool is_doubtful(const PathResult& path);
-  /// A new block.
+  /// Begins a block.
   void begin() {
     candidates_.clear();
     under_way_ = false;
   }
-  /// Whether the second pass goes on.
+  /// Returns whether the second pass is under way.
   bool under_way() const { return under_way_; }
-  /// Of the first pass: how a sheet's path ended; true if it is kept.
+  /// Considers a sheet's path that ended in the first pass; returns true if it is kept.
   bool consider(int sheet, const Verdict& verdict, const PathResult& path);
-  /// Of the second: whether the dense verdict counts. It does where the first pass is undecided, or
-  /// where this one decided; what was seen before a path was lost stays said.
+  /// Returns whether the dense verdict of the second pass counts: if the first pass was undecided
+  /// or this one has decided. A fault before a path was lost stands.
   bool counts(int sheet, const Verdict& dense) const;
-  /// Follows the sheets that were kept once more.
+  /// Follows the kept sheets again.
   template <class Observer>
   void run(SheetQueue& queue, Observer& observer) {
     if (candidates_.empty()) return;
@@ -46,7 +45,7 @@ class DenseFallback {
     follow(queue, observer);
     under_way_ = false;
   }
-  /// Follows what the queue hands out, whatever was kept.
+  /// Follows all sheets of the queue, kept or not.
   template <class Observer>
   void follow(SheetQueue& queue, Observer& observer) {
     follower().run(queue, observer);

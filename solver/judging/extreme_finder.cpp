@@ -9,23 +9,23 @@
 namespace misalign::solver {
 namespace {
 
-// A reversal is moved by the step that the exact slope asks for, if that is no longer than this,
-// and solved again until it is shorter than that: curvatures are known to a tenth.
+// Longest step of a reversal by its exact slope, and the step below which it is certain: curvatures
+// are known to a tenth.
 constexpr double kLongestReversalStep_rad = 1e-3, kSureReversalStep_rad = 3e-8;
 
 // A diagonal on a part of the newest segment.
 struct Subsegment {
   const PathFunction& function;
   int diagonal, direction;
-  double from, to;  // of the function's variable
+  double from, to;  // values of the function's variable
 
   double slope(double x) const { return direction * function.slope(diagonal, x); }
   double root_of_slope(double high) const;
   double least_slope_at() const;
 };
 
-// Where the rate of change falls to zero, from the subsegment's start, where it is positive, to
-// `high`, where it is not.
+// Root of the slope between the subsegment's start, where it is positive, and `high`, where it is
+// not.
 double Subsegment::root_of_slope(double high) const {
   double low = from;
   for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
@@ -35,7 +35,7 @@ double Subsegment::root_of_slope(double high) const {
   return 0.5 * (low + high);
 }
 
-// Where it is least, if it has one minimum (golden section).
+// Place of the least slope, if it has one minimum (golden section).
 double Subsegment::least_slope_at() const {
   constexpr double kGolden = 0.6180339887498949;
   double low = from, high = to;
@@ -57,9 +57,9 @@ double Subsegment::least_slope_at() const {
   return 0.5 * (low + high);
 }
 
-// Lengths that are even in the pilot's angle set out from flat as a rho^2 + b rho^4. The square's
-// part at a first sample (panel widths), where a diagonal has moved by `on` and moves at `slope`,
-// goes back by more than rates of change are known to.
+// Returns whether an even length, a rho^2 + b rho^4 next to flat, starts in reverse: the term a
+// rho^2 at the first sample (panel widths), where a diagonal has moved by `on` and has the slope
+// `slope`, is negative by more than the error of rates of change.
 bool sets_out_back_at_flat(double on, double slope, double pilot_rad) {
   return 2 * on - slope * pilot_rad / 2 < -kBumpBand_widths;
 }
@@ -108,9 +108,9 @@ void ExtremeFinder::begin(const std::vector<double>& flat_lengths) {
 }
 
 void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x,
-                        const PathFunction::Estimate& here, const Judge& judge,
+                        const PathFunction::Estimate& estimate, const Judge& judge,
                         const PathFunction& function) {
-  assert(pilot_deg > last_deg_ && here.lengths.size() == last_.size());
+  assert(pilot_deg > last_deg_ && estimate.lengths.size() == last_.size());
   const double step_rad = (pilot_deg - last_deg_) * kRadPerDeg;
   const bool counts = is_in_order && last_deg_ >= kInactiveFrom_deg;
   double first_x = std::numeric_limits<double>::infinity();
@@ -120,15 +120,16 @@ void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x,
     if (direction == 0) continue;
     if (last_deg_ == 0 && !function.is_even()) last_slopes_[d] = function.slope(d, 0);
     // The cubic's rate is a parabola, above the least of these three (its Bernstein coefficients).
-    const double left = direction * last_slopes_[d], right = direction * here.slopes[d];
-    const double inner = 3 * direction * (here.lengths[d] - last_[d]) / step_rad - left - right;
+    const double left = direction * last_slopes_[d], right = direction * estimate.slopes[d];
+    const double inner = 3 * direction * (estimate.lengths[d] - last_[d]) / step_rad - left - right;
     const double above = std::min({left, right, inner});
     if (above >= 0 && !(counts && above < least_slope_.slope)) {
       back_since_deg_[d] = 0;
       continue;
     }
-    const BetweenSamples seen = look_between(
-        {last_[d], last_slopes_[d]}, {here.lengths[d], here.slopes[d]}, step_rad, 1, direction);
+    const BetweenSamples seen =
+        look_between({last_[d], last_slopes_[d]}, {estimate.lengths[d], estimate.slopes[d]},
+                     step_rad, 1, direction);
     // The variable may have changed since the last sample.
     const double last_x = last_deg_ > 0 ? function.locate(last_deg_ * kRadPerDeg) : 0;
     const Subsegment subsegment{function, d, direction, last_x, x};
@@ -142,7 +143,7 @@ void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x,
     const bool goes_on = right >= 0, from_flat = last_deg_ == 0 && function.is_even();
     const bool sets_out_back =
         from_flat &&
-        sets_out_back_at_flat(direction * (here.lengths[d] - last_[d]), right, step_rad);
+        sets_out_back_at_flat(direction * (estimate.lengths[d] - last_[d]), right, step_rad);
     if (goes_on && !(from_flat ? sets_out_back : seen.least_slope < 0)) {
       back_since_deg_[d] = 0;
       continue;
@@ -165,13 +166,13 @@ void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x,
     extremes_.bump_where = d;
   }
   if (first_of >= 0 && reversal_.diagonal < 0) note_reversal(first_of, first_x, function);
-  pass(pilot_deg, here);
+  pass(pilot_deg, estimate);
 }
 
-void ExtremeFinder::pass(double pilot_deg, const PathFunction::Estimate& here) {
+void ExtremeFinder::pass(double pilot_deg, const PathFunction::Estimate& estimate) {
   last_deg_ = pilot_deg;
-  last_ = here.lengths;
-  last_slopes_ = here.slopes;
+  last_ = estimate.lengths;
+  last_slopes_ = estimate.slopes;
 }
 
 void ExtremeFinder::note_slope(double slope, double x, double pilot_deg) {
@@ -185,12 +186,12 @@ void ExtremeFinder::note_bump(int diagonal, double from_deg) {
 
 void ExtremeFinder::note_reversal(int diagonal, double x, const PathFunction& function) {
   assert(diagonal >= 0 && diagonal < std::ssize(last_));
-  constexpr double kPart = 1e-3;  // of a segment
-  const double by = kPart * (function.to() - function.from());
+  constexpr double kPart = 1e-3;  // share of a segment
+  const double half_step = kPart * (function.to() - function.from());
   const double pilot_deg = function.pilot(x) / kRadPerDeg;
   reversal_ = {diagonal, x, pilot_deg,
-               (function.slope(diagonal, x + by) - function.slope(diagonal, x - by)) /
-                   (function.pilot(x + by) - function.pilot(x - by))};
+               (function.slope(diagonal, x + half_step) - function.slope(diagonal, x - half_step)) /
+                   (function.pilot(x + half_step) - function.pilot(x - half_step))};
   extremes_.reverses_deg = pilot_deg;
 }
 

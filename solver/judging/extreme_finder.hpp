@@ -1,6 +1,6 @@
-// The diagonals' rates of change all over a path that is a function: the least of them, and where
-// one of them changes its sign. From sample to sample a parabola says whether anything may happen
-// between them; only then the function is searched.
+// Finds extremes of the diagonals' rates of change on a path that is a function: the least rate,
+// and sign changes. A parabola between two samples shows whether there may be one; only then the
+// function is searched.
 #pragma once
 
 #include <limits>
@@ -12,44 +12,44 @@
 
 namespace misalign::solver {
 
-/// Of the diagonals' rates of change in their directions, all over the path.
+/// Extremes of the diagonals' rates of change in their directions, over the path.
 struct PathExtremes {
-  /// The least from kInactiveFrom_deg to D, panel widths per radian; infinite if D lies below.
+  /// Least rate from kInactiveFrom_deg to D, panel widths per radian; infinite if D lies below.
   double least_slope = std::numeric_limits<double>::infinity();
-  /// Where a diagonal first goes back, and on again before D without a sample having shown it; or
-  /// where bumps are asked for, the one that is the fault.
+  /// Beginning of the first bump before D, which no sample shows; if bumps are faults, of the bump
+  /// that is the fault.
   std::optional<double> bump_deg;
-  int bump_where = -1;  ///< which one
-  /// Where a diagonal first turns back, up to the last sample that was followed.
+  int bump_where = -1;  ///< its diagonal
+  /// Pilot angle of the first reversal up to the last sample followed.
   std::optional<double> reverses_deg;
 
-  /// There is none: it would have ended D.
+  /// Removes the bump, which would have ended D.
   void drop_bump() {
     bump_deg.reset();
     bump_where = -1;
   }
 };
 
-/// Where a diagonal turns back for the first time.
+/// The first reversal of a diagonal.
 struct Reversal {
-  int diagonal = -1;     ///< -1: none does
-  double x = 0;          ///< the variable of the function that showed it
-  double pilot_deg = 0;  ///< 0: it sets out the other way
-  double curvature = 0;  ///< of its length, panel widths per radian of pilot squared
+  int diagonal = -1;     ///< -1: none
+  double x = 0;          ///< the function's variable there
+  double pilot_deg = 0;  ///< 0: it reverses at flat
+  double curvature =
+      0;  ///< second derivative of its length, panel widths per radian of pilot squared
 };
 
-/// Solves a reversal that a function has: by secants, after the first step by the function's
-/// curvature.
+/// Solves a function's reversal by secants, after a first step by the function's curvature.
 class ReversalSecants {
  public:
-  explicit ReversalSecants(const Reversal& found = {}) : reversal_(found) {}
-  /// Where it is to be solved next, with these slopes where it was last; nothing once it is there,
-  /// or farther off than the function may be.
+  explicit ReversalSecants(const Reversal& start = {}) : reversal_(start) {}
+  /// Angle to be solved next, given the slopes at the last; none once the reversal is reached, or
+  /// is farther off than the function's error.
   std::optional<double> next_deg(const std::vector<double>& slopes);
-  /// Where it is by now, and whether that is sure.
+  /// The reversal so far, and whether it is certain.
   const Reversal& reversal() const { return reversal_; }
   bool is_sure() const { return is_sure_; }
-  /// How far off its slope may be where it is sure, but for what solved slopes are worth.
+  /// Slope error at a certain reversal, without that of solved slopes.
   double slope_error() const;
 
  private:
@@ -58,13 +58,13 @@ class ReversalSecants {
   bool is_sure_ = false;
 };
 
-/// Where a rate of change is the least, but for the last sample that was seen.
+/// The least rate of change, without that at the last sample.
 struct LeastSlope {
-  double slope = std::numeric_limits<double>::infinity();  ///< as in PathExtremes
-  double x = 0, pilot_deg = 0;                             ///< as in Reversal
+  double slope = std::numeric_limits<double>::infinity();  ///< see PathExtremes
+  double x = 0, pilot_deg = 0;                             ///< see Reversal
 };
 
-/// Where a diagonal that goes in this direction turns back between these pilot angles, once.
+/// Pilot angle between these two at which a diagonal with this direction reverses, once.
 double goes_back_from_deg(const PathFunction& function, int diagonal, int direction,
                           double from_deg, double to_deg);
 
@@ -75,22 +75,22 @@ class ExtremeFinder {
   ExtremeFinder(const ExtremeFinder&);
 
   void begin(const std::vector<double>& flat_lengths);
-  /// The next sample, or another node, at this point of the newest segment; whether it is in
-  /// order, `here` is what is known of it, and `judge` which way diagonals go.
-  void see(double pilot_deg, bool is_in_order, double x, const PathFunction::Estimate& here,
+  /// Takes the next sample or node at point `x` of the newest segment: whether it is in order, its
+  /// `estimate`, and `judge` with the directions of diagonals.
+  void see(double pilot_deg, bool is_in_order, double x, const PathFunction::Estimate& estimate,
            const Judge& judge, const PathFunction& function);
-  /// The same, but that nothing is known of what lies between it and the sample before.
-  void pass(double pilot_deg, const PathFunction::Estimate& here);
-  /// The bump by which a judge has ended.
+  /// Takes a sample or node without searching the interval before it.
+  void pass(double pilot_deg, const PathFunction::Estimate& estimate);
+  /// Sets the bump by which a judge has ended.
   void note_bump(int diagonal, double from_deg);
-  /// The first reversal, solved.
+  /// Sets the solved angle of the first reversal.
   void put_reversal(double pilot_deg) { extremes_.reverses_deg = reversal_.pilot_deg = pilot_deg; }
-  /// What was seen since is not in order.
+  /// Restores the least slope, as later samples are not in order.
   void restore(const LeastSlope& least_slope) { least_slope_ = least_slope; }
 
-  /// At the last sample that was seen.
+  /// Lengths at the last sample.
   const std::vector<double>& lengths() const { return last_; }
-  /// All but the least slope.
+  /// All extremes but the least slope.
   const PathExtremes& extremes() const { return extremes_; }
   const LeastSlope& least_slope() const { return least_slope_; }
   const Reversal& first_reversal() const { return reversal_; }
@@ -104,7 +104,8 @@ class ExtremeFinder {
   Reversal reversal_;
   double last_deg_ = 0;
   std::vector<double> last_, last_slopes_;
-  std::vector<double> back_since_deg_;  // of diagonals that go back at the last sample; else 0
+  std::vector<double>
+      back_since_deg_;  // per diagonal: beginning of its retreat at the last sample, else 0
 };
 
 }  // namespace misalign::solver

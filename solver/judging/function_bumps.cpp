@@ -6,7 +6,7 @@
 namespace misalign::solver {
 namespace {
 
-// What a subsegment may change by before it is taken as a whole: far below the band.
+// Largest change on a subsegment that is not halved further: far below the band.
 constexpr double kShort_widths = 1e-13;
 constexpr int kMostHalvings = 40;
 
@@ -89,11 +89,11 @@ FunctionBumps::Heading FunctionBumps::look_at_end(const Judge& judge, const Path
   kept_ = ways_;
   kept_room_ = room_;
   reached_rad_ = function.pilot(function.end());
-  return Heading::forward;  // whether the next sample is in order is not known yet
+  return Heading::forward;  // the next sample decides
 }
 
 FunctionBumps::Subsegment FunctionBumps::subsegment(double from, double to) const {
-  // The oldest node's: flat has a value only.
+  // The oldest node has two terms; flat has a value only.
   const int terms = in_squares_ ? 1 : 2;
   return {from, to, kFunctionSafety * table_.largest_rate_change(from, to, terms)};
 }
@@ -101,7 +101,7 @@ FunctionBumps::Subsegment FunctionBumps::subsegment(double from, double to) cons
 int FunctionBumps::direction(int diagonal, bool is_sample, const Judge& judge,
                              const PathFunction& function) const {
   if (judge.direction(diagonal) != 0 || is_sample) return judge.direction(diagonal);
-  // No sample has shown it yet.
+  // The newest node shows the direction before a sample does.
   const auto d = static_cast<std::size_t>(diagonal);
   const double moved = function.node(0).lengths[d] - flat_[d];
   return std::abs(moved) < kStepBand_widths ? 0 : moved > 0 ? 1 : -1;
@@ -117,7 +117,7 @@ void FunctionBumps::go_to(double x, bool is_sample, const Judge& judge,
   if (!(x > from_x)) return;
   room_ = std::max(room_, 2 * function.node_error());
   const Subsegment all = subsegment(variable(from_x), variable(x));
-  // How far off the ends may be, where the pilot's angle is a polynomial itself.
+  // Error of the ends if the pilot's angle is a polynomial itself.
   const double off = std::max(function.pilot_error(from_x) / function.pilot_slope(from_x),
                               function.pilot_error(x) / function.pilot_slope(x));
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
@@ -139,8 +139,8 @@ void FunctionBumps::go_to(double x, bool is_sample, const Judge& judge,
   }
 }
 
-// The rate lies between the least and the largest of its coefficients, and its mean is theirs. By
-// halves where the error leaves open which way the diagonal goes.
+// Bounds the retreats on a subsegment: the rate lies between its least and largest coefficients and
+// has their mean. The subsegment is halved if the error leaves the direction open.
 void FunctionBumps::go(const Subsegment& subsegment, const double* rate, int halvings,
                        Retreats& retreats) const {
   const int count = table_.order() - 1;
@@ -162,7 +162,7 @@ void FunctionBumps::go(const Subsegment& subsegment, const double* rate, int hal
     retreats.at_least.go(std::max(*most + error, 0.0) * width);
     return;
   }
-  // De Casteljau: the coefficients of both halves.
+  // Coefficients of both halves by De Casteljau.
   double left[HermiteTable::kMostOrder], right[HermiteTable::kMostOrder];
   std::copy_n(rate, count, right);
   for (int k = 0; k < count; ++k) {
@@ -197,7 +197,7 @@ FunctionBumps::Heading FunctionBumps::heading(double least_doubt) {
   return doubt <= least_doubt ? settle() : Heading::unsure;
 }
 
-// By the mean of what each diagonal went back at least and at most.
+// Decides by the mean of the bounds of each diagonal's retreat.
 FunctionBumps::Heading FunctionBumps::settle() {
   double longest = 0;
   where_ = -1;

@@ -1,10 +1,10 @@
-// Bumps of a path that is a function (BumpRule::exact): whether a diagonal goes back between two
-// samples, and how far at least and at most, as its polynomials and the bound of their rates'
-// errors have it.
+// Finds bumps of a path that is a function (BumpRule::exact): whether a diagonal goes back between
+// two samples, with lower and upper bounds of the retreat from its polynomials and the error bound
+// of their rates.
 //
-// Near flat lengths are even in the pilot's angle, so there the polynomials are taken in its
-// square: their rates then say which way a diagonal sets out. So of springs off the mid-plane bumps
-// are not looked for exactly.
+// Near flat lengths are even in the pilot's angle, so that polynomials in its square show in which
+// direction a diagonal starts. Springs off the mid-plane have no such symmetry, hence no exact
+// bumps.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ namespace misalign::solver {
 
 class FunctionBumps {
  public:
-  /// What is certain of the way from one sample to the next.
+  /// Certain direction of the diagonals between two samples.
   enum class Heading {
-    forward,  ///< every diagonal goes on
-    back,     ///< one goes back: where() says which
+    forward,  ///< every diagonal goes forward
+    back,     ///< the diagonal where() goes back
     unsure
   };
 
@@ -30,33 +30,34 @@ class FunctionBumps {
   FunctionBumps(const FunctionBumps&);
 
   void begin(const std::vector<double>& flat_lengths);
-  /// Whether the function says enough of its newest segment: one node does not.
+  /// Returns whether the function is defined on its newest segment: one node is not enough.
   static bool can_look(const PathFunction& function) { return function.count() > 1; }
-  /// A new segment, or one again that was too long.
+  /// Begins a new segment, or a shortened one.
   void begin_segment(const PathFunction& function);
-  /// The rates at a point of it, by the function's variable, and the bound of their errors there.
+  /// Finds the rates by the function's variable at a point of the segment; returns their error
+  /// bound.
   double look(double x, std::vector<double>& rates) const;
-  /// On to the next sample, at this point of the segment; the judge knows which way diagonals go.
-  /// It is not unsure where the ways back are known to within `least_doubt` (panel widths).
+  /// Advances to the next sample, at point `x` of the segment; `judge` has the directions of
+  /// diagonals. The result is not `unsure` if retreats are known within `least_doubt` (panel
+  /// widths).
   Heading look_at_sample(double x, const Judge& judge, const PathFunction& function,
                          double least_doubt = 0);
-  /// That sample counts: the next subsegment begins.
+  /// Accepts that sample: the next subsegment begins.
   void take(double pilot_rad);
-  /// On to the end of the segment. `unsure`: it is too long to say how far diagonals went back on
-  /// it.
+  /// Advances to the segment's end. `unsure`: the segment is too long to bound the retreats.
   Heading look_at_end(const Judge& judge, const PathFunction& function, double least_doubt = 0);
-  /// The diagonal that goes back the most.
+  /// The diagonal with the largest retreat.
   int where() const { return where_; }
-  /// Its rate at this point of the segment, by the function's variable, if its sign is certain.
+  /// Its rate at point `x` of the segment by the function's variable, if its sign is certain.
   std::optional<double> rate_there(double x);
 
  private:
   struct Retreats {
     Retreat at_least, at_most;
-    int direction = 0;  // in which it was looked at; 0: it has not moved
+    int direction = 0;  // direction assumed; 0: it has not moved
   };
   struct Subsegment {
-    double from, to;  // of the table's variable
+    double from, to;  // values of the table's variable
     double largest_error;
   };
 
@@ -73,10 +74,10 @@ class FunctionBumps {
   std::vector<double> flat_, values_, rates_;
   HermiteTable table_;
   bool in_squares_ = false;
-  std::vector<int> one_way_;           // of diagonals: the way they go on the whole segment, or 0
-  double reached_rad_ = 0;             // the pilot's angle up to which kept_ goes
-  double room_ = 0, kept_room_ = 0;    // for errors that are not the rates'
-  std::vector<Retreats> kept_, ways_;  // since the last sample; of diagonals
+  std::vector<int> one_way_;           // per diagonal: direction on the whole segment, or 0
+  double reached_rad_ = 0;             // pilot angle up to which kept_ holds
+  double room_ = 0, kept_room_ = 0;    // for errors other than those of rates
+  std::vector<Retreats> kept_, ways_;  // since the last sample, per diagonal
   bool direction_changed_ = false;
   int where_ = -1;
 };

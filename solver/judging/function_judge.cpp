@@ -10,12 +10,12 @@
 namespace misalign::solver {
 namespace {
 
-// Of the band within which a diagonal is inactive, and of a limit point's angle (rad): what a
-// path's close steps leave.
+// Errors that close steps leave in the variation of an inactive diagonal, and in a limit point's
+// angle (rad).
 constexpr double kInactiveError_widths = 1e-9, kLimitError_rad = 1e-8;
 
-// Of a stop's stiffness, a share of it: in 16,000 stops of 4 x 4 and 6 x 6 sheets errors were below
-// 1e-3, and above 1e-4 in eleven, most of them next to the path's end.
+// Relative error bound of a stop's stiffness: in 16,000 stops of 4 x 4 and 6 x 6 sheets errors were
+// below 1e-3, and above 1e-4 in eleven, most next to the path's end.
 constexpr double kStiffnessError = 0.05;
 
 }  // namespace
@@ -24,7 +24,7 @@ FunctionJudge::FunctionJudge(const Mechanism& mechanism, const Criterion& criter
     : mechanism_(mechanism),
       criterion_(criterion),
       judge_(mechanism, criterion),
-      here_(mechanism),
+      estimate_(mechanism),
       again_(mechanism),
       last_(mechanism.diagonals.size()),
       last_errors_(last_),
@@ -54,7 +54,7 @@ void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_
 }
 
 ObserverResult FunctionJudge::see(const PathFunction& function) {
-  assert(plan_ && !fault_known_);  // begun; and once a fault is known, it is enough
+  assert(plan_ && !fault_known_);  // begun, and no segment follows a fault
   is_sure_ = true;
   const bool turns = function.turns();
   const double end = function.end(), end_rad = function.pilot(end);
@@ -62,8 +62,7 @@ ObserverResult FunctionJudge::see(const PathFunction& function) {
   limit_error_rad_ = end_error;
   const bool clear = function.creases_are_clear();
   if (bumps_) {
-    is_sure_ =
-        FunctionBumps::can_look(function);  // otherwise the next segment looks at this one too
+    is_sure_ = FunctionBumps::can_look(function);  // otherwise the next segment includes this one
     if (!is_sure_) return turns ? ObserverResult::lost : ObserverResult::go_on;
     bumps_->begin_segment(function);
   }
@@ -75,14 +74,14 @@ ObserverResult FunctionJudge::see(const PathFunction& function) {
     if (station.pilot_deg > LongSteps::Options{}.last_deg) return lost();
     if (station.sample == 0) continue;
     const double x = function.locate(pilot_rad);
-    function.find_lengths(x, here_.lengths, here_.length_errors);
+    function.find_lengths(x, estimate_.lengths, estimate_.length_errors);
     const std::optional<bool> in_order = clear ? true : find_creases(x, function);
     if (!in_order) return unsure();
     const ObserverResult answer = see_sample(station, x, *in_order, function);
     if (answer != ObserverResult::go_on) return answer;
-    std::swap(last_, here_.lengths);
+    std::swap(last_, estimate_.lengths);
     std::swap(before_last_errors_, last_errors_);
-    std::swap(last_errors_, here_.length_errors);
+    std::swap(last_errors_, estimate_.length_errors);
     last_rad_ = pilot_rad;
     rows_.insert(rows_.end(), last_.begin(), last_.end());
     ++samples_;
@@ -95,7 +94,7 @@ ObserverResult FunctionJudge::see(const PathFunction& function) {
   return ObserverResult::go_on;
 }
 
-// Whether they are in order, if that is certain.
+// Returns whether the creases are in order, if that is certain.
 std::optional<bool> FunctionJudge::find_creases(double x, const PathFunction& function) {
   const double error = function.find_creases(x, state_.creases);
   bool in_order = true;
@@ -108,14 +107,14 @@ std::optional<bool> FunctionJudge::find_creases(double x, const PathFunction& fu
   return in_order;
 }
 
-// The sample at this point of the segment, and the way to it.
+// Judges the sample at point `x` of the segment, and the interval before it.
 ObserverResult FunctionJudge::see_sample(const Station& station, double x, bool creases_in_order,
                                          const PathFunction& function) {
   if (!is_decisive()) {
     know_last_better(function);
     if (!is_decisive()) return unsure();
   }
-  fault_known_ = !judge_.is_in_order(creases_in_order ? nullptr : &state_, here_.lengths);
+  fault_known_ = !judge_.is_in_order(creases_in_order ? nullptr : &state_, estimate_.lengths);
   if (fault_known_ && !score_is_certain(x, function)) {
     judge_.reconsider();
     fault_known_ = false;
@@ -145,12 +144,11 @@ ObserverResult FunctionJudge::see_sample(const Station& station, double x, bool 
       return ObserverResult::enough;
     }
   }
-  judge_.take(station, here_.lengths);
+  judge_.take(station, estimate_.lengths);
   return ObserverResult::go_on;
 }
 
-// Whether the part by which the sample missed is known well enough for the score, where one is
-// asked for.
+// Returns whether the part by which the sample missed determines the score, if one is requested.
 bool FunctionJudge::score_is_certain(double x, const PathFunction& function) {
   if (!criterion_.scores) return true;
   const bool by_crease =
@@ -158,15 +156,15 @@ bool FunctionJudge::score_is_certain(double x, const PathFunction& function) {
   const double crease_error = by_crease ? function.find_creases(x, state_.creases) : 0;
   for (std::size_t d = 0; d < last_.size(); ++d) {
     again_.length_errors[d] =
-        last_errors_[d] + std::max(before_last_errors_[d], here_.length_errors[d]);
+        last_errors_[d] + std::max(before_last_errors_[d], estimate_.length_errors[d]);
   }
-  return judge_.missed_part(&state_, here_.lengths, &again_.length_errors, crease_error)
+  return judge_.missed_part(&state_, estimate_.lengths, &again_.length_errors, crease_error)
       .is_certain();
 }
 
-// Where on the way to this sample, at which the diagonal changes by `rate`, it begins to go back,
-// if that is known well enough for the score; 0 where none is asked for. Not of a bump: its rate at
-// the sample does not say how fast it turns.
+// Returns the angle before this sample, at which the diagonal's rate is `rate`, where it begins to
+// go back, if that determines the score; 0 if no score is requested. None for a bump, whose rate at
+// the sample does not show how fast it turns.
 std::optional<double> FunctionJudge::find_where_goes_back(const Station& station, double rate,
                                                           const PathFunction& function) {
   if (!criterion_.scores || samples_ == 0) return 0;
@@ -175,7 +173,7 @@ std::optional<double> FunctionJudge::find_where_goes_back(const Station& station
   const double last_deg = last_rad_ / kRadPerDeg;
   const double from_deg =
       goes_back_from_deg(function, d, judge_.direction(d), last_deg, station.pilot_deg);
-  // Rates fall to that at the sample on no more than the whole step, at half their mean or faster.
+  // The rate falls to `rate` over at most the whole step, at half its mean slope or faster.
   const double x = function.locate(from_deg * kRadPerDeg);
   const double rate_error = bumps_->look(x, again_.slopes) + function.node_error();
   const double step_rad = station.pilot_deg * kRadPerDeg - last_rad_;
@@ -183,7 +181,7 @@ std::optional<double> FunctionJudge::find_where_goes_back(const Station& station
   return judge_.part_at(from_deg, error_rad).is_certain() ? std::optional(from_deg) : std::nullopt;
 }
 
-// Whether the stop that is asked for is as stiff, if that is certain.
+// Returns whether the stop is stiff enough, if that is certain.
 std::optional<bool> FunctionJudge::find_stop_stiff(double x, const PathFunction& function) {
   function.look(x, again_);
   const double part = criterion_.stop_part(again_.slopes);
@@ -194,7 +192,7 @@ std::optional<bool> FunctionJudge::find_stop_stiff(double x, const PathFunction&
   return part > 1;
 }
 
-// The last sample again, by polynomials through nodes that came after it.
+// Improves the last sample by polynomials through later nodes.
 void FunctionJudge::know_last_better(const PathFunction& function) {
   if (last_rad_ == 0 || last_rad_ < function.pilot_at_oldest()) return;
   const double x = function.locate(last_rad_);
@@ -209,13 +207,13 @@ void FunctionJudge::know_last_better(const PathFunction& function) {
   std::copy(last_.begin(), last_.end(), rows_.end() - static_cast<std::ptrdiff_t>(last_.size()));
 }
 
-// Whether every step is longer or shorter than the band by more than both errors, and the largest
-// step back is the largest for certain.
+// Returns whether every step differs from the band by more than both errors, and the largest step
+// back is certain.
 bool FunctionJudge::is_decisive() {
   double largest = 0, second = 0, error = 0;
   for (std::size_t d = 0; d < last_.size(); ++d) {
-    const double step = here_.lengths[d] - last_[d];
-    const double room = here_.length_errors[d] + last_errors_[d];
+    const double step = estimate_.lengths[d] - last_[d];
+    const double room = estimate_.length_errors[d] + last_errors_[d];
     if (std::abs(std::abs(step) - kStepBand_widths) <= room) return false;
     if (std::abs(step) < kStepBand_widths) continue;
     if (!judge_.goes_back(static_cast<int>(d), step)) continue;

@@ -1,5 +1,5 @@
-// The verdict on a path that is a function: at every sample whatever its polynomials say for
-// certain. What hangs on their error is not said: such a sheet is for the close steps.
+// Judges a path that is a function by its polynomials at every sample. If the verdict depends on
+// their errors the sheet is left to close steps.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,19 @@ namespace misalign::solver {
 
 class FunctionJudge {
  public:
-  /// Bumps are ignored or looked for exactly; cubics between samples are for close steps.
+  /// Bumps are ignored or exact; cubics between samples are for close steps.
   explicit FunctionJudge(const Mechanism& mechanism, const Criterion& criterion = {});
   ~FunctionJudge();
   FunctionJudge(const FunctionJudge&);
 
   void begin(const PathPlan& plan, const std::vector<double>& flat_lengths);
-  /// Looks at the samples of the newest segment that it has not seen yet: enough once a fault is
-  /// known.
+  /// Judges the new samples of the newest segment; returns `enough` once a fault is known.
   ObserverResult see(const PathFunction& function);
-  /// The verdict once the path has ended; nothing where that is not certain, or would need to know
-  /// how a path goes on that was lost.
+  /// The verdict once the path has ended; none if it is not certain, or depends on the rest of a
+  /// lost path.
   std::optional<Verdict> conclude(const PathResult& path) const;
 
-  /// How many samples are in order so far; the lengths at them, sample by sample (panel widths).
+  /// Number of samples in order so far, and the lengths at each (panel widths).
   int samples_in_order() const { return samples_; }
   const double* lengths_at(int sample) const {
     return rows_.data() + static_cast<std::size_t>(sample - 1) * last_.size();
@@ -58,11 +57,11 @@ class FunctionJudge {
   std::size_t next_ = 0;
   bool is_sure_ = true, fault_known_ = false;
   double last_rad_ = 0, limit_error_rad_ = 0;
-  PathFunction::Estimate here_, again_;
+  PathFunction::Estimate estimate_, again_;
   int samples_ = 0;
   std::vector<double> last_, last_errors_, before_last_errors_, rows_;
   FoldState<double> state_;
-  std::optional<FunctionBumps> bumps_;  // where they are looked for
+  std::optional<FunctionBumps> bumps_;  // if bumps are exact
 };
 
 }  // namespace misalign::solver

@@ -97,11 +97,11 @@ bool SheetQueue::has_ended(PathResult& path, int lane) {
 const StartFinder::FarStart* SheetQueue::far_start(int sheet) const {
   const auto end = far_.begin() + static_cast<std::ptrdiff_t>(looked_for_);
   const auto at = std::find_if(
-      far_.begin(), end, [&](const StartFinder::FarStart& one) { return one.sheet == sheet; });
+      far_.begin(), end, [&](const StartFinder::FarStart& start) { return start.sheet == sheet; });
   return at == end ? nullptr : &*at;
 }
 
-// Of all that were lost since the last time, which go again.
+// Finds starts for all sheets lost since the last call, and queues them again.
 void SheetQueue::look_for_starts() {
   if (looked_for_ == far_count_) return;
   if (!finder_) finder_ = lanes_.make_finder(model_);

@@ -1,4 +1,4 @@
-// The sheets of a block on their way to the lanes of a path follower.
+// Hands the sheets of a block to the lanes of a path follower.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace misalign::solver {
 
-/// Sheets by their number from 0 on: a model's with these shifts, or the one with these vertices.
-/// What it is made from must outlive it.
+/// Sheets numbered from 0: a model's with these shifts, or the one with these vertices. Its
+/// arguments must outlive it.
 class SheetBlock {
  public:
   SheetBlock(const Model& model, const ShiftBlock& shifts);
@@ -25,14 +25,14 @@ class SheetBlock {
   const FlatVertices* vertices_mm_ = nullptr;
 };
 
-/// Where the vertices of one sheet of a block lie.
+/// Places the vertices of one sheet of a block.
 class PlacedSheet {
  public:
   /// `mechanism` must outlive this object.
   explicit PlacedSheet(const Mechanism& mechanism);
   ~PlacedSheet();
 
-  /// Until another one is asked for.
+  /// Geometry of a sheet, valid until the next call.
   const SheetGeometry<double>& of(const SheetBlock& block, int sheet);
 
  private:
@@ -41,7 +41,7 @@ class PlacedSheet {
   SheetGeometry<double> geometry_;
 };
 
-/// A sheet of a block, and where on a plan its path is to begin; all must outlive the path.
+/// A sheet of a block with the start of its path on a plan; all must outlive the path.
 struct QueuedStart {
   int sheet;
   const FoldState<double>* state;
@@ -50,7 +50,7 @@ struct QueuedStart {
   int forward_sign;
 };
 
-/// How many lanes a queue's sheets go to, and what finds starts in as many at a time.
+/// Number of a queue's lanes, and the maker of its finder of starts.
 struct QueueLanes {
   std::size_t count;
   std::unique_ptr<StartFinder> (*make_finder)(const Model& model);
@@ -63,8 +63,8 @@ QueueLanes lanes_of() {
           }};
 }
 
-/// Hands out sheets one after the other, each with the state it starts from: of the base folding,
-/// or where that is too far off, found from there.
+/// Hands out sheets in turn, each with its starting state: that of the base folding, or if that is
+/// too far off one that a homotopy finds.
 class SheetQueue {
  public:
   SheetQueue(const Model& model, const QueueLanes& lanes);
@@ -72,19 +72,18 @@ class SheetQueue {
 
   /// `block` must live until its paths have ended.
   void begin(const SheetBlock& block);
-  /// Only these of the block once more; starts that were found, and known failures, are kept.
+  /// Hands out only these sheets again; known starts and failures are kept.
   void begin_again(const std::vector<int>& sheets);
-  /// Only these of the block, from states of their own.
+  /// Hands out only these sheets, from their given states.
   void begin_from(const std::vector<QueuedStart>& starts);
-  /// Puts the next sheet into this lane, to start along the model's path if none else is said;
-  /// false: there is none.
+  /// Puts the next sheet into this lane, on the model's path unless another start is given; returns
+  /// false if there is none.
   bool next(PathStart& start, int lane);
-  /// The path of this lane's sheet has ended. False if it only lost its start, and will go again
-  /// once better ones have been looked for; where there is none, `path` says then that it cannot
-  /// fold next to flat.
+  /// Takes the end of the path in this lane. Returns false if it only lost its start and is queued
+  /// again for a better one; if there is none, `path` becomes a fold limit next to flat.
   bool has_ended(PathResult& path, int lane);
   int of_lane(int lane) const { return sheet_of_lane_[lane]; }
-  /// Of the sheet in this lane, until another one is asked for.
+  /// Geometry of the sheet in this lane, valid until the next call.
   const SheetGeometry<double>& geometry_of_lane(int lane);
 
  private:
@@ -92,20 +91,20 @@ class SheetQueue {
   const QueueLanes lanes_;
   const SheetBlock* block_ = nullptr;
   std::vector<int> waiting_;
-  const std::vector<QueuedStart>* starts_ = nullptr;  // of those, if not along the model's path
+  const std::vector<QueuedStart>* starts_ = nullptr;  // given starts, if not on the model's path
   std::size_t next_ = 0;
   std::vector<int> sheet_of_lane_;
   const StartFinder::FarStart* far_start(int sheet) const;
   void look_for_starts();
   std::unique_ptr<StartFinder> finder_;  // made when first needed
-  // Sheets that the base folding was too far off for, those that were looked for first; grows to
-  // what a block needs.
+  // Sheets for which the base folding is too far off, those already sought first; kept at its
+  // largest size.
   std::vector<StartFinder::FarStart> far_;
   std::size_t far_count_ = 0, looked_for_ = 0;
   PlacedSheet placed_;
 };
 
-/// An observer of paths that takes its sheets from a queue.
+/// Observes paths of a queue's sheets.
 class QueueObserver {
  public:
   virtual ~QueueObserver();
@@ -113,12 +112,12 @@ class QueueObserver {
   SheetQueue& queue() { return queue_; }
   const Effort& effort() const { return effort_; }
 
-  /// For the follower: a sheet of the queue has been put into this lane.
+  /// Called by the follower when a sheet of the queue is put into this lane.
   void begin_path(PathStart& start, int lane);
 
  protected:
   QueueObserver(const Model& model, const QueueLanes& lanes);
-  /// flat_ has the lengths of its diagonals (panel widths).
+  /// Begins a sheet; flat_ has the lengths of its diagonals (panel widths).
   virtual void begin_sheet(PathStart& start, int lane) = 0;
 
   const Model& model_;

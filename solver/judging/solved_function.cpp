@@ -6,7 +6,7 @@
 namespace misalign::solver {
 namespace {
 
-// Of a segment: what no state is found at from there on, the path does not lead to its end.
+// Shortest part of a segment: if no state is found there, the path does not lead to its end.
 constexpr double kShortestPart = 1.0 / 64;
 
 }  // namespace
@@ -25,7 +25,7 @@ SolvedFunction::SolvedFunction(const Mechanism& mechanism, BetweenSolver& solver
 SolvedFunction::~SolvedFunction() = default;
 SolvedFunction::SolvedFunction(SolvedFunction&&) = default;
 
-// Flat is where all branches meet; lengths begin like a square there.
+// All branches meet at flat, where lengths are stationary.
 void SolvedFunction::begin(const std::vector<double>& flat_lengths) {
   function_.begin(flat_lengths.data());
   std::ranges::fill(last_.state.creases, HalfAngle<double>{1, 0});
@@ -44,7 +44,7 @@ bool SolvedFunction::aim_at(const SheetGeometry<double>& geometry, const Station
   return function_.count() > 1 || halve();
 }
 
-// Where the path bends sharply no state may be found in the middle, but nearer to its beginning.
+// If the path bends sharply, a state may be found only near the beginning, not in the middle.
 bool SolvedFunction::halve() {
   function_.drop();
   const double length_rad = end_rad_ - last_rad_;
@@ -66,13 +66,13 @@ bool SolvedFunction::go_on() {
   if (is_at_sample()) return false;
   end_rad_ = sample_rad_;
   const double next_rad = last_rad_ + 2 * length_rad_;
-  // What is left must be a segment too, and none of rounding.
+  // The rest must be a segment too, longer than rounding.
   if (can_halve() && sample_rad_ - next_rad > 0.5 * length_rad_) solve(next_rad);
   add();
   return true;
 }
 
-// Between the last place and the end, which it becomes; otherwise that stays.
+// Solves a state between the last place and the end, and makes it the end if it is found.
 bool SolvedFunction::solve(double pilot_rad) {
   ++solves_;
   if (!state_at(pilot_rad)) return false;

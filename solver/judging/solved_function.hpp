@@ -1,5 +1,5 @@
-// A path in close steps as a function: a node at every sample, and more of them between two
-// samples where that is asked for.
+// Represents a path in close steps as a function: with a node at every sample, and on request more
+// between two samples.
 #pragma once
 
 #include <array>
@@ -17,29 +17,31 @@ class SolvedFunction {
   SolvedFunction(SolvedFunction&&);
 
   void begin(const std::vector<double>& flat_lengths);
-  /// A segment to the next sample, with its slopes and rates; both must last until it is reached.
-  /// From flat it goes halfway: one node alone makes no function. False: no state was found there.
+  /// Begins a segment to the next sample, with its slopes and rates; both must last until it is
+  /// reached. From flat the segment ends halfway, since one node is no function. Returns false if
+  /// no state is found there.
   bool aim_at(const SheetGeometry<double>& geometry, const Station& sample, const PathPoint& point);
-  /// Half that segment instead, or less of it. False: no state was found there, and it stays as it
-  /// is.
+  /// Replaces the segment by its first half, or less. Returns false if no state is found there; the
+  /// segment then stays.
   bool halve();
   bool can_halve() const { return solves_ < kMostSolves; }
-  /// The segment is short enough: the next one begins at its end.
+  /// Keeps the segment: the next one begins at its end.
   void keep();
-  /// From there a segment twice as long, at most to the sample. False: that is reached.
+  /// Begins a segment twice as long, at most up to the sample. Returns false if that is reached.
   bool go_on();
 
-  /// A state of the newest segment, until another one is solved; null: none is found there.
+  /// A state of the newest segment, valid until the next is solved; null if none is found.
   const PathPoint* state_at(double pilot_rad);
 
-  /// Up to the end of the newest segment.
+  /// The function up to the end of the newest segment.
   const PathFunction& function() const { return function_; }
   bool is_at_sample() const { return end_rad_ == sample_rad_; }
   double end_rad() const { return end_rad_; }
   const PathPoint& end() const { return is_at_sample() ? *sample_ : rooms_[middle_]; }
 
  private:
-  // Between two samples. Next to a sharp fold limit some twenty were needed.
+  // Largest number of solves between two samples. Some twenty were needed next to a sharp fold
+  // limit.
   static constexpr int kMostSolves = 64;
 
   bool solve(double pilot_rad);
@@ -48,8 +50,8 @@ class SolvedFunction {
   const Mechanism& mechanism_;
   BetweenSolver& solver_;
   PathFunction function_;
-  PathPoint last_;                  // where the segment begins
-  std::array<PathPoint, 2> rooms_;  // where it ends if not at the sample, and what is solved next
+  PathPoint last_;                  // the segment's beginning
+  std::array<PathPoint, 2> rooms_;  // its end if not at the sample, and the next state
   std::size_t middle_ = 0;
   double last_rad_ = 0, end_rad_ = 0, sample_rad_ = 0, length_rad_ = 0;
   const SheetGeometry<double>* geometry_ = nullptr;

@@ -1,5 +1,4 @@
-// Lengths of the holes' diagonals: flat, and in a folded state. They are those of their springs,
-// from end to end.
+// Measures the holes' diagonals, flat and folded: the lengths of their springs from end to end.
 #pragma once
 
 #include "solver/kinematics/lane_math.hpp"
@@ -39,7 +38,7 @@ struct CarrierCorner {
   }
   /// Not of unit length.
   Vec3<T> bisector() const { return to_before + to_after; }
-  /// Of the spring's end: along the bisector, to its left, up.
+  /// Place of the spring's end: along the bisector, to its left, up.
   Vec3<T> place(const Mechanism& mechanism) const {
     const auto in_widths = [&](double mm) { return constant<T>(mm / mechanism.panel_width_mm); };
     return {in_widths(place_mm.x()), in_widths(place_mm.y()), in_widths(place_mm.z())};
@@ -48,7 +47,7 @@ struct CarrierCorner {
 
 }  // namespace detail
 
-/// Where the spring at a corner of a hole ends, on the flat sheet (panel widths).
+/// The spring's end at a corner of a hole on the flat sheet, panel widths.
 template <class T>
 Vec3<T> spring_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const Loop& loop,
                    int corner) {
@@ -62,14 +61,14 @@ Vec3<T> spring_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
   return end;
 }
 
-/// Adds what a force on that end (x, y in the flat sheet) does to vertices: d (force . end) / d
-/// vertex, x and y of each in turn.
+/// Adds d (force . end) / d vertex to `gradient`: a force on that end (x, y in the flat sheet)
+/// carried to the vertices, x and y of each in turn.
 template <class T>
 void add_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const Loop& loop,
              int corner, const Vec3<T>& force, T* gradient) {
-  const auto add = [&](int vertex, const Vec3<T>& by) {
-    gradient[2 * vertex] = gradient[2 * vertex] + by.x;
-    gradient[2 * vertex + 1] = gradient[2 * vertex + 1] + by.y;
+  const auto add = [&](int vertex, const Vec3<T>& change) {
+    gradient[2 * vertex] = gradient[2 * vertex] + change.x;
+    gradient[2 * vertex + 1] = gradient[2 * vertex + 1] + change.y;
   };
   add(loop.corners[corner], force);
   if (mechanism.springs.at_vertices()) return;
@@ -97,8 +96,8 @@ void flat_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry, 
   }
 }
 
-/// Of a diagonal's flat length by where the vertices lie, `share` times: added to `gradient` (x and
-/// y of each vertex in turn).
+/// Adds `share` times the derivatives of a diagonal's flat length to `gradient` (x and y of each
+/// vertex in turn).
 template <class T>
 void add_flat_length(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
                      const Diagonal& diagonal, const T& share, T* gradient) {
@@ -110,8 +109,8 @@ void add_flat_length(const Mechanism& mechanism, const SheetGeometry<T>& geometr
   add_end(mechanism, geometry, loop, diagonal.to_corner, T(-1) * pull, gradient);
 }
 
-/// Where the springs of a hole end, in the frame of the facet where its loop begins. Where joints
-/// have play a corner is that of the facet from which the loop comes to it.
+/// Ends of a hole's springs, in the frame of the facet where its loop begins. If joints have play,
+/// a corner is that of the facet from which the loop arrives.
 template <class T, class Geometry>
 std::array<Vec3<T>, 4> ends_of_springs(const Mechanism& mechanism, const Geometry& geometry,
                                        const FoldState<T>& state, const Loop& loop) {
@@ -147,8 +146,8 @@ void folded_lengths(const Mechanism& mechanism, const Geometry& geometry, const 
 }
 
 /// Folded lengths, and their rates of change (panel widths per unit of `rates`) while every unknown
-/// changes at its rate: each joint moves what comes after it by a screw. `misfit` (one per
-/// equation) becomes the Jacobian times `rates`: 0 along a folding path.
+/// changes at its rate: each joint moves all parts after it by a screw. `misfit` (one per equation)
+/// becomes the Jacobian times `rates`: 0 along a folding path.
 template <class T, class Geometry>
 void folded_lengths_and_slopes(const Mechanism& mechanism, const Geometry& geometry,
                                const FoldState<T>& state, const T* rates, T* lengths, T* slopes,

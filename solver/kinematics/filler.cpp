@@ -15,15 +15,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Lengths are known to about 1e-13 of a panel; a corner that is wider by this much is as when flat.
+// A corner within this of its flat angle is no wider: lengths are known to about 1e-13 of a panel.
 constexpr double kAsWide_rad = 1e-11;
 
 Vector3d flat_point(const FlatVertices& vertices_mm, int v) {
   return {vertices_mm(0, v), vertices_mm(1, v), 0};
 }
 
-double angle_between(const Vector3d& one, const Vector3d& other) {
-  return std::atan2(one.cross(other).norm(), one.dot(other));
+double angle_between(const Vector3d& u, const Vector3d& v) {
+  return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 double flat_width_rad(const Filler& filler, const FlatVertices& vertices_mm) {
@@ -37,7 +37,7 @@ double width_rad(const Filler& filler, const Eigen::Matrix3Xd& shape_mm) {
   return angle_between(shape_mm.col(filler.before) - corner, shape_mm.col(filler.after) - corner);
 }
 
-// How good a filler is over all shapes: the lesser the better.
+// Rank of a filler over all shapes; smaller is better.
 struct Rating {
   bool changes_sides = false;
   double largest_deg = 0;
@@ -67,7 +67,7 @@ struct Choice {
   Rating rating;
 };
 
-// Every corner of a hole, both ways, that can follow all shapes; the best first.
+// Every corner of a hole, in both ways, that can follow all shapes; the best come first.
 std::vector<Choice> choices(const PerforatedSheet& base, const Mechanism& mechanism,
                             const FlatVertices& vertices_mm,
                             const std::vector<const Eigen::Matrix3Xd*>& shapes_mm) {
@@ -92,10 +92,12 @@ std::vector<Choice> choices(const PerforatedSheet& base, const Mechanism& mechan
   return all;
 }
 
-// Whether both may lie in one hole: at opposite corners.
-bool disturb(const Filler& one, const Filler& other) {
-  return one.hole == other.hole &&
-         (one.corner == other.corner || one.corner == other.before || one.corner == other.after);
+// Returns whether two fillers disturb each other: in one hole only opposite corners can both have
+// one.
+bool disturb(const Filler& filler, const Filler& other) {
+  return filler.hole == other.hole &&
+         (filler.corner == other.corner || filler.corner == other.before ||
+          filler.corner == other.after);
 }
 
 }  // namespace
@@ -116,7 +118,7 @@ std::optional<Filler> filler_at(const PerforatedSheet& base, int hole, int corne
   const auto is_hole = [&](int f) {
     return std::binary_search(base.holes.begin(), base.holes.end(), f);
   };
-  // Two holes of four facets, and never side by side: the vertex is a ball joint.
+  // Two of the four facets are holes, never side by side: the vertex is a ball joint.
   if (std::count_if(around.begin(), around.end(), is_hole) != 2) return std::nullopt;
   return filler;
 }
@@ -125,7 +127,7 @@ Eigen::Vector2d flat_apex_mm(const Filler& filler, const FlatVertices& vertices_
   const Eigen::Vector2d corner = vertices_mm.col(filler.corner);
   const Eigen::Vector2d before = vertices_mm.col(filler.before) - corner,
                         after = vertices_mm.col(filler.after) - corner;
-  // The bisector parts the opposite side as its neighbours are long.
+  // The bisector divides the opposite side in the ratio of the adjacent sides.
   const double share = before.norm() / (before.norm() + after.norm());
   return corner + (before + share * (after - before)) / 2;
 }
@@ -150,7 +152,8 @@ Filler::Folded folded_filler(const Filler& filler, const PerforatedSheet& base,
   Filler::Folded folded{corner + reach_mm * ray, {}};
   const Vector3d first = ray.cross(before).normalized(), second = after.cross(ray).normalized();
   const auto panel_normal = [&](int f) { return normal_of(shape_mm, base.sheet.facets[f]); };
-  // Walking into the corner and out of it the hole is on the left, and out to the apex the first.
+  // The hole is on the left on the way into the corner and out of it; the first triangle is on the
+  // left on the way to the apex.
   folded.angle_deg = {fold_angle_deg(-before, first, panel_normal(filler.from)),
                       fold_angle_deg(ray, first, second),
                       fold_angle_deg(after, second, panel_normal(filler.to))};

@@ -5,7 +5,7 @@
 namespace misalign::solver {
 namespace {
 
-// Rotation on crossing an edge: -rho about the direction that has the facet one comes from on its
+// Rotation on crossing an edge: -rho about the direction that has the facet left behind on its
 // left.
 Quaternion<double> crossing_rotation(const Mechanism& mechanism, const FlatVertices& vertices_mm,
                                      const BallJoint::Crossing& crossing,

@@ -1,5 +1,5 @@
-// One sheet of a mechanism: where its vertices lie on the flat sheet, and how far its joints are
-// turned.
+// Holds one sheet of a mechanism: the places of its vertices on the flat sheet, and the rotations
+// of its joints.
 #pragma once
 
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace misalign::solver {
 
-/// How far every joint is turned.
+/// Rotations of all joints.
 template <class T>
 struct FoldState {
   std::vector<HalfAngle<T>> creases;
   std::vector<Quaternion<T>> balls;
 };
 
-/// The flat state: every joint at zero, and of the size that `mechanism` needs.
+/// The flat state of `mechanism`: every joint at zero.
 template <class T>
 FoldState<T> flat_state(const Mechanism& mechanism) {
   return {std::vector<HalfAngle<T>>(mechanism.creases.size(), {T(1), T(0)}),
@@ -29,9 +29,8 @@ FoldState<T> flat_state(const Mechanism& mechanism) {
 FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,
                              const FlatVertices& base_vertices_mm, const HalfAngle<double>& pilot);
 
-/// Where the vertices lie on the flat sheet, A1 at the origin, and the unit axes of its edges, in
-/// panel widths: loops close to rounding of the coordinates, which must not grow with where a sheet
-/// was drawn.
+/// Vertices of the flat sheet in panel widths, and unit axes of its edges. A1 is the origin, since
+/// loops close up to the rounding of coordinates, which must not depend on where a sheet was drawn.
 template <class T>
 struct SheetGeometry {
   std::vector<T> x, y;            ///< per vertex

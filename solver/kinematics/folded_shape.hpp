@@ -1,5 +1,5 @@
-// The folded sheet as vertex coordinates, and a check that needs no equation of loop closure: rigid
-// panels keep the lengths of their edges and diagonals.
+// Gives the folded sheet's vertex coordinates, with a check that needs no equation of loop closure:
+// rigid panels keep the lengths of their edges and diagonals.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +14,8 @@ namespace misalign::solver {
 /// of closure shows as a changed length in the facets that did not place all of their corners.
 class FoldedShape {
  public:
-  /// A folded sheet: where its facets and vertices are, in panel widths, the first kept facet lying
-  /// in the plane z = 0. Poses are of points of the sheet's geometry, from A1, and of no others.
+  /// Facets and vertices of a folded sheet, in panel widths, the first kept facet in the plane z =
+  /// 0. Poses apply to points of the sheet's geometry (origin A1) only.
   template <class T>
   struct Points {
     std::vector<Pose<T>> facets;
@@ -54,8 +54,8 @@ class FoldedShape {
     }
   }
 
-  /// How each facet moves, seen from the first kept one, while every unknown changes at its rate
-  /// (per unit of whatever `rates` are per); `points` are those of `place` at this state.
+  /// Velocity of each facet relative to the first kept one, while every unknown changes at its
+  /// rate, in the unit of `rates`; `points` are those of `place` at this state.
   template <class T>
   void move(const SheetGeometry<T>& geometry, const Points<T>& points, const T* rates,
             std::vector<Twist<T>>& twists) const {
@@ -76,7 +76,7 @@ class FoldedShape {
     }
   }
 
-  /// How fast the distance between two vertices changes, in panel widths per what `twists` are per.
+  /// Rate of change of the distance between two vertices, in panel widths per unit of `twists`.
   template <class T>
   T distance_rate(const Points<T>& points, const std::vector<Twist<T>>& twists, int v,
                   int w) const {
@@ -111,7 +111,7 @@ class FoldedShape {
                                const FoldState<double>& state) const;
 
   /// 3 x (4 kept facets) coordinates in mm of the corners of each kept facet in turn, placed by
-  /// that facet: where facets meet, they agree as far as all joints between them close.
+  /// that facet: where facets meet they agree as well as the joints between them close.
   Eigen::Matrix3Xd corners_mm(const SheetGeometry<double>& geometry,
                               const FoldState<double>& state) const;
 

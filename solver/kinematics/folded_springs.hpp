@@ -1,4 +1,4 @@
-// Where springs end on a folded shape, by its coordinates alone.
+// Gives the ends of springs on a folded shape, from its coordinates alone.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,7 +7,7 @@
 
 namespace misalign::solver {
 
-/// Of a diagonal's spring, mm: at its corner `from` and at `to`.
+/// Ends of a diagonal's spring, mm: at its corner `from` and at `to`.
 struct FoldedSpring {
   Eigen::Vector3d from_mm, to_mm;
 

@@ -1,12 +1,12 @@
-// Operations on lanes that the templates need beyond arithmetic: one value for each lane, read and
-// written singly, and choices made lane by lane. A double or a float is a register of one lane.
+// Operations on lanes beyond arithmetic: access to single lanes, and selection lane by lane. A
+// double or a float is a register of one lane.
 #pragma once
 
 #include <cmath>
 #include <type_traits>
 
-// One function is a fifth faster in lanes than calls that pass poses through memory. Under the
-// address sanitizer the compiler would take minutes for each.
+// A flattened function is a fifth faster in lanes than calls that pass poses through memory. With
+// the address sanitizer each would take minutes to compile.
 #ifdef __SANITIZE_ADDRESS__
 #define MISALIGN_FLATTEN
 #else
@@ -29,7 +29,7 @@ struct ScalarOf<T> {
 
 }  // namespace detail
 
-/// What a lane of T holds.
+/// The scalar type of a lane of T.
 template <class T>
 using Scalar = typename detail::ScalarOf<std::remove_const_t<T>>::type;
 
@@ -45,7 +45,7 @@ Scalar<T> lane(const T& value, int i) {
   return reinterpret_cast<const Scalar<T>*>(&value)[i];
 }
 
-/// A number in every lane, rounded to what that holds; of other numbers (dual ones) a constant.
+/// A number in every lane, rounded to its scalar; for other types (dual numbers) a constant.
 template <class T>
 T constant(double value) {
   if constexpr (requires { typename T::value_type; }) {
@@ -55,7 +55,7 @@ T constant(double value) {
   }
 }
 
-/// Registers find their library's `select` by argument; these are the ones of a single lane.
+/// Overloads for a single lane; registers find their library's `select` by argument.
 inline double select(bool condition, double a, double b) { return condition ? a : b; }
 inline float select(bool condition, float a, float b) { return condition ? a : b; }
 

@@ -1,4 +1,4 @@
-// Sheets and states of lanes: one lane's share in and out, and choices lane by lane.
+// Sheets and states of lanes: reads and writes single lanes, and selects lane by lane.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace misalign::solver {
 
-/// Of the size that `mechanism` needs, every vertex at the origin.
+/// A geometry of the size that `mechanism` needs, every vertex at the origin.
 template <class T>
 SheetGeometry<T> lane_geometry(const Mechanism& mechanism) {
   const std::size_t vertices = static_cast<std::size_t>(mechanism.vertices);
@@ -20,7 +20,7 @@ SheetGeometry<T> lane_geometry(const Mechanism& mechanism) {
   return geometry;
 }
 
-/// Puts the axes of the creases where their vertices are.
+/// Computes the axes of the creases from their vertices.
 template <class T>
 void turn_axes(const Mechanism& mechanism, SheetGeometry<T>& geometry) {
   using std::sqrt;
@@ -33,8 +33,7 @@ void turn_axes(const Mechanism& mechanism, SheetGeometry<T>& geometry) {
   }
 }
 
-/// `between` lies this share of the way from `base` to `sheet`: its vertices, and its creases'
-/// axes.
+/// Sets vertices and crease axes of `between`, at `share` of the way from `base` to `sheet`.
 template <class T>
 void put_between(const Mechanism& mechanism, const SheetGeometry<T>& base,
                  const SheetGeometry<T>& sheet, const T& share, SheetGeometry<T>& between) {
@@ -72,7 +71,7 @@ void put_lane(const SheetGeometry<double>& from, SheetGeometry<T>& to, int i) {
   }
 }
 
-/// A sheet's vertices in every lane, as `place` has them; axes are turned where it is shifted.
+/// A sheet's vertices in every lane, as `place` has them; `turn_axes` sets axes once it is shifted.
 template <class T>
 SheetGeometry<T> in_all_lanes(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
   SheetGeometry<T> sheet = lane_geometry<T>(mechanism);

@@ -1,4 +1,4 @@
-// Loop closure, equations (3.1)-(3.7), written in one flat frame: every joint is a rotation that
+// Evaluates loop closure, equations (3.1)-(3.7), in one flat frame: every joint is a rotation that
 // keeps a point of the flat sheet in place, and their product round a loop must be the identity.
 // One template for double, for lanes and for dual numbers.
 //
@@ -7,8 +7,8 @@
 //   residual   vee(R - R^T) / 2   and, round a hole, t
 //   Jacobian   a joint with axis w (turned by T_i) through c (moved by T_i) moves the loop by the
 //              screw dR = [w]x R, dt = w x (t - c), hence d vee = (tr(R) I - R) w / 2.
-// Closed means R = I in all nine entries: the residual alone vanishes at a half turn too.
-// Joints with play displace what comes after them as well: a policy of the geometry (LooseSheet).
+// Closed means R = I in all nine entries: the residual alone vanishes at a half turn too. Joints
+// with play also displace what follows them: a policy of the geometry (LooseSheet).
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace misalign::solver {
 
-/// Where one value of the Jacobian belongs in the equations x unknowns matrix.
+/// Place of one value of the Jacobian in the equations x unknowns matrix.
 struct JacobianEntry {
   int row, column;
 };
@@ -53,9 +53,9 @@ Vec3<T> flat_point(const SheetGeometry<T>& geometry, int vertex) {
   return {geometry.x[vertex], geometry.y[vertex], T(0)};
 }
 
-/// A sheet whose joints have play: besides turning, each displaces what comes after it by a fixed
-/// motion, given for a passage of sense +1 in the frame of the facet that this leaves. The joints
-/// of any other geometry only turn.
+/// A sheet whose joints have play: besides turning, each joint displaces what follows it by a fixed
+/// motion, given for a passage of sense +1 in the frame of the facet that it leaves. The joints of
+/// any other geometry only turn.
 template <class Geometry>
 concept HasPlay = requires(const Geometry& geometry, const Passage& passage) {
   geometry.displacement(passage);
@@ -105,7 +105,8 @@ struct LoopScrews {
   }
 };
 
-// The screws by which a unit change of each of the passage's unknowns moves what comes after it.
+// Gathers the screws by which a unit change of each of the passage's unknowns moves what follows
+// it.
 template <class T>
 void gather(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const Passage& passage,
             const Pose<T>& before, const Pose<T>& after, LoopScrews<T>& screws) {
@@ -151,9 +152,9 @@ Values write_columns(const Pose<T>& loop, int rows, const LoopScrews<T>& screws,
 /// unknown by unknown, row by row. Each place occurs once.
 std::vector<JacobianEntry> jacobian_entries(const Mechanism& mechanism);
 
-/// Residual (one per equation) and the Jacobian's structural nonzeros into the output iterator
-/// `values`; without the Jacobian if that is nullptr. Returns how far the worst loop is open (panel
-/// widths, radians): the quantity that is compared with the closure tolerance. Allocates nothing.
+/// Writes the residual (one per equation) and the Jacobian's structural nonzeros, these to the
+/// output iterator `values` unless that is nullptr. Returns the opening of the worst loop (panel
+/// widths, radians), which is compared with the closure tolerance. Allocates nothing.
 template <class T, class Geometry, class Values>
 T evaluate(const Mechanism& mechanism, const Geometry& geometry, const FoldState<T>& state,
            T* residual, Values values) {

@@ -62,7 +62,7 @@ class Builder {
     }
   }
 
-  // Counter-clockwise round the hole, from the neighbour before corner 0 back to it.
+  // Walks counter-clockwise round the hole, from the neighbour before corner 0 back to it.
   void add_hole_loop(int hole) {
     Loop loop = open_loop(6, hole);
     loop.corners = sheet_.facets[hole];
@@ -99,17 +99,17 @@ class Builder {
     close_loop(std::move(loop));
   }
 
-  // At a corner whose facets the walk passes in this order. On a vertex it does not matter which of
-  // them carries the spring: that from which the walk comes.
+  // Returns the carrier at a corner whose facets the walk passes in the order of `passed`. If the
+  // spring ends on the vertex, any of them may carry it: it is that from which the walk comes.
   Loop::Carrier carrier(const Loop& loop, int corner, const std::vector<int>& passed,
                         int usual) const {
     const SpringEnds& springs = mechanism_.springs;
     const int vertex = loop.corners[corner];
-    const auto own = std::find_if(
+    const auto placed = std::find_if(
         springs.own.begin(), springs.own.end(),
         [&](const SpringEnds::Own& end) { return end.hole == loop.hole && end.vertex == vertex; });
-    const bool is_own = own != springs.own.end();
-    const int facet = is_own ? own->panel : passed[usual];
+    const bool is_placed = placed != springs.own.end();
+    const int facet = is_placed ? placed->panel : passed[usual];
     const auto steps = std::find(passed.begin(), passed.end(), facet) - passed.begin();
     assert(steps < static_cast<std::ptrdiff_t>(passed.size()));
     const int arrival =
@@ -118,7 +118,7 @@ class Builder {
     const auto k = std::find(around.begin(), around.end(), vertex) - around.begin();
     const Eigen::Vector3d usual_mm(springs.inset_mm, 0, springs.offset_mm);
     return {facet, around[(k + 3) % 4], around[(k + 1) % 4], arrival,
-            is_own ? own->place_mm : usual_mm};
+            is_placed ? placed->place_mm : usual_mm};
   }
 
   // The edge between two facets that meet at `vertex`, crossed from one to the other.

@@ -1,6 +1,6 @@
-// The perforated sheet as a linkage: creases and ball joints, the loops that must close, and the
-// diagonals that are measured. Topology only, built once per campaign; where the vertices lie is
-// SheetGeometry, how far the joints are turned is FoldState (fold_state.hpp).
+// Builds the perforated sheet as a linkage: creases and ball joints, loops that must close,
+// diagonals that are measured. It holds topology only and is built once per campaign; SheetGeometry
+// has the vertices, FoldState the rotations of the joints (fold_state.hpp).
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct Crease {
   int a, b;         ///< its vertices, a < b
   int left, right;  ///< facets seen walking from a to b
   int assignment;   ///< +1 valley, -1 mountain in the base folding, seen from `side`
-  int column;       ///< of its unknown
+  int column;       ///< its unknown's column
 };
 
 /// A vertex between two opposite holes: three unknowns, a small rotation.
@@ -30,23 +30,23 @@ struct BallJoint {
 
   int vertex;
   int from_facet, to_facet;
-  std::array<Crossing, 2> through;  ///< the base sheet's creases on the way between the two
-  int column;                       ///< of its first unknown
+  std::array<Crossing, 2> through;  ///< the base sheet's creases between the two panels
+  int column;                       ///< column of its first unknown
 };
 
 /// One joint on the way round a loop.
 struct Passage {
   bool ball;
   int joint;   ///< index into creases or ball joints
-  int sense;   ///< +1 as the joint is defined, -1 the other way
+  int sense;   ///< +1 if passed as the joint is defined, else -1
   int vertex;  ///< a point of the sheet that the joint keeps in place
 };
 
 /// A closed walk over kept facets. Round a whole vertex the rotation must close, three equations
 /// (3.1); round a hole the translation too, six equations (3.4), (3.5).
 struct Loop {
-  /// The panel that carries the end of a spring at a corner of a hole, its vertices before and
-  /// after the corner (counter-clockwise), and the first passage at which a walk is on it.
+  /// The panel that carries a spring's end at a corner of a hole, its vertices before and after the
+  /// corner (counter-clockwise), and the first passage that is on it.
   struct Carrier {
     int facet, before, after;
     int arrival;
@@ -58,28 +58,28 @@ struct Loop {
   int first_row;
   int rows;                         ///< 3 or 6
   int hole;                         ///< facet index, -1 round a vertex
-  std::array<int, 4> corners;       ///< of a hole: its vertices ...
-  std::array<int, 4> arrival;       ///< ... and the first passage at each
-  std::array<Carrier, 4> carriers;  ///< of the springs that end there
+  std::array<int, 4> corners;       ///< vertices of the hole
+  std::array<int, 4> arrival;       ///< the first passage at each corner
+  std::array<Carrier, 4> carriers;  ///< carriers of the springs' ends
 };
 
-/// A diagonal of a hole: between two of the corners that its loop passes. Its length is that of its
+/// A diagonal of a hole, between two corners that its loop passes. Its length is that of its
 /// spring, which may end beside them.
 struct Diagonal {
   int loop;
-  int from_corner, to_corner;  ///< 0 to 3
+  int from_corner, to_corner;  ///< indices, 0 to 3
   int from, to;                ///< vertices
 };
 
 struct Mechanism {
-  std::vector<Edge> edges;  ///< of the sheet, for the axes
+  std::vector<Edge> edges;  ///< the sheet's edges, for the axes
   std::vector<Crease> creases;
   std::vector<BallJoint> balls;
   std::vector<Loop> loops;
   std::vector<Diagonal>
       diagonals;  ///< holes in order; (corner 1, corner 3), then (corner 2, corner 0)
   int pilot;      ///< index of the pilot crease; its unknown is the last column
-  int vertices;   ///< of the sheet
+  int vertices;   ///< number of vertices of the sheet
   int unknowns, equations;
   int side;  ///< -1: fold angles are those seen from below, where the pilot is a valley
   double panel_width_mm;
@@ -94,8 +94,8 @@ struct Mechanism {
   int diagonal_count() const { return static_cast<int>(diagonals.size()); }
 };
 
-/// Joints, loops and diagonals of a sheet whose holes have no hole_faults and leave the pilot
-/// whole. Unknowns: creases in edge order, three for each ball joint in vertex order, the pilot
+/// Builds joints, loops and diagonals of a sheet whose holes have no hole_faults and leave the
+/// pilot whole. Unknowns are creases in edge order, three per ball joint in vertex order, the pilot
 /// last.
 Mechanism build_mechanism(const PerforatedSheet& base);
 

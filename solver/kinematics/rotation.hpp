@@ -1,6 +1,6 @@
 // Vectors, rotation matrices and unit quaternions over any scalar: double, a register of lanes, a
-// dual number. Only +, -, *, / and square roots, always in the order written, so that a result does
-// not depend on the compiler's or a library's choice of instructions.
+// dual number. They use only +, -, *, / and square roots, in the order written, so that a result
+// does not depend on a compiler's or library's choice of instructions.
 #pragma once
 
 #include <cmath>

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What is no number is the worst of all.
+// Not a number counts as the worst.
 void raise(double& worst, double value) {
   if (value > worst || std::isnan(value)) worst = value;
 }

@@ -1,6 +1,5 @@
-// A folded sheet judged from coordinates alone: what is flat and rigid stays so, panels meet at
-// their corners, and fold angles are what is claimed of them. Knows no mechanism and no equation of
-// closure.
+// Checks a folded sheet from coordinates alone: panels stay flat and rigid and meet at their
+// corners, and fold angles are as claimed. It uses no mechanism and no equation of closure.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +11,8 @@ namespace misalign::solver {
 /// The unit normal of a panel, upwards on the flat sheet.
 Eigen::Vector3d normal_of(const Eigen::Matrix3Xd& vertices_mm, const std::array<int, 4>& panel);
 
-/// Between the unit normals of the panels on the left and on the right of a line, walking along it
-/// (a unit vector): within +-180, valleys positive.
+/// Angle between the unit normals of the panels on the left and the right of a line with the unit
+/// vector `along`: within +-180, valleys positive.
 double fold_angle_deg(const Eigen::Vector3d& along, const Eigen::Vector3d& left,
                       const Eigen::Vector3d& right);
 
@@ -21,7 +20,7 @@ double fold_angle_deg(const Eigen::Vector3d& along, const Eigen::Vector3d& left,
 struct FoldLine {
   int a, b;
   int left, right;  ///< panels seen walking from a to b
-  int sign;         ///< what it must be: +1 valley, -1 mountain
+  int sign;         ///< required sign: +1 valley, -1 mountain
 };
 
 class ShapeCheck {
@@ -29,10 +28,10 @@ class ShapeCheck {
   /// The largest errors of all shapes seen.
   struct Errors {
     double length_mm = 0;       ///< change of a panel's edge or diagonal from flat to folded
-    double planarity_mm = 0;    ///< how far apart a panel's two diagonals pass
-    double coincidence_mm = 0;  ///< between a panel's own corner and the vertex it belongs to
-    double angle_deg = 0;       ///< claimed fold angle against the one between the panels' normals
-    double beyond_deg = 0;      ///< how far a fold angle lies beyond +-180 degrees
+    double planarity_mm = 0;    ///< distance between a panel's two diagonals
+    double coincidence_mm = 0;  ///< distance of a panel's corner from its vertex
+    double angle_deg = 0;       ///< claimed fold angle less that between the panels' normals
+    double beyond_deg = 0;      ///< excess of a fold angle over +-180 degrees
     int wrong_sign = -1;        ///< a fold line folded the wrong way; -1 if there is none
   };
 
@@ -40,10 +39,10 @@ class ShapeCheck {
   ShapeCheck(const Eigen::Matrix2Xd& flat_mm, std::vector<std::array<int, 4>> panels,
              std::vector<FoldLine> folds);
 
-  /// The next shape of a folding from flat on, in which no fold angle changes by 180 degrees or
-  /// more from shape to shape: this tells angles beyond 180 degrees from those of the other sign.
-  /// `vertices_mm` is 3 x vertices; `corners_mm` 3 x (4 panels), where each panel has its own
-  /// corners; `claimed_deg` one angle per fold line.
+  /// Checks the next shape of a folding that starts flat. No fold angle may change by 180 degrees
+  /// or more between shapes: so angles beyond 180 degrees differ from those of the other sign.
+  /// `vertices_mm` is 3 x vertices; `corners_mm` 3 x (4 panels), the corners of each panel in turn;
+  /// `claimed_deg` one angle per fold line.
   void see(const Eigen::Matrix3Xd& vertices_mm, const Eigen::Matrix3Xd& corners_mm,
            const std::vector<double>& claimed_deg);
 
@@ -55,7 +54,7 @@ class ShapeCheck {
   Eigen::Matrix3Xd flat_mm_;
   std::vector<std::array<int, 4>> panels_;
   std::vector<FoldLine> folds_;
-  std::vector<double> angles_deg_;  // of the last shape, not cut off at 180
+  std::vector<double> angles_deg_;  // fold angles of the last shape, not limited to 180
   Errors worst_;
 };
 

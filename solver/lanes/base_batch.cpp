@@ -1,5 +1,5 @@
-// Batch of an overconstrained model: of sheets that fold by their base's own fold angles, in closed
-// form and without lanes.
+// Judges the sheets of an overconstrained model, which fold by the fold angles of their base: in
+// closed form, without lanes.
 #include "solver/judging/base_judge.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/lanes/batch.hpp"

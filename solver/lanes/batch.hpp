@@ -1,5 +1,5 @@
-// Many sheets of one model at once, in the widest registers there are: the rejection tests that
-// turn most of them away, and the full path of the others.
+// Judges many sheets of one model at once, in the machine's widest registers. Rejection tests turn
+// most of them away; the others' full paths are followed.
 #pragma once
 
 #include <memory>
@@ -12,13 +12,13 @@
 namespace misalign::solver {
 
 enum class InstructionSet {
-  baseline,  ///< what every machine of this architecture has: two lanes
+  baseline,  ///< two lanes, on every machine of this architecture
   avx2,      ///< four lanes
   avx512     ///< eight
 };
 
 const char* instruction_set_name(InstructionSet set);
-/// Of this build and this machine, narrowest first.
+/// Sets that both this build and this machine have, narrowest first.
 std::vector<InstructionSet> available_instruction_sets();
 
 class Batch {
@@ -30,17 +30,17 @@ class Batch {
   /// Verdicts of all sheets on their full paths, where dense matrices have the last word (see
   /// dense_fallback); what those lose too is `undecided`.
   virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;
-  /// What metrics need of each path, with its verdict: of the sheets that no test rejects. Where it
-  /// does not deploy from the threshold only the verdict.
+  /// Records of the sheets that no test rejects, each with its verdict: all that metrics need, or
+  /// the verdict alone where the sheet does not deploy from the threshold.
   virtual const std::vector<PathRecord>& measure(const ShiftBlock& block) = 0;
   /// Whole histories, past faults, every sample solved.
   virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
   /// The same without residuals, singular values and isometry errors, which are 0.
   virtual std::vector<FoldingHistory>& record_lengths(const ShiftBlock& block) = 0;
-  /// The pilot angle of the base folding at the level of the tables that reject() asks first; 0:
-  /// there are none, or none yet.
+  /// Pilot angle of the base folding at the level of the tables that reject() reads first; 0: there
+  /// are no tables, or none yet.
   virtual double tables_deg() const = 0;
-  /// Of everything so far; of paths, those that were judged, measured and recorded.
+  /// Effort so far; that of paths counts judging, measuring and recording.
   virtual Effort rejection_effort() const = 0;
   virtual Effort path_effort() const = 0;
 };

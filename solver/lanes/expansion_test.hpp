@@ -1,7 +1,6 @@
-// The first question that a draw is asked, before anything is solved: what its shifts make of the
-// diagonals to second order (a ShiftExpansion). It is made ready here as well: from gradients by
-// the adjoint of the loop closure on sheets with one coordinate shifted, with bounds from drawn
-// sheets.
+// Rejects draws before anything is solved, by what their shifts do to the diagonals to second order
+// (a ShiftExpansion). Makes the expansion as well: its gradients are those of sheets with one
+// coordinate shifted, by the adjoint of the loop closure; its bounds come from drawn sheets.
 #pragma once
 
 #include <cstring>
@@ -15,13 +14,14 @@
 
 namespace misalign::solver {
 
-// Whose shares are measured; and so many that a part of the tables is worth loading.
+// Sheets of the sample on which tables are measured; sheets for which each part of the tables is
+// loaded into the cache once.
 constexpr int kSampleSheets = 1024, kSheetsAtOnce = 1024;
-// Of tables, in a rank's memory.
+// Memory that tables may take of a rank.
 constexpr std::size_t kMostTableBytes = 16 << 20;
-// Tables that turn away less than this share of the sheets are not worth their time.
+// Tables must reject at least this share of the sample, and its verdict must be known for at least
+// kLeastKnown of it.
 constexpr double kLeastTurnedAway = 0.1;
-// Of the sample, what must be known of the shares that are left out.
 constexpr double kLeastKnown = 0.9;
 // Late levels, of 180 degrees, in proportion where the base folding ends earlier: the first that
 // turns away enough, or the one that turns away most. The early one is in proportion to it.
@@ -31,27 +31,27 @@ constexpr double kLate_deg[] = {130, 140, 115}, kEnoughTurnedAway = 0.75, kEarly
 template <class T, class Single>
 class ExpansionTest {
  public:
-  /// Without an expansion where shifts are not ternary, tables would be too large, or too few
-  /// sheets could be turned away.
+  /// Makes no expansion where shifts are not ternary, tables would be too large, or too few sheets
+  /// could be turned away.
   explicit ExpansionTest(const Model& model);
 
   bool is_there() const { return expansion_ != nullptr; }
   /// The tables; only where they are there.
   const ShiftExpansion& expansion() const { return *expansion_; }
 
-  /// Pilot angles of the base folding at the two levels, and what share of a sample the tables turn
-  /// away.
+  /// Pilot angles of the base folding at the two levels, and the share of a sample that tables
+  /// reject.
   double early_deg() const { return kEarlyShare * late_deg_; }
   double late_deg() const { return late_deg_; }
   double turned_away() const { return turned_away_; }
 
-  /// Tells `rules` (a RejectionTest) what is certain of each sheet of the block.
+  /// Passes all that is certain of each sheet of the block to `rules` (a RejectionTest).
   template <class Rules>
   void run(const ShiftBlock& block, Rules& rules);
 
  private:
   using Short = ShiftExpansion::Short;
-  // As many as a register of T holds, but no more than a row.
+  // A vector is as long as a register of T, but no longer than a row.
   static constexpr int kRow = ShiftExpansion::kRow, kSums = ShiftExpansion::kSums;
   static constexpr int kBytes = std::min<int>(sizeof(T), kRow * sizeof(Short));
   using Shorts [[gnu::vector_size(kBytes), gnu::aligned(2), gnu::may_alias]] = Short;
@@ -71,8 +71,8 @@ class ExpansionTest {
   double late_deg_ = 0, turned_away_ = 0;
   int late_sample_ = 0;
   ProductSums products_{sizeof(T)};
-  // Of some sheets: those still asked, by number, and their sums; of each vertex its row, by its
-  // place; of each coordinate its sign.
+  // Numbers of the sheets that are tested, and their sums; then the table rows of their vertices
+  // and the signs of their coordinates.
   std::vector<int> asked_;
   std::vector<Short> sums_;
   std::vector<std::uint16_t> rows_;
@@ -83,7 +83,7 @@ class ExpansionTest {
 template <class T, class Single>
 ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(model.ternary_mm()) {
   const int vertices = static_cast<int>(model.shifted().size());
-  // With springs beside the vertices unshifted sheets elongate too: expansions have no such term.
+  // Springs beside the vertices elongate in unshifted sheets too: expansions have no such term.
   if (model.ternary_mm() <= 0 || vertices == 0 || model.tests().empty() ||
       !model.mechanism().springs.at_vertices() ||
       model.sample_deg() > kRejection.longest_sample_for_slopes_deg ||
@@ -109,7 +109,7 @@ ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(mode
   late_sample_ = static_cast<int>(late_deg_ / model.sample_deg());
 }
 
-// Returns the share of a sample's sheets that it turns away.
+// Returns the share of a sample's sheets that the tables reject.
 template <class T, class Single>
 double ExpansionTest<T, Single>::make_ready(const Model& model, double late_deg) {
   const ShiftPlaces places(model, kEarlyShare * late_deg, late_deg);
@@ -137,7 +137,8 @@ double ExpansionTest<T, Single>::calibrate(const ShiftExpansion::Sample& sample)
   return static_cast<double>(std::ranges::count(both, 1)) / sample.block.sheets;
 }
 
-// Of lengths early and on both sides of the late angle: elongations are lengths less flat ones.
+// Gradients of the lengths at the early angle and on both sides of the late one: elongations are
+// lengths less flat ones.
 template <class T, class Single>
 void ExpansionTest<T, Single>::find_gradients(const Model& model, const ShiftPlaces& places,
                                               ShiftGradients& gradients) {
@@ -236,7 +237,7 @@ void ExpansionTest<T, Single>::run(const ShiftBlock& block, Rules& rules) {
   }
 }
 
-// Sheets first ... first + count - 1: those with ternary shifts are asked.
+// Tests sheets first ... first + count - 1, where their shifts are ternary.
 template <class T, class Single>
 void ExpansionTest<T, Single>::look_at(const ShiftBlock& block, int first, int count) {
   const int vertices = expansion_->vertices();
@@ -261,7 +262,7 @@ void ExpansionTest<T, Single>::look_at(const ShiftBlock& block, int first, int c
   }
 }
 
-// Sums of a group, of the sheets asked.
+// Adds up a group's entries for the sheets that are tested.
 template <class T, class Single>
 void ExpansionTest<T, Single>::add_up(int group) {
   sums_.resize(asked_.size() * kSums);

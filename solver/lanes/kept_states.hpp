@@ -1,4 +1,4 @@
-// What the rejection tests keep of the sheets that they have not decided: a state to go on from.
+// Keeps a state of each sheet that rejection tests have not decided: the next step starts there.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace misalign::solver {
 
-/// A sheet that is not decided yet, and its state kept; -1: none can be trusted.
+/// A sheet that is not decided yet, and the index of its kept state; -1: none can be trusted.
 struct Undecided {
   int sheet, kept_state;
 };
@@ -17,24 +17,24 @@ class KeptStates {
   /// A state on a sheet's path.
   struct State {
     FoldState<double> state;
-    std::vector<double> tangent;  ///< of unit length, one per unknown, away from flat
+    std::vector<double> tangent;  ///< one entry per unknown, unit length, away from flat
     double pilot_deg;
-    double step_deg;  ///< by which to go on, of the base folding's pilot ...
+    double step_deg;  ///< next step of the base folding's pilot ...
     int to_sample;    ///< ... and exactly to this sample; 0: to none
-    bool goes_on;     ///< whether states beyond may tell more
+    bool goes_on;     ///< true if states beyond may tell more
   };
 
   explicit KeptStates(const Mechanism& mechanism);
   ~KeptStates();
 
-  /// Forgets them all.
+  /// Forgets all states.
   void begin() { count_ = 0; }
-  /// The one of this sheet, or room for it.
+  /// Returns the state of this sheet, or room for it.
   State& of(Undecided& sheet);
 
  private:
   const Mechanism& mechanism_;
-  std::vector<State> states_;  // grows to what a block needs
+  std::vector<State> states_;  // grows with the blocks
   int count_ = 0;
 };
 

@@ -1,6 +1,5 @@
-// Batch in registers of one kind. T is a register of doubles, Single one of floats; the rejection
-// tests look at as many sheets as they have lanes at the same angle, full paths are followed each
-// at its own.
+// A Batch in registers of one kind: T holds doubles, Single floats. A rejection test compares
+// sheets at the same angle, one per lane; on full paths each lane has its own angle.
 #pragma once
 
 #include "solver/lanes/expansion_test.hpp"
@@ -82,10 +81,10 @@ class LaneBatch final : public Batch {
 
  private:
   static constexpr int kFar = Model::kFar, kMiddle = Model::kMiddle, kNear = Model::kNear;
-  static constexpr int kShiftSteps[] = {1, 8, 32};  // in which large shifts grow
-  static constexpr int kMostSteps = 100;  // ahead: from the middle place it takes some ten
+  static constexpr int kShiftSteps[] = {1, 8, 32};  // by which large shifts grow
+  static constexpr int kMostSteps = 100;  // steps ahead; from the middle place about ten suffice
 
-  // Large, and not needed by those who ask for verdicts alone.
+  // Recorders are large; callers that want verdicts alone never make them.
   struct Recorders {
     explicit Recorders(LaneBatch& batch)
         : of_samples(batch.model_, batch.follower_),
@@ -98,9 +97,9 @@ class LaneBatch final : public Batch {
     return *recorders_;
   }
 
-  // In single precision first, twice as many sheets at once. What a test leaves is packed into full
-  // registers for the next. Those with a state at the far level: once more in double precision, and
-  // on from there; the others from the middle one.
+  // Single precision comes first: twice as many sheets at once. The sheets that a test leaves are
+  // packed into full registers for the next. Those with a state at the far level are tested again
+  // in double precision, and followed from there; the others from the middle level.
   void run_tests(const ShiftBlock& block) {
     // The expansion knows already in which direction diagonals set out.
     const bool near_tells = !expansion_test_->is_there();
@@ -111,7 +110,7 @@ class LaneBatch final : public Batch {
     take_found(kFar, block);
     run(single_test_, kMiddle, true, block, lost_);
     take_found(kMiddle, block);
-    // Large shifts: from nearer to flat, and grown step by step.
+    // Large shifts start nearer to flat, and grow step by step.
     for (const int shift_steps : kShiftSteps) {
       double_test_.run(kNear, true, block, lost_, rejection_, states_, shift_steps);
       drop_decided(lost_);
@@ -120,7 +119,7 @@ class LaneBatch final : public Batch {
     for (int place = kNear; near_tells && place > kFar; --place) {
       run(double_test_, place, false, block, open_);
     }
-    // What goes on no farther is for the full path.
+    // Sheets without further states are left to the full path.
     const auto has_ended = [&](Undecided& sheet) {
       return sheet.kept_state < 0 || !states_.of(sheet).goes_on;
     };
@@ -132,18 +131,17 @@ class LaneBatch final : public Batch {
     }
   }
 
-  // Those of the lost sheets that have a state at this place are open again: looked at once more in
-  // double precision.
+  // Opens lost sheets again that have a state at this place, and tests them in double precision.
   void take_found(int place, const ShiftBlock& block) {
-    found_.clear();
+    reopened_.clear();
     std::erase_if(lost_, [&](const Undecided& sheet) {
-      const bool is_found = sheet.kept_state >= 0;
-      if (is_found) found_.push_back(sheet);
-      return is_found;
+      const bool is_reopened = sheet.kept_state >= 0;
+      if (is_reopened) reopened_.push_back(sheet);
+      return is_reopened;
     });
-    if (place != kNear) double_test_.run_again(place, block, found_, rejection_, states_);
-    drop_decided(found_);
-    open_.insert(open_.end(), found_.begin(), found_.end());
+    if (place != kNear) double_test_.run_again(place, block, reopened_, rejection_, states_);
+    drop_decided(reopened_);
+    open_.insert(open_.end(), reopened_.begin(), reopened_.end());
   }
 
   template <class Test>
@@ -167,7 +165,7 @@ class LaneBatch final : public Batch {
   std::optional<ExpansionTest<T, Single>> expansion_test_;  // made when first needed
   LaneTest<Single> single_test_;
   LaneTest<T> double_test_;
-  std::vector<Undecided> open_, lost_, found_;
+  std::vector<Undecided> open_, lost_, reopened_;
 };
 
 }  // namespace misalign::solver

@@ -1,5 +1,5 @@
-// Rejection tests: as many sheets as there are lanes, all at one level (a LevelSolver), and those
-// that are left from state to state along their paths.
+// Rejection tests in lanes: one sheet per lane, all at one level (a LevelSolver); then those that
+// are left, from state to state along their paths.
 #pragma once
 
 #include <algorithm>
@@ -12,25 +12,25 @@
 
 namespace misalign::solver {
 
-/// Looks at open sheets and tells `rules` what it sees (a RejectionTest). Of those that are not
-/// decided then, `states` keeps the last one that can be trusted.
+/// Solves open sheets and shows `rules` (a RejectionTest) what it finds. `states` keeps the last
+/// reliable state of each sheet that is not decided then.
 template <class T>
 class LaneTest {
  public:
   /// `model` must outlive this object.
   explicit LaneTest(const Model& model);
 
-  /// At a place of the model's, from the base folding, its shifts grown in so many steps. States
-  /// are kept if it `keeps` any.
+  /// Solves sheets at one of the model's test places, from the base folding; shifts grow in
+  /// `shift_steps` steps. Their states are kept if it `keeps` any.
   template <class Rules>
   void run(int place, bool keeps, const ShiftBlock& block, std::vector<Undecided>& open,
            Rules& rules, KeptStates& states, int shift_steps = 1);
-  /// Once more from states that were kept at this place: what another precision left in doubt.
+  /// Solves sheets again that another precision left in doubt, from states kept at this place.
   template <class Rules>
   void run_again(int place, const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
                  KeptStates& states);
-  /// From the states that are kept one step along their tangents, the farther the shorter, and to
-  /// each of the last samples. A step that loses its way is halved.
+  /// Steps from the kept states along their tangents, the farther the shorter, and to each of the
+  /// last samples. A step that loses its path is halved.
   template <class Rules>
   void run_ahead(const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
                  KeptStates& states);
@@ -59,7 +59,7 @@ class LaneTest {
   const double sample_deg_;
   LevelSolver<T> solver_;
   std::vector<double> rounding_;  // per place
-  double way_per_level_;          // of the base folding at the far place
+  double way_per_level_;  // arc length per level (rad), of the base folding at the far place
   FoldState<T> start_;
   std::vector<T> flat_, tangent_;
   T step_ = T(0);
@@ -126,8 +126,8 @@ void LaneTest<T>::run_again(int place, const ShiftBlock& block, std::vector<Unde
   });
 }
 
-// Flat lengths too, in this precision. A pilot has not been farther than twice as far from the base
-// folding's as it is.
+// Reads flat lengths too, in this precision. A pilot angle has not been more than twice as far from
+// the base folding's as it is now.
 template <class T>
 template <class Rules>
 void LaneTest<T>::report_all(int place, bool keeps, Undecided* open, int count, Rules& rules,
@@ -197,7 +197,7 @@ void LaneTest<T>::take_kept(Undecided* open, int count, KeptStates& states) {
   }
 }
 
-// Whether states beyond may tell more.
+// Returns whether states beyond may tell more.
 template <class T>
 template <class Rules>
 bool LaneTest<T>::report(int place, double farthest_deg, double pilot_deg, int sample, int sheet,

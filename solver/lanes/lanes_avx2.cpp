@@ -1,4 +1,4 @@
-// Compiled with -mavx2.
+// This file is compiled with -mavx2.
 #include <xsimd/xsimd.hpp>
 
 #include "solver/lanes/lane_batch.hpp"

@@ -1,4 +1,4 @@
-// Compiled with -mavx512f.
+// This file is compiled with -mavx512f.
 #include <xsimd/xsimd.hpp>
 
 #include "solver/lanes/lane_batch.hpp"

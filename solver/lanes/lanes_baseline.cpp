@@ -1,4 +1,4 @@
-// The instruction set that every machine of the architecture has.
+// This file is compiled for the instruction set that every machine of the architecture has.
 #include <xsimd/xsimd.hpp>
 
 #include "solver/lanes/lane_batch.hpp"

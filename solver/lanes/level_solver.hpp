@@ -1,10 +1,10 @@
-// As many sheets as there are lanes, all at one level, straight from the base folding or from
-// states that are known. From the base one step with its factors, then two corrections of Newton's
-// method: the second one's size against the first one's tells how far away the solution still is.
-// The tangent is that of the last Jacobian, one correction before the state: how far it is from
-// keeping the loops closed, weighted by how that shows in each diagonal of the base folding,
-// corrects the slopes (the adjoint correction of Giles & Pierce, Acta Numerica 11, 2002) and says
-// how well they are known, whether Newton or single precision left it.
+// Solves one sheet per lane, all at one level, straight from the base folding or from known states.
+// The start from the base is one step with its factors, then two corrections of Newton's method:
+// the ratio of their sizes tells how far away the solution still is. The tangent is that of the
+// last Jacobian, one correction before the state: how far it is from keeping the loops closed,
+// weighted by how that shows in each diagonal of the base folding, corrects the slopes (the adjoint
+// correction of Giles & Pierce, Acta Numerica 11, 2002) and says how well they are known, whether
+// Newton or single precision left it.
 #pragma once
 
 #include <array>
@@ -27,18 +27,18 @@ class LevelSolver {
   /// `model` and `places` must outlive this object.
   LevelSolver(const Model& model, const std::vector<TestPlace>& places);
 
-  /// Puts so many sheets of a block into lanes, by their numbers; empty lanes repeat the first.
+  /// Puts `count` sheets of a block into lanes, by their numbers; empty lanes repeat the first.
   void load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers, int count);
-  /// The same of sheets first, first + 1, ...
+  /// The same for sheets first, first + 1, ...
   void load(const ShiftBlock& block, int first, int count);
-  /// Their states, lengths and slopes at the level of a place, from the base folding.
+  /// Finds states, lengths and slopes at the level of a place, from the base folding.
   MISALIGN_FLATTEN void solve(int place);
-  /// The same while their shifts grow from nothing in so many steps, with one correction each.
+  /// The same while the shifts grow from zero in `steps` steps, with one correction each.
   void solve_growing(int place, int steps);
-  /// The same from states near them, rounded as they may be: at the levels that these have.
+  /// The same from nearby states, which may be rounded: at the levels of those states.
   MISALIGN_FLATTEN void solve_from(const FoldState<T>& state, int place);
-  /// The same from other states, turned by so much (rad; one per lane) along their unit tangents,
-  /// across which they are corrected; or in lanes where this pilot is not flat with it held.
+  /// The same from other states, moved by `by_rad` (one per lane) along their unit tangents and
+  /// corrected across these; lanes where `pilot` is not flat hold it instead.
   MISALIGN_FLATTEN void solve_ahead(const FoldState<T>& state, const std::vector<T>& tangent,
                                     const T& by_rad, const HalfAngle<T>& pilot, int place);
 
@@ -47,17 +47,17 @@ class LevelSolver {
   /// Factors of the last Jacobian, one correction before the state.
   const SparseLu<T>& factors() const { return closure_.factors(); }
   const std::vector<T>& lengths() const { return lengths_; }
-  /// Rates of change with the level (per rad), or ahead with the way along the tangent.
+  /// Rates of the lengths by the level (per rad), or by the arc length after solve_ahead().
   const std::vector<T>& slopes() const { return slopes_; }
-  /// Of all unknowns with the same.
+  /// Rates of all unknowns, likewise.
   const std::vector<T>& tangent() const { return tangent_; }
   /// Largest change that the tangent's misfit made to a slope.
   const T& slope_correction() const { return slope_correction_; }
-  /// How far lengths in lane i may be off (panel widths); none where the state is not to be
-  /// trusted: Newton did not converge, went too far from the base folding (kLongestStartShare) or
-  /// in a step of the shifts, or it lies on another branch.
+  /// Returns the error bound of the lengths in lane i (panel widths); none where the state cannot
+  /// be trusted: Newton did not converge, went too far from the base folding (kLongestStartShare)
+  /// or in a step of the shifts, or found another branch.
   std::optional<double> length_error(int place, int i) const;
-  /// The same of a state that was solved ahead, which must be on the same curve as before.
+  /// The same after solve_ahead(): the state must be on the same curve as before.
   std::optional<double> length_error_ahead(int i) const;
 
  private:
@@ -193,14 +193,15 @@ void LevelSolver<T>::solve_ahead(const FoldState<T>& state, const std::vector<T>
   const auto is_held = pilot.s > T(0);
   for (std::size_t j = 0; j < row_.size(); ++j) row_[j] = select(is_held, T(0), tangent[j]);
   row_.back() = select(is_held, T(1), tangent.back());
-  // As 2 tan(turn / 2), to third order, because `advance` turns by 2 atan of half its entry.
+  // Entries are 2 tan(turn / 2), to third order, because `advance` turns by 2 atan of half its
+  // entry.
   for (std::size_t j = 0; j < turn_.size(); ++j) {
     const T turn = by_rad * tangent[j];
     turn_[j] = turn + turn * turn * turn * T(static_cast<Real>(1.0 / 12));
   }
   advance(mechanism_, turn_.data(), state_);
-  HalfAngle<T>& here = state_.creases[mechanism_.pilot];
-  here = {select(is_held, pilot.c, here.c), select(is_held, pilot.s, here.s)};
+  HalfAngle<T>& pilot_angle = state_.creases[mechanism_.pilot];
+  pilot_angle = {select(is_held, pilot.c, pilot_angle.c), select(is_held, pilot.s, pilot_angle.s)};
   predictor_correction_ = correct(row_);
   finish(row_, place);
   goes_forward_ = T(0);
@@ -223,7 +224,7 @@ void LevelSolver<T>::finish(const std::vector<T>& level, int place) {
   slope_correction_ = correct_slopes(place);
 }
 
-// One correction; returns the largest turn it made.
+// Corrects once; returns the largest turn.
 template <class T>
 T LevelSolver<T>::correct(const std::vector<T>& level) {
   orientation_ = correct_on_level(mechanism_, geometry_, level, closure_, turn_, tangent_, state_);

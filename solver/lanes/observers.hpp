@@ -1,5 +1,5 @@
-// Observers of path followers: the judges of full paths. Kept outside the templates: nothing here
-// depends on the registers.
+// Observers of path followers: the judges of full paths. Nothing here depends on the registers, and
+// so nothing is a template.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace misalign::solver {
 
-/// Full paths as functions: what these say for certain.
+/// Judges full paths as functions, where these are certain.
 class FunctionObserver final : public QueueObserver {
  public:
   FunctionObserver(const Model& model, const QueueLanes& lanes);
@@ -35,7 +35,8 @@ class FunctionObserver final : public QueueObserver {
   std::vector<int> left_;
 };
 
-/// Full paths in close steps: every sample of a sheet goes to a judge, until it has seen enough.
+/// Judges full paths in close steps: every sample of a sheet goes to a judge, until it has seen
+/// enough.
 class JudgingObserver final : public QueueObserver {
  public:
   JudgingObserver(const Model& model, const QueueLanes& lanes);
@@ -50,14 +51,14 @@ class JudgingObserver final : public QueueObserver {
   }
   bool see(const Station& station, int lane);
   void ended(PathResult path, int lane);
-  /// Once every path has ended: those that are for dense matrices, by dense matrices.
+  /// Judges with dense matrices the paths that need them, once every path has ended.
   void fall_back();
 
   std::vector<Verdict>& verdicts() { return verdicts_; }
 
  private:
   void begin_sheet(PathStart& start, int lane) override;
-  /// Whether the loops of this sheet are open at the point found.
+  /// Returns whether the loops of this sheet are open at the observed point.
   bool is_open(const SheetGeometry<double>& geometry);
 
   BetweenSolver between_;

@@ -1,6 +1,7 @@
-// The quadratic forms of a ProductTable for many sheets, by whatever multiplies bytes: a file with
-// flags of its own says how (`Four`) and calls add_products<Four>. Four of an unnamed namespace
-// keeps all that is compiled with these flags in that file.
+// Evaluates the quadratic forms of a ProductTable for many sheets, with any instruction that
+// multiplies bytes: a file with flags of its own defines `Four` and calls add_products<Four>.
+// `Four` is in an unnamed namespace, which keeps all that is compiled with these flags in that
+// file.
 #pragma once
 
 #include <cassert>
@@ -11,7 +12,7 @@
 
 namespace misalign::solver {
 
-/// So many rows more than there are sheets are written to.
+/// Rows that are written to beyond those of the sheets.
 inline constexpr std::size_t kMoreRows = 16;
 
 // Four products of each form lie side by side, and where bytes are added up two at a time so do
@@ -33,7 +34,7 @@ class ProductKernel {
   static constexpr int kBytes = sizeof(Register), kRegisters = kRow * kQuad / kBytes;
   static constexpr std::size_t kSheets = Four::kSheets;
   static_assert(kSheets <= kMoreRows);
-  // Whose entries, and products of those sheets, stay in the nearest cache.
+  // Entries of this size, and the products of kSheets sheets, stay in the nearest cache.
   static constexpr int kMostQuads = ProductTable::kMostCoordinates / kQuad;
 
   ProductKernel(const ProductTable& table, const signed char* signs, const int* sheets,
@@ -82,7 +83,7 @@ class ProductKernel {
         signs_ + static_cast<std::ptrdiff_t>(sheet) * (coordinates + ProductTable::kPadding) +
         first;
     for (int count = coordinates - first; count > coordinates - end; --count, ++signs) {
-      const Bytes by = Bytes{} + *signs, flip = by < 0, keep = by != 0;
+      const Bytes sign = Bytes{} + *signs, flip = sign < 0, keep = sign != 0;
       for (int j = 0; j < count; j += kBytes) {
         const Bytes others = *reinterpret_cast<const Bytes*>(signs + j);
         *reinterpret_cast<Bytes*>(products + j) = (((others ^ flip) - flip) & keep) + 1;
@@ -91,8 +92,8 @@ class ProductKernel {
     }
   }
 
-  // Adds products times their entries to the rows of kSheets sheets. A call: inlined, it leaves
-  // sums in memory.
+  // Adds products times their entries to the rows of kSheets sheets. Never inlined: that would
+  // leave sums in memory.
   [[gnu::noinline]] void add_block(const Register* entries, int quads, std::int32_t* rows) const {
     Register sums[kSheets * kRegisters];
     auto* const all = reinterpret_cast<Register*>(rows);
@@ -118,7 +119,7 @@ class ProductKernel {
   alignas(64) signed char products_[kSheets][kMostQuads * kQuad + 2 * ProductTable::kPadding];
 };
 
-/// The forms of a group, for these sheets: see ProductSums::find.
+/// Evaluates the forms of a group for these sheets: see ProductSums::find.
 using AddProducts = void(const ProductTable& table, int group, const signed char* signs,
                          const int* sheets, std::size_t count, std::int32_t* rows,
                          std::int16_t* sums, std::size_t stride);
@@ -129,7 +130,7 @@ void add_products(const ProductTable& table, int group, const signed char* signs
 }
 
 #ifdef MISALIGN_X86
-/// Each in a file with flags of its own, which allocates nothing.
+/// Each is in a file with its own flags, which allocates nothing.
 AddProducts add_products_ssse3, add_products_avx2, add_products_vnni;
 #endif
 

@@ -3,7 +3,7 @@
 namespace misalign::solver {
 namespace {
 
-// What the others do in one instruction. Sums have no sign here: they may overflow.
+// Does in several instructions what others do in one. Sums are unsigned: they may overflow.
 struct Four : TwoSums {
   using Register [[gnu::vector_size(16), gnu::may_alias]] = unsigned short;
   static constexpr std::size_t kSheets = 2;

@@ -1,4 +1,4 @@
-// The quadratic forms of a ProductTable for many sheets.
+// Evaluates the quadratic forms of a ProductTable for many sheets.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@ namespace misalign::solver {
 
 class ProductSums {
  public:
-  /// With registers of no more bytes than that, as this machine has them.
+  /// Uses this machine's registers of at most this size (bytes).
   explicit ProductSums(std::size_t most_bytes);
   ~ProductSums();
 
-  /// The forms of a group, for these sheets: kRow shorts each, `stride` shorts from one to the
-  /// next. `signs` are -1, 0 or 1: of each sheet, by its number, one per coordinate and kPadding
+  /// Finds the forms of a group for these sheets: kRow shorts each, `stride` shorts from one to the
+  /// next. `signs` are -1, 0 or 1: each sheet, by its number, has one per coordinate and kPadding
   /// zeros.
   void find(const ProductTable& table, int group, const signed char* signs,
             const std::vector<int>& sheets, std::int16_t* sums, std::size_t stride);

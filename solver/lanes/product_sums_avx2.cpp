@@ -1,4 +1,4 @@
-// Compiled with -mavx2.
+// This file is compiled with -mavx2.
 #include <immintrin.h>
 
 #include "solver/lanes/product_kernel.hpp"

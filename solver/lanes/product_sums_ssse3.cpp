@@ -1,4 +1,4 @@
-// Compiled with -mssse3.
+// This file is compiled with -mssse3.
 #include <immintrin.h>
 
 #include "solver/lanes/product_kernel.hpp"

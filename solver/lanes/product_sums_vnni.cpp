@@ -1,4 +1,4 @@
-// Compiled with -mavx512f -mavx512bw -mavx512vnni.
+// This file is compiled with -mavx512f -mavx512bw -mavx512vnni.
 #include <immintrin.h>
 
 #include "solver/lanes/product_kernel.hpp"
@@ -9,7 +9,8 @@ namespace {
 struct Four {
   using Register = __m512i;
   static constexpr std::size_t kSheets = 16;
-  // Written out: GCC 12 copies sums to and fro about its own _mm512_dpbusd_epi32.
+  // The instruction is written out: GCC 12 copies sums to and fro about its own
+  // _mm512_dpbusd_epi32.
   static void add(int four, const __m512i* entries, __m512i* sum) {
     asm("vpdpbusd %2, %1, %0" : "+v"(*sum) : "v"(_mm512_set1_epi32(four)), "v"(*entries));
   }

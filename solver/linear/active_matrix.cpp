@@ -9,18 +9,18 @@
 namespace misalign::solver {
 namespace {
 
-// Of pivots that cost the same, one replaces another if its share is larger by this factor. On the
-// symmetric base many shares are equal but for rounding, which must not choose; larger factors than
-// 1 also cost fewer operations (6 x 6: 1,712 instead of 1,809).
+// A pivot replaces an equally cheap one if its share is larger by this factor. On the symmetric
+// base many shares differ only by rounding, which must not choose. Factors above 1 also cost fewer
+// operations (6 x 6: 1,712 instead of 1,809).
 constexpr double kMarkedlyLarger = 4;
 
-// At the state where it is least. A pivot that changes its sign between two states is zero
-// somewhere on the way, and would be close to it there: it counts as a millionth.
+// Smallest share over all states. A pivot that changes its sign between two states is zero
+// somewhere between them: its share counts a millionth.
 double least_share(const PivotValues& values, const PivotValues& largest) {
   double share = 1;
   for (int s = 0; s < kPivotStates; ++s) {
-    const double here = largest[s] > 0 ? std::abs(values[s]) / largest[s] : 0;
-    share = std::min(share, values[s] * values[0] > 0 ? here : 1e-6 * here);
+    const double ratio = largest[s] > 0 ? std::abs(values[s]) / largest[s] : 0;
+    share = std::min(share, values[s] * values[0] > 0 ? ratio : 1e-6 * ratio);
   }
   return share;
 }
@@ -98,22 +98,22 @@ void ActiveMatrix::subtract(const PivotValues& factors, const Row& pivot_row, in
   Row& old = rows_[row];
   merged_.columns.clear();
   merged_.values.clear();
-  std::size_t own = 0;
+  std::size_t next = 0;
   const auto keep_up_to = [&](int column) {
-    for (; own < old.columns.size() && old.columns[own] < column; ++own) {
-      merged_.columns.push_back(old.columns[own]);
-      merged_.values.push_back(old.values[own]);
+    for (; next < old.columns.size() && old.columns[next] < column; ++next) {
+      merged_.columns.push_back(old.columns[next]);
+      merged_.values.push_back(old.values[next]);
     }
   };
   for (std::size_t k = 0; k < pivot_row.columns.size(); ++k) {
     const int column = pivot_row.columns[k];
     keep_up_to(column);
-    const bool is_there = own < old.columns.size() && old.columns[own] == column;
-    own += is_there;
+    const bool is_there = next < old.columns.size() && old.columns[next] == column;
+    next += is_there;
     if (column == pivot_column) continue;
     merged_.columns.push_back(column);
     PivotValues& target =
-        merged_.values.emplace_back(is_there ? old.values[own - 1] : PivotValues{});
+        merged_.values.emplace_back(is_there ? old.values[next - 1] : PivotValues{});
     for (int s = 0; s < kPivotStates; ++s) target[s] -= factors[s] * pivot_row.values[k][s];
     if (is_there) continue;
     auto& rows = rows_in_[column];
@@ -135,11 +135,11 @@ ActiveMatrix::Candidate ActiveMatrix::best_in(int column) {
   best.known = true;
   const PivotValues* const* values = in_column_.data();
   for (const int row : rows_in_[column]) {
-    const PivotValues& here = **values++;
+    const PivotValues& pivot_values = **values++;
     Candidate candidate{true, row, (rows_[row].columns.size() - 1) * (rows_in_[column].size() - 1),
                         0};
     if (candidate.cost > best.cost) continue;
-    candidate.share = least_share(here, largest);
+    candidate.share = least_share(pivot_values, largest);
     if (candidate.share >= threshold_ && candidate.before(best)) best = candidate;
   }
   return best;

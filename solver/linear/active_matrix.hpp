@@ -1,5 +1,5 @@
-// The matrix of a mechanism while an order of elimination is looked for, at several states at once:
-// a pivot must be good at all of them.
+// Holds the Jacobian while its order of elimination is chosen, at several states at once: a pivot
+// must be good at all of them.
 #pragma once
 
 #include <array>
@@ -25,15 +25,15 @@ class ActiveMatrix {
     int row = -1, column = -1;
   };
 
-  /// The cheapest pivot among `columns` whose share of its column's largest entry is at least
-  /// `threshold` at every state; of equals one that is markedly larger. No row if there is none.
+  /// The cheapest pivot in `columns` that is at least `threshold` of its column's largest entry at
+  /// every state; of equally cheap pivots a markedly larger one wins. No row if there is none.
   Place choose(const std::vector<int>& columns, double threshold);
 
-  /// Removes the pivot's row and column; what it adds to the other rows stays.
+  /// Removes the pivot's row and column; other rows keep what it adds to them.
   void eliminate(const Place& pivot);
 
  private:
-  // The nonzeros of a row, in column order; columns apart, since they are what is searched.
+  // The nonzeros of a row, in column order. Columns are stored apart, since they are searched.
   struct Row {
     std::vector<int> columns;
     std::vector<PivotValues> values;
@@ -54,7 +54,7 @@ class ActiveMatrix {
 
   std::vector<Row> rows_;
   std::vector<std::vector<int>> rows_in_;  // per column, in order
-  std::vector<Candidate> candidates_;      // per column, for the threshold asked for last
+  std::vector<Candidate> candidates_;      // per column, for the last threshold
   double threshold_ = 0;
   Row merged_;                                 // workspace
   std::vector<const PivotValues*> in_column_;  // workspace

@@ -1,7 +1,6 @@
-// Loop closure at a state, its Jacobian eliminated densely with partial pivoting: the way a path
-// follower solves its equations on the rare sheet that the fixed order does not suit, and for
-// equations of another shape (a homotopy's). The Jacobian gets the last null vector as one row
-// more, so that it is regular at limit points too.
+// Solves loop closure at a state by dense elimination with partial pivoting: for the rare sheets
+// that the fixed order does not suit, and for equations of another shape (a homotopy's). The last
+// null vector is a further row of the Jacobian, which is then regular at limit points too.
 #pragma once
 
 #include <cmath>
@@ -11,7 +10,7 @@
 namespace misalign::solver {
 
 /// `Equations` have `double evaluate(geometry, state)`, `residual()` and `jacobian()`, n x (n + 1),
-/// the column of what is held last: a ClosureSystem, or what looks like one.
+/// the held unknown's column last: those of a ClosureSystem, for instance.
 template <class Equations>
 class DenseClosure {
  public:

@@ -13,25 +13,26 @@
 namespace misalign::solver {
 namespace {
 
-// Up to this many loops Markowitz' order alone is as good for a whole sheet; parts of a larger one
-// are divided further.
+// Sheets of at most kWholeSheet loops are not dissected, since Markowitz' order alone is as good;
+// parts of a larger sheet are divided down to kUndivided loops.
 constexpr int kWholeSheet = 24, kUndivided = 8;
 
 // A cut leaves at least this share of the loops on either side.
 constexpr double kLeastShare = 0.25;
 
-// Unknowns between the halves of so many loops, over the square root of their number.
+// Unknowns on a cut through a part, divided by the square root of its number of loops.
 constexpr double kCutOfSquareRoot = 3;
 
 // Multiplications in eliminating `inside` unknowns whose loops also have `outside` other ones. A
-// loop has half as many equations as unknowns, which it shares with one other each: so there are
-// inside + outside / 2 equations.
+// loop has half as many equations as unknowns and shares each unknown with one other loop: there
+// are inside + outside / 2 equations.
 double elimination_cost(double inside, double outside) {
   const double a = 0.5 * outside, b = outside;
   return inside * (inside * inside / 3 + (a + b) * inside / 2 + a * b);
 }
 
-// Of so many loops, divided into halves again and again, with `outside` unknowns separated already.
+// Expected cost of `loops` loops that are halved again and again, with `outside` unknowns separated
+// already.
 double expected_cost(double loops, double outside) {
   if (loops <= kUndivided) {
     constexpr double kOfDense = 0.1;  // Markowitz' order within a part
@@ -72,16 +73,16 @@ class Dissection {
  private:
   static constexpr int kElsewhere = -1, kDirections = 4;
 
-  // Where a loop lies along x, y and both diagonals, in whole parts of the distance of neighbours:
-  // rounding must not choose between loops in a line.
+  // A loop's coordinates along x, y and both diagonals, in whole parts of the distance between
+  // neighbours: rounding must not choose between loops in a line.
   using Place = std::array<std::int64_t, kDirections>;
 
   struct Cut {
-    int direction = 0, left = 0;  // so many loops on the left
+    int direction = 0, left = 0;  // left: number of loops on that side
     double cost = HUGE_VAL;
   };
 
-  // How many of some unknowns have their first and their last loop at each rank.
+  // Number of unknowns whose first or last loop has each rank.
   struct Ends {
     std::vector<int> first, last;
     int all = 0;
@@ -136,7 +137,7 @@ class Dissection {
     return ends;
   }
 
-  // Replaces `best` by the best cut across this direction if that is cheaper.
+  // Replaces `best` by the best cut across `direction` if that is cheaper.
   void try_direction(int direction, std::vector<int> loops, const std::vector<int>& unknowns,
                      const std::vector<int>& outside, Cut& best) {
     constexpr double kCheaper = 1 - 1e-9;  // rounding must not choose

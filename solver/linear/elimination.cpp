@@ -18,7 +18,7 @@ int sign_of(std::vector<int> permutation) {
   return sign;
 }
 
-// Columns of the factors' nonzeros: row by row, what the matrix has and what the rows above bring.
+// Columns of the factors' nonzeros, row by row: those of the matrix and the fill from rows above.
 std::vector<std::vector<int>> columns_of_factors(const std::vector<std::vector<int>>& columns_of,
                                                  int n) {
   std::vector<std::vector<int>> filled(n);
@@ -43,7 +43,7 @@ std::int32_t end_of(const std::vector<std::int32_t>& list) {
   return static_cast<std::int32_t>(list.size());
 }
 
-// Rows and columns are in order: gives every nonzero its slot.
+// Gives every nonzero its slot; rows and columns are in order already.
 void give_slots(const std::vector<JacobianEntry>& entries, Elimination& plan) {
   const int n = plan.equations;
   std::vector<int> row_at(n), column_at(n + 1);
@@ -74,7 +74,7 @@ void give_slots(const std::vector<JacobianEntry>& entries, Elimination& plan) {
   }
 }
 
-// The columns of the factors, above and below each pivot.
+// Lists the factors' columns, above and below each pivot.
 void list_columns(Elimination& plan) {
   const int n = plan.equations;
   struct Slots {
@@ -107,7 +107,7 @@ void list_columns(Elimination& plan) {
   }
 }
 
-// Whether pivot k + 1 has the rows below and the columns beyond of pivot k, without its own.
+// Returns whether pivot k + 1 has the rows below and the columns beyond of pivot k, except its own.
 bool goes_on(const Elimination& plan, int k) {
   assert(k >= 0 && k + 1 < plan.equations);
   const Elimination::Pivot &a = plan.pivots[k], &b = plan.pivots[k + 1];
@@ -119,8 +119,8 @@ bool goes_on(const Elimination& plan, int k) {
          std::equal(column + b.upper.begin, column + b.upper.end, column + a.upper.begin + 1);
 }
 
-// Blocks of fewer multiplications are as fast pivot by pivot: on 6 x 6 panels there are none that
-// pay.
+// Smallest block in multiplications: smaller ones are as fast pivot by pivot. On 6 x 6 panels none
+// pays.
 constexpr int kLeastBlock = 600;
 
 Elimination::Block block_from(const Elimination& plan, std::int32_t first) {

@@ -1,5 +1,5 @@
-// The symbolic half of a fixed-order elimination: what is multiplied by what, and where it goes.
-// The pattern of the nonzeros is the same for every draw, so it is found once.
+// Plans a fixed-order elimination symbolically: its factors, products and their places. The pattern
+// of nonzeros is the same for every draw, so it is found once.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Elimination {
 
   /// The k-th step: divide the pivot's column below it, subtract multiples of its row.
   struct Pivot {
-    std::int32_t slot;  ///< of the pivot itself
+    std::int32_t slot;  ///< the pivot's slot
     Range upper;        ///< slots of its row beyond the pivot: neighbours, in column order
     Range lower;        ///< places in lower_slot: its column in the rows below
     Range above;        ///< places in above_slot: its column in the rows above
@@ -30,26 +30,26 @@ struct Elimination {
 
   /// Neighbouring pivots whose rows have the same columns beyond them, and whose columns have the
   /// same rows below them (a supernode; Demmel et al., SuperLU, 1999): dense, so that a register
-  /// loaded once serves many multiplications. Every slot still sees the steps in the order of their
+  /// loaded once serves many multiplications. Every slot is still updated in the order of the
   /// pivots: the bits are those of one pivot after another.
   struct Block {
     std::int32_t first, end;    ///< pivots
-    Range upper, lower;         ///< of the last of them
-    Range fill;                 ///< places in fill_slots: those that no block before has touched
-    std::int32_t first_target;  ///< in `targets`: upper.size() slots for each row below
+    Range upper, lower;         ///< ranges of the last pivot
+    Range fill;                 ///< places in fill_slots that no earlier block has touched
+    std::int32_t first_target;  ///< place in `targets`: upper.size() slots for each row below
     int size() const { return end - first; }
   };
 
   int equations;
   std::vector<int> row_of;     ///< equation eliminated i-th
   std::vector<int> column_of;  ///< unknown in column i, n + 1 of them; partner and pilot last
-  int permutation_sign;        ///< of the rows and the first n columns together
+  int permutation_sign;        ///< sign of rows' and first n columns' permutations
   int slots;
   std::vector<std::int32_t> slot_of_value;  ///< per value of `evaluate`
-  std::vector<std::int32_t> fill_slots;     ///< that only the elimination fills, as it comes by
+  std::vector<std::int32_t> fill_slots;     ///< slots that only the elimination fills
   std::vector<Pivot> pivots;
   std::vector<Block> blocks;
-  int most_packed;  ///< multiplications of a block's pivots with one row below: the most
+  int most_packed;  ///< largest number of multiplications of a block's pivots with a row below
   std::vector<std::int32_t> column;  ///< per slot
   std::vector<std::int32_t> lower_slot, lower_row, above_slot, above_row, targets;
 
@@ -58,7 +58,7 @@ struct Elimination {
   std::size_t operations() const;
 };
 
-/// Every step of the elimination of a matrix with these nonzeros whose rows and columns go in this
+/// Plans the elimination of a matrix with nonzeros at `entries`, its rows and columns in the given
 /// order: n rows, n + 1 columns, partner and pilot last.
 Elimination eliminate_in_order(const std::vector<JacobianEntry>& entries,
                                const std::vector<int>& row_of, const std::vector<int>& column_of);

@@ -1,10 +1,10 @@
-// The numeric half of the fixed-order elimination, once through: straight on, no search, no branch
-// on a value, no allocation. Every operation is written out and nothing is fused or reordered: a
-// slot sees the steps in the order of their pivots, so a lane has the bits of the scalar code.
+// Eliminates numerically in the fixed order: without search, branch on a value or allocation. Every
+// operation is written out, and none is fused or reordered: a slot is updated in the order of the
+// pivots, so a lane has the bits of the scalar code.
 //
-// A single pivot is subtracted from each row below in turn. Of a block of pivots, tiles of a few
-// rows and columns stay in registers while all of its pivots are subtracted: a target is loaded and
-// stored once for them all, a multiplier serves a tile's columns and an entry its rows.
+// A single pivot is subtracted from each row below in turn. For a block of pivots, tiles of a few
+// rows and columns stay in registers while all its pivots are subtracted: a target is loaded and
+// stored once, a multiplier serves a tile's columns and an entry its rows.
 #pragma once
 
 #include "solver/kinematics/lane_math.hpp"
@@ -15,8 +15,8 @@ namespace misalign::solver {
 template <class T>
 class EliminationPass {
  public:
-  /// On these slots; `packed` has plan.most_packed places. A right-hand side `y` in elimination
-  /// order becomes L^-1 y as if it were one column more; nullptr: none.
+  /// Works on `slots`; `packed` has plan.most_packed places. A right-hand side `y` in elimination
+  /// order becomes L^-1 y, as a further column would; nullptr if there is none.
   EliminationPass(const Elimination& plan, T* slots, T* inverse_pivots, T* packed, T* y)
       : plan_(plan), slots_(slots), inverse_pivots_(inverse_pivots), packed_(packed), y_(y) {}
 
@@ -71,8 +71,8 @@ class EliminationPass {
     }
   }
 
-  // The pivots from `first` on, up to `end`, from the first so many columns of `row`, which begins
-  // in the first one's column and is row number `number`.
+  // Subtracts the pivots from `first` up to `end` from `columns` entries of `row`, which begins in
+  // the first pivot's column and is row number `number`.
   void subtract_pivots(std::int32_t first, std::int32_t end, int columns, T* row, int number) {
     for (std::int32_t k = first; k < end; ++k, ++row, --columns) {
       const T factor = *row * inverse_pivots_[k];
@@ -83,7 +83,7 @@ class EliminationPass {
     }
   }
 
-  // The block's rows beyond its own columns, one tile's width after another.
+  // Packs the block's rows beyond its own columns, one tile width after another.
   void pack(const Elimination::Block& block) {
     T* packed = packed_;
     const int length = block.upper.size();

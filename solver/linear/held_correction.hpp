@@ -1,4 +1,4 @@
-// One correction of Newton's method with the pilot held, in lanes.
+// Makes one correction of Newton's method with the pilot held, in lanes.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace misalign::solver {
 
-/// Corrects `state` by factors of its own Jacobian, or those that `lu` has already; `turn` (one per
-/// unknown, rad) is what it was turned by. `residual` and `work` have room for one value per
-/// unknown. It is a call wherever it is used: flattened into each of its users it takes two fifths
-/// of the time in which the lanes compile (results/building.md).
+/// Corrects `state` by factors of its own Jacobian, or by those that `lu` has already; `turn` (one
+/// per unknown, rad) becomes the correction. `residual` and `work` have room for one value per
+/// unknown. It is never inlined: flattened into its users it takes two fifths of the lanes' compile
+/// time (results/building.md).
 template <class T>
 [[gnu::noinline]] MISALIGN_FLATTEN void correct_held(const Mechanism& mechanism,
                                                      const SheetGeometry<T>& geometry,
@@ -25,7 +25,7 @@ template <class T>
     lu.forward(residual.data(), work.data());
   }
   lu.backward_held(work.data(), turn.data());
-  for (T& by : turn) by = -by;
+  for (T& angle : turn) angle = -angle;
   advance(mechanism, turn.data(), state);
 }
 

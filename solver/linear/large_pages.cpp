@@ -21,7 +21,7 @@ void* allocate_in_large_pages(std::size_t bytes) {
       std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
   if (!memory) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  if (is_large) madvise(memory, bytes, MADV_HUGEPAGE);  // an advice: without it it is slower
+  if (is_large) madvise(memory, bytes, MADV_HUGEPAGE);  // advice only: without it access is slower
 #endif
   return memory;
 }

@@ -1,5 +1,5 @@
-// One correction of Newton's method along a level, in lanes: what is held is a row of weights of
-// the unknowns, not the pilot.
+// Makes one correction of Newton's method along a level, in lanes: a weighted sum of the unknowns
+// is held, not the pilot.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace misalign::solver {
 
-/// Corrects `state` by `turn` (one per unknown, rad), which leaves `level` (weights of the
-/// unknowns) as it is; `tangent`, there before the correction, changes it by 1. Returns the sign of
-/// det [J; level]. It is a call wherever it is used: flattened into each of its users it takes two
-/// fifths of the time in which the lanes compile (results/building.md).
+/// Corrects `state` by `turn` (one per unknown, rad), which leaves the sum with the weights `level`
+/// as it is; `tangent`, taken before the correction, changes that sum by 1. Returns the sign of det
+/// [J; level]. It is never inlined: flattened into its users it takes two fifths of the lanes'
+/// compile time (results/building.md).
 template <class T>
 [[gnu::noinline]] MISALIGN_FLATTEN T correct_on_level(
     const Mechanism& mechanism, const SheetGeometry<T>& geometry, const std::vector<T>& level,

@@ -11,9 +11,9 @@
 namespace misalign::solver {
 namespace {
 
-// Singular values below this (rad and panel widths) count as zero. The least true one at the angles
-// looked at is 1e-2 on 6 x 6, 7e-4 on 20 x 20, 2e-4 on 40 x 40 and goes like the number of facets;
-// of a sheet that lacks rank, coordinates written to 1e-4 mm on 80 mm panels leave 2e-6.
+// Singular values below this (rad and panel widths) count as zero. The least true one at the tested
+// angles is 1e-2 on 6 x 6, 7e-4 on 20 x 20, 2e-4 on 40 x 40, inversely proportional to the number
+// of facets. If a sheet lacks rank, coordinates written to 1e-4 mm on 80 mm panels leave 2e-6.
 constexpr double kLeastSingularValue = 1e-5;
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -32,9 +32,8 @@ Sparse jacobian_at(const Mechanism& mechanism, const SheetGeometry<double>& geom
   return jacobian;
 }
 
-// Whether all singular values of a square matrix are large enough, by inverse iteration on J J^T:
-// the least one is at most what any of its steps finds, and what the last one finds but for a part
-// in a million.
+// Returns whether all singular values of a square matrix are large enough, by inverse iteration on
+// J J^T. Each step gives an upper bound of the least one, the last within a part in a million.
 bool is_regular(const Sparse& square) {
   assert(square.rows() == square.cols());
   constexpr int kMostIterations = 500;

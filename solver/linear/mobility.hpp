@@ -1,4 +1,4 @@
-// The number of degrees of freedom of a perforated sheet, by the rank of its Jacobian.
+// Counts the degrees of freedom of a perforated sheet by the rank of its Jacobian.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace misalign::solver {
 
-/// What the Jacobian says where the base sheet is folded to generic angles.
+/// Rank of the Jacobian with the base sheet folded to generic angles.
 struct Mobility {
   int unknowns, equations, rank;
   int degrees_of_freedom() const { return unknowns - rank; }
-  /// One, and no constraint too many: shifted sheets fold too.
+  /// True for one degree of freedom without redundant equations: shifted sheets fold too.
   bool is_one() const { return rank == equations && degrees_of_freedom() == 1; }
 };
 
-/// Mobility by rank: the largest over pilot angles 40, 75 and 110 degrees (of 180; in proportion
-/// where the base ends earlier). `holes` must have no hole_faults.
+/// Mobility by the largest rank at pilot angles of 40, 75 and 110 degrees (of 180; in proportion if
+/// the base ends earlier). `holes` must have no hole_faults.
 Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& holes,
                            const BaseFolding& folding);
 

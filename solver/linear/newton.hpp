@@ -1,5 +1,5 @@
-// Loop closure by dense matrices with partial pivoting, and Newton-Raphson with the pilot held, as
-// the paper's MATLAB program would do it.
+// Closes loops by Newton-Raphson with the pilot held and dense matrices with partial pivoting, as
+// the paper's MATLAB program would.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ class ClosureSystem {
  public:
   explicit ClosureSystem(const Mechanism& mechanism);
 
-  /// Residual and Jacobian at `state`; returns how far the worst loop is open.
+  /// Residual and Jacobian at `state`; returns the opening of the worst loop.
   double evaluate(const SheetGeometry<double>& geometry, const FoldState<double>& state);
   double evaluate(const LooseSheet<double>& sheet, const FoldState<double>& state);
 
@@ -61,7 +61,7 @@ class DenseSolve {
     x_.noalias() = lu_.permutationP().transpose() * y_;
     return x_;
   }
-  /// The same between arrays of the matrix' size.
+  /// Solves between arrays of the matrix' size.
   void solve(const double* rhs, double* x) {
     Eigen::Map<Eigen::VectorXd>(x, x_.size()) =
         solve(Eigen::Map<const Eigen::VectorXd>(rhs, x_.size()));
@@ -85,20 +85,20 @@ class Newton {
     /// At 1e-8 lengths are off by 8e-7 mm, at 1e-6 verdicts break; rounding leaves 1e-15 to 6e-14
     /// (20 x 20).
     double closure_tolerance = 1e-12;
-    /// Three are usual from 1 degree away; what needs more than this has lost its branch.
+    /// Three are usual from 1 degree away; a state that needs more than this has lost its branch.
     int max_iterations = 15;
   };
 
   enum class StopReason {
     converged,       ///< open_by <= closure_tolerance
-    too_many_steps,  ///< max_iterations corrections were made and it is still open
+    too_many_steps,  ///< still open after max_iterations corrections
     not_a_number     ///< the residual is not finite: a singular Jacobian, coordinates out of range
   };
 
   struct Result {
     StopReason end;
     int iterations;  ///< corrections made
-    double open_by;  ///< of the state returned
+    double open_by;  ///< opening of the returned state
   };
 
   explicit Newton(const Mechanism& mechanism) : Newton(mechanism, Options{}) {}

@@ -13,33 +13,31 @@
 namespace misalign::solver {
 namespace {
 
-// From flat to closed: where pivots are chosen, and where the choice is tried out. They are chosen
-// on the base folding itself, where every loop closes, not merely near it: some minors vanish on
-// closed states and nowhere else (on 28 x 28 a pivot went from 1e-5 to 6e-10 and 2e-13 as Newton
-// converged). What is large on the closed base is large near it, by continuity.
-// Of 180 degrees, in proportion where the base folding ends earlier.
+// Angles at which pivots are chosen and tried out, of 180 degrees, in proportion if the base
+// folding ends earlier. Pivots are chosen on the base folding itself, where every loop closes: some
+// minors vanish on closed states only (on 28 x 28 a pivot went from 1e-5 to 6e-10 and 2e-13 as
+// Newton converged). A pivot that is large on the closed base is large near it, by continuity.
 using Angles = std::array<double, kPivotStates>;
 constexpr Angles kPlanned_deg = {1, 5, 20, 60, 100, 130, 150, 165, 175, 178};
 constexpr Angles kTried_deg = {2, 10, 40, 80, 115, 140, 155, 160, 170, 177};
 
-// A pivot is no smaller than this share of the largest entry in its column, at every state, unless
-// no entry is: multipliers stay below its inverse. A lower one leaves more choice, and so costs
+// Smallest share that a pivot has of its column's largest entry, at every state, unless no entry
+// reaches it: multipliers stay below its inverse. A smaller share leaves more choice, hence costs
 // fewer operations.
 constexpr double kPivotThresholds[] = {0.0003, 0.001, 0.003, 0.01};
 
-// Of the trial: |J x - b| / (|J| |x| + |b|), largest entries and row sums. A correction is off by
-// at most this times the condition number: at 1 degree 1.6e5 (6 x 6) to 3.1e7 (28 x 28), at 60 a
-// fiftieth and at 170 a twentieth of that. With three digits or more in each correction Newton
-// converges as with dense factors.
+// Largest backward error of the trial, |J x - b| / (|J| |x| + |b|) by largest entries and row sums.
+// A correction is off by at most this times the condition number: at 1 degree 1.6e5 (6 x 6) to
+// 3.1e7 (28 x 28), at 60 a fiftieth and at 170 a twentieth of that. With three digits or more in
+// each correction Newton converges as with dense factors.
 constexpr double kLargestBackwardError = 1e-11;
 
-// How far the trial's misaligned states are off the base folding.
+// Distance of the trial's misaligned states from the base folding.
 constexpr double kOffBase = 0.05;
 
-// The Jacobian's values with the pilot at these angles: on the base folding, or with every joint
-// `off` it by up to this part of the way to flat or closed, on a sheet misaligned by up to a tenth
-// of this part of a panel. The generator's sequence is fixed by the C++ standard: the same plan on
-// every machine.
+// The Jacobian's values with the pilot at these angles, on the base folding, or up to the share
+// `off` from it: every joint towards flat or closed, vertices by a tenth of it in panel widths. The
+// C++ standard fixes the generator's sequence, so that the plan is the same on every machine.
 std::vector<PivotValues> jacobians(const Mechanism& mechanism, const BaseFolding& folding,
                                    const FlatVertices& base_vertices_mm, const Angles& angles_deg,
                                    double off) {
@@ -65,7 +63,7 @@ std::vector<PivotValues> jacobians(const Mechanism& mechanism, const BaseFolding
   return jacobians;
 }
 
-// To |value| if that is larger, to infinity if it is not a number.
+// Raises `norm` to |value| if that is larger, to infinity if it is not a number.
 void take_larger(double& norm, double value) {
   if (!(std::abs(value) <= norm)) norm = std::isnan(value) ? HUGE_VAL : std::abs(value);
 }
@@ -101,11 +99,11 @@ double worst_backward_error(const Elimination& plan, const std::vector<JacobianE
   return worst;
 }
 
-// Of merits that differ by less than this part the first counts: rounding must not choose.
+// Relative difference below which the first of two merits counts: rounding must not choose.
 constexpr double kEqualMerit = 1e-9;
 
-// The crease that is far from the pilot and fast near the folded end, where fold angles change like
-// the inverse of their tangents' ratio to the pilot's.
+// Returns a crease far from the pilot and fast near the folded end, where the rates of fold angles
+// are inverse to their tangents' ratios to the pilot's.
 int partner_of_pilot(const Mechanism& mechanism, const BaseFolding& folding,
                      const FlatVertices& vertices_mm) {
   const auto middle = [&](const Crease& crease) -> Eigen::Vector2d {
@@ -132,7 +130,7 @@ Elimination plan_with(double first_threshold, const std::vector<JacobianEntry>& 
   ActiveMatrix active(entries, jacobians, equations);
   std::vector<int> row_of, column_of;
   std::vector<bool> row_done(equations, false);
-  std::vector<int> waiting;  // columns of the parts so far that found no pivot yet
+  std::vector<int> waiting;  // columns of the parts so far that have no pivot yet
   const auto eliminate_waiting = [&](double threshold) {
     for (;;) {
       const ActiveMatrix::Place pivot = active.choose(waiting, threshold);

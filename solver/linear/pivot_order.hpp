@@ -1,4 +1,4 @@
-// The order in which the Jacobian of one topology is eliminated, chosen once: no search and no
+// Chooses once the order in which the Jacobian of one topology is eliminated: no search and no
 // memory are needed afterwards.
 #pragma once
 
@@ -7,10 +7,10 @@
 namespace misalign::solver {
 
 /// Markowitz' order (least fill first) within the parts of a nested dissection, among pivots that
-/// are large in their column on the base folding at ten angles from 1 to 178 degrees and keep their
-/// sign between them; how large is the least that solves well enough at ten other angles, on the
-/// base folding and off it. The partner is a crease far from the pilot that moves fast near the
-/// folded end. The same on every machine.
+/// on the base folding are large in their column at ten angles from 1 to 178 degrees and keep their
+/// sign. The threshold is the smallest that solves well enough at ten other angles, on and off the
+/// base folding. The partner is a crease far from the pilot that moves fast near the folded end.
+/// The plan is the same on every machine.
 Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& folding,
                              const FlatVertices& base_vertices_mm);
 

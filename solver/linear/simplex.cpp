@@ -8,14 +8,14 @@
 namespace misalign::solver {
 namespace {
 
-// Gains and entries below this are rounding: programs here have entries of about 1.
+// Gains and entries below this are rounding: entries of these programs are about 1.
 constexpr double kNoGain = 1e-9;
 constexpr double kLeastEntry = 1e-9;
-// By so much a bound may be passed for the sake of a larger pivot: small ones spoil the tableau
+// Largest violation of a bound for the sake of a larger pivot, since small ones spoil the tableau
 // (Harris 1973).
 constexpr double kPassed = 1e-10;
-// Pivots that gain nothing, after which the first column that gains is taken instead of the best
-// one (Bland's rule), which cannot go in circles.
+// Number of pivots without gain after which Bland's rule applies, which cannot cycle: the first
+// column that gains is taken, not the best.
 constexpr int kIdlePivots = 50;
 
 class Tableau {
@@ -31,7 +31,7 @@ class Tableau {
     for (int r = 0; r < rows_; ++r) inside_.push_back(variables_ + r);
   }
 
-  // Column with the most to gain, or the first one; -1 if there is none.
+  // Column with the largest gain, or with `first` the first that gains; -1 if there is none.
   int entering(bool first) const {
     int best = -1;
     double most = kNoGain;
@@ -49,8 +49,8 @@ class Tableau {
     return best;
   }
 
-  // Row that stops the column; -1 if none does. Of those that do so first that with the largest
-  // pivot; or, by the rule, of those that do so exactly first that of the first variable.
+  // Row that limits the column; -1 if none does. Of the rows that limit it most the one with the
+  // largest pivot; by Bland's rule, without tolerance, that of the first variable.
   int leaving(int column, bool first) const {
     const auto ratio = [&](int r, double passed) {
       return (cells_(r, variables_) + passed) / cells_(r, column);
@@ -89,21 +89,21 @@ class Tableau {
   double value() const { return cells_(rows_, variables_); }
 
   LinearOptimum optimum(LinearOptimum::StopReason end, int pivots) const {
-    LinearOptimum found{end,    Eigen::VectorXd::Zero(variables_), value(), {},
-                        pivots, Eigen::VectorXd::Zero(rows_)};
+    LinearOptimum optimum{end,    Eigen::VectorXd::Zero(variables_), value(), {},
+                          pivots, Eigen::VectorXd::Zero(rows_)};
     for (int r = 0; r < rows_; ++r) {
       const int variable = inside_[static_cast<std::size_t>(r)];
-      if (variable < variables_) found.x(variable) = std::max(0.0, cells_(r, variables_));
+      if (variable < variables_) optimum.x(variable) = std::max(0.0, cells_(r, variables_));
     }
     for (int k = 0; k < variables_; ++k) {
       const int variable = outside_[static_cast<std::size_t>(k)];
       if (variable >= variables_ && cells_(rows_, k) > kNoGain) {
-        found.binding.push_back(variable - variables_);
-        found.price(variable - variables_) = cells_(rows_, k);
+        optimum.binding.push_back(variable - variables_);
+        optimum.price(variable - variables_) = cells_(rows_, k);
       }
     }
-    std::sort(found.binding.begin(), found.binding.end());
-    return found;
+    std::sort(optimum.binding.begin(), optimum.binding.end());
+    return optimum;
   }
 
  private:

@@ -1,5 +1,6 @@
-// Maximizes a linear function under linear bounds that zero meets, by the simplex method on a dense
-// tableau: adds, multiplies and divides in a fixed order, so that the answer is the same anywhere.
+// Maximizes a linear function under linear bounds that zero satisfies, by the simplex method on a
+// dense tableau. It adds, multiplies and divides in a fixed order, so that the answer is the same
+// on every machine.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,9 +23,9 @@ struct LinearOptimum {
   StopReason end;
   Eigen::VectorXd x;
   double value = 0;
-  std::vector<int> binding;  ///< rows that hold the value down, ascending
+  std::vector<int> binding;  ///< rows whose bounds limit the value, ascending
   int pivots = 0;
-  Eigen::VectorXd price;  ///< of each row: what the value gains by one more of its bound
+  Eigen::VectorXd price;  ///< per row: gain of the value per unit of its bound
 };
 
 LinearOptimum maximize(const LinearProgram& program);

@@ -1,4 +1,4 @@
-// The smallest singular value of the square Jacobian, from factors that are there already.
+// Finds the smallest singular value of the square Jacobian from existing factors.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace misalign::solver {
 
-/// Inverse iteration on J J^T, started from the last answer: along a path few steps are needed.
-/// Each lane stops for itself, so that its answer does not depend on its neighbours.
+/// Inverse iteration on J J^T starts from the last vector: along a path few steps are needed. Each
+/// lane stops by itself, so that its result does not depend on its neighbours.
 template <class T>
 class SmallestSingularValue {
  public:
@@ -17,7 +17,7 @@ class SmallestSingularValue {
     for (int i = 0; i < kLanes<T>; ++i) restart(i);
   }
 
-  /// Forgets the last answer of a lane.
+  /// Forgets the last vector of a lane.
   void restart(int i) {
     const double size = static_cast<double>(direction_.size());
     for (std::size_t k = 0; k < direction_.size(); ++k) {
@@ -26,8 +26,8 @@ class SmallestSingularValue {
   }
 
   /// `factors` of J have `solve(rhs, x)` and `solve_transposed(rhs, x)`. Relative error below 1e-6
-  /// (tested against an SVD) as far as the factors go. 0 or not a number if J is singular. Lanes
-  /// that are not positive in `wanted` are left alone.
+  /// (tested against an SVD) plus that of the factors. 0 or not a number if J is singular. Only
+  /// lanes that are positive in `wanted` are computed.
   template <class Factors>
   T of(Factors& factors, const T& wanted = T(1)) {
     constexpr int kMostIterations = 500;
@@ -57,7 +57,7 @@ class SmallestSingularValue {
     return false;
   }
 
-  // Returns the length that the vector had.
+  // Scales a vector to length one and returns its former length.
   static T scale_to_one(std::vector<T>& vector) {
     using std::sqrt;
     T square(0);

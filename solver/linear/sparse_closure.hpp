@@ -1,5 +1,5 @@
-// Loop closure at a state, its Jacobian eliminated in the fixed order: the way a path follower
-// solves its equations on every sheet that this order suits, one in each lane.
+// Solves loop closure at a state by elimination in the fixed order, for sheets that this order
+// suits, one in each lane.
 #pragma once
 
 #include <vector>
@@ -19,10 +19,10 @@ class SparseClosure {
         work_(mechanism.unknowns, T(0)),
         null_work_(work_) {}
 
-  /// A new path in this lane.
+  /// Begins a new path in a lane.
   void restart(int) {}
 
-  /// Residual and factors at `state`; returns how far the worst loop is open.
+  /// Residual and factors at `state`; returns the opening of the worst loop.
   template <class Geometry>
   T linearize(const Geometry& geometry, const FoldState<T>& state) {
     const T open_by = evaluate(mechanism_, geometry, state, residual_.data(), lu_.entries());
@@ -30,9 +30,10 @@ class SparseClosure {
     return open_by;
   }
 
-  /// x with J x = residual: the pilot held (its entry zero), or where `is_free` is positive the
-  /// pilot or its partner, whichever the equation that is left determines better; and `null` with
-  /// J null = 0, of any length and direction. Once after each linearize().
+  /// Finds x with J x = residual, and `null` with J null = 0 (of any length and direction). The
+  /// pilot is held (its entry zero); where `is_free` is positive, the pilot or its partner is held,
+  /// and the last equation gives the other, whichever it determines better. Call it once after each
+  /// linearize().
   void solve(const T& is_free, T* x, T* null) {
     const T& s_q = lu_.partner_coefficient();
     const T& s_p = lu_.pilot_coefficient();
@@ -43,9 +44,9 @@ class SparseClosure {
                                   null_work_.data(), null);
   }
 
-  /// Sign of det [J; t] for the unit null vector t as it was given. The last pivot is the
-  /// partner's coefficient, which is t's pilot entry before scaling, and det [J; t] = det J /
-  /// t_pilot for the square J.
+  /// Sign of det [J; t] for the unit null vector t of `solve`. The last pivot is the partner's
+  /// coefficient, which is t's pilot entry before scaling, and det [J; t] = det J / t_pilot for the
+  /// square J.
   T orientation() const { return lu_.orientation(); }
 
   const SparseLu<T>& factors() const { return lu_; }

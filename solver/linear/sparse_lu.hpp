@@ -1,6 +1,6 @@
-// The factors that the fixed-order elimination leaves, and what is solved with them: no search, no
-// branch on a value, no allocation, one template for double and for lanes. Every operation is
-// written out and nothing is fused, so a lane has the bits of the scalar code.
+// Solves with the factors of the fixed-order elimination: without search, branch on a value or
+// allocation, in one template for double and for lanes. Every operation is written out and none is
+// fused, so a lane has the bits of the scalar code.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class SparseLu {
         slots_(plan.slots + plan.most_packed, T(0)),
         inverse_pivots_(plan.equations, T(0)) {}
 
-  /// The factors of another precision, rounded.
+  /// Copies factors of another precision, rounded.
   template <class U>
   explicit SparseLu(const SparseLu<U>& other) : SparseLu(other.plan()) {
     std::transform(other.slots_.begin(), other.slots_.end(), slots_.begin(),
@@ -30,7 +30,7 @@ class SparseLu {
                    inverse_pivots_.begin(), [](const U& value) { return static_cast<T>(value); });
   }
 
-  /// Where `evaluate` writes the Jacobian's nonzeros, each into its slot.
+  /// Iterator by which `evaluate` writes the Jacobian's nonzeros into their slots.
   class Entry {
    public:
     Entry(T* slots, const std::int32_t* slot) : slots_(slots), slot_(slot) {}
@@ -56,14 +56,14 @@ class SparseLu {
 
   /// Factors the Jacobian that was written to entries().
   void factorize() { eliminate(nullptr); }
-  /// The same, and y with L y = rhs as forward() would give it, while L is at hand.
+  /// Factors it and finds y with L y = rhs, as forward() would, while L is in the cache.
   void factorize(const T* rhs, T* y) {
     for (int i = 0; i < plan_.equations; ++i) y[i] = rhs[plan_.row_of[i]];
     eliminate(y);
   }
 
   /// y with L y = rhs: rhs one per equation, y in elimination order. V is T, or lanes that share
-  /// factors of one double each.
+  /// factors of type double.
   template <class V>
   void forward(const V* rhs, V* y) const {
     std::int32_t slot = 0;
@@ -76,13 +76,13 @@ class SparseLu {
     }
   }
 
-  /// The equation that is left after the elimination:
-  /// partner_coefficient() dx_partner + pilot_coefficient() dx_pilot = y[n - 1].
+  /// The last equation after the elimination: partner_coefficient() dx_partner +
+  /// pilot_coefficient() dx_pilot = y[n - 1].
   const T& partner_coefficient() const { return slots_[plan_.pivots.back().slot]; }
   const T& pilot_coefficient() const { return slots_[plan_.slots - 1]; }
 
-  /// x (one per unknown) with J x = rhs, for values of the last two unknowns that satisfy the
-  /// equation that is left; `y`, with room for one more value, is used up.
+  /// x (one per unknown) with J x = rhs, for values of the last two unknowns that satisfy the last
+  /// equation; `y`, with room for one more value, is overwritten.
   template <class V>
   void backward(V* y, const V& partner, const V& pilot, V* x) const {
     const int n = plan_.equations;
@@ -98,14 +98,14 @@ class SparseLu {
     }
   }
 
-  /// The same with the pilot at rest; `y` is what forward() made of a right-hand side.
+  /// Solves with the pilot held; `y` is the result of forward().
   template <class V>
   void backward_held(V* y, V* x) const {
     backward(y, y[plan_.equations - 1] / V(partner_coefficient()), V(0), x);
   }
 
-  /// Both at once: x from `y` with `pilot` and `partner`, and the null vector with its own values
-  /// of them, while each factor is at hand. `null_work` has room for one value per unknown.
+  /// Finds x from `y` with `pilot` and `partner`, and the null vector with its own values of both,
+  /// in one pass over the factors. `null_work` has room for one value per unknown.
   void backward_with_null_vector(T* y, const T& partner, const T& pilot, T* x,
                                  const T& null_partner, const T& null_pilot, T* null_work,
                                  T* null) const {
@@ -128,8 +128,8 @@ class SparseLu {
     }
   }
 
-  /// x with J x = 0, for values of the last two unknowns that satisfy the equation that is left;
-  /// `work` has room for one value per unknown.
+  /// x with J x = 0, for values of the last two unknowns that satisfy the last equation; `work` has
+  /// room for one value per unknown.
   template <class V>
   void null_vector(const V& partner, const V& pilot, V* work, V* x) const {
     for (int i = 0; i < plan_.equations; ++i) work[i] = V(0);
@@ -184,11 +184,11 @@ class SparseLu {
   }
 
   const Elimination& plan_;
-  std::vector<T, LargePages<T>> slots_;  // and room for an EliminationPass
+  std::vector<T, LargePages<T>> slots_;  // with room for an EliminationPass
   std::vector<T> inverse_pivots_;
 };
 
-/// The same factors as those of the square Jacobian, without the pilot's column.
+/// Presents the factors as those of the square Jacobian, without the pilot's column.
 template <class T>
 class SquareFactors {
  public:

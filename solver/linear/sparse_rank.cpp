@@ -9,12 +9,12 @@
 namespace misalign::solver {
 namespace {
 
-// A pivot is no smaller than this share of its column's largest entry: of those the one in the
+// Smallest share that a pivot has of its column's largest entry; of such entries that in the
 // shortest row is taken.
 constexpr double kPivotShare = 0.1;
 
-// Columns without a larger entry are put off. Least singular values of sheets with full rank are
-// 1e-4 and more, so that none of these can hide among the pivots; more than that costs little.
+// Columns without a larger entry are put off. The least singular values of sheets with full rank
+// are 1e-4 and more, so that none can hide among the pivots; a larger bound costs little.
 constexpr double kLeastPivot = 1e-2;
 
 struct Nonzero {
@@ -35,7 +35,7 @@ class ColumnElimination {
     }
   }
 
-  // False: the column is put off.
+  // Returns false if the column is put off.
   bool eliminate(int column) {
     double largest = 0;
     for (const int row : rows_in_[column])
@@ -62,15 +62,15 @@ class ColumnElimination {
   Eigen::VectorXd kernel_vector(int column) const {
     Eigen::VectorXd x = Eigen::VectorXd::Unit(static_cast<Eigen::Index>(rows_in_.size()), column);
     for (auto pivot = pivots_.rbegin(); pivot != pivots_.rend(); ++pivot) {
-      double sum = 0, own = 1;
+      double sum = 0, pivot_value = 1;
       for (const Nonzero& entry : pivot->second) {
         if (entry.column == pivot->first) {
-          own = entry.value;
+          pivot_value = entry.value;
         } else {
           sum += entry.value * x[entry.column];
         }
       }
-      x[pivot->first] = -sum / own;
+      x[pivot->first] = -sum / pivot_value;
     }
     return x;
   }
@@ -82,20 +82,20 @@ class ColumnElimination {
   }
   double value(int row, int column) const { return find(rows_[row], column)->value; }
 
-  // Both rows are in column order; what is left of the row's column goes.
+  // Merges two rows in column order; the row's entry in `column` goes.
   void subtract(double factor, const Row& pivot_row, int column, int row) {
     const Row& old = rows_[row];
     merged_.clear();
-    auto own = old.begin();
+    auto next = old.begin();
     for (const Nonzero& entry : pivot_row) {
-      while (own != old.end() && own->column < entry.column) merged_.push_back(*own++);
-      const bool is_there = own != old.end() && own->column == entry.column;
-      const double before = is_there ? (own++)->value : 0;
+      while (next != old.end() && next->column < entry.column) merged_.push_back(*next++);
+      const bool is_there = next != old.end() && next->column == entry.column;
+      const double before = is_there ? (next++)->value : 0;
       if (entry.column == column) continue;
       merged_.push_back({entry.column, before - factor * entry.value});
       if (!is_there) rows_in_[entry.column].push_back(row);
     }
-    merged_.insert(merged_.end(), own, old.end());
+    merged_.insert(merged_.end(), next, old.end());
     rows_[row] = merged_;
   }
 

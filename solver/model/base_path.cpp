@@ -11,7 +11,7 @@
 namespace misalign::solver {
 namespace {
 
-// Where the proportions are read off.
+// Pilot angle at which the proportions are read.
 constexpr double kUnitPilot_deg = 90;
 
 Eigen::Vector3d axis_across(const PerforatedSheet& base, const BallJoint::Crossing& crossing) {
@@ -24,8 +24,8 @@ Eigen::Vector3d axis_across(const PerforatedSheet& base, const BallJoint::Crossi
 
 }  // namespace
 
-// J without the pilot's column, and the Cholesky factor of its normal matrix: of the same singular
-// values, but for what is lost where they are squared.
+// J without the pilot's column, and the Cholesky factor of its normal matrix, with the same
+// singular values up to what squaring loses.
 struct BasePath::Equations {
   explicit Equations(const Mechanism& mechanism)
       : entries(jacobian_entries(mechanism)),
@@ -44,7 +44,7 @@ struct BasePath::Equations {
     jacobian.setFromTriplets(triplets.begin(), triplets.end());
     factor.compute(Eigen::SparseMatrix<double>(jacobian.transpose() * jacobian));
   }
-  // As SmallestSingularValue asks: by the factor's upper triangle and its transpose.
+  // Factors for SmallestSingularValue: the upper triangle and its transpose.
   void solve(const double* rhs, double* x) const { take(factor.matrixU(), rhs, x); }
   void solve_transposed(const double* rhs, double* x) const { take(factor.matrixL(), rhs, x); }
   template <class Triangle>
@@ -74,8 +74,8 @@ void BasePath::find_state(const HalfAngle<double>& pilot, FoldState<double>& sta
   state = base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot);
 }
 
-// tan(rho / 2) = r tan(pilot / 2), so that the fold angle grows by r / (c^2 + r^2 s^2) of the
-// pilot. A ball joint turns as the base's two creases on the way across it do, one after the other.
+// tan(rho / 2) = r tan(pilot / 2), so that the fold angle's rate is r / (c^2 + r^2 s^2) of the
+// pilot's. A ball joint turns like the base's two creases across it, one after the other.
 void BasePath::find_rates(const HalfAngle<double>& pilot, std::vector<double>& rates) const {
   const auto rate_of = [&](int edge) {
     const double r = tangents_[static_cast<std::size_t>(edge)];

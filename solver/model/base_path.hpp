@@ -1,5 +1,5 @@
-// The path of a sheet that folds by its base's own fold angles, in closed form: nothing is solved.
-// Sheets of the parallel family do (solver/pattern/README.md), with however few holes.
+// Gives in closed form the path of a sheet that folds by its base's fold angles, as sheets of the
+// parallel family do with any number of holes (solver/pattern/README.md).
 #pragma once
 
 #include <memory>
@@ -12,23 +12,23 @@ namespace misalign::solver {
 
 class BasePath {
  public:
-  /// Both must outlive this object. The base folds flat, and tangents of half its fold angles are
-  /// in proportion, as those of every base that has a parallel family.
+  /// Both must outlive this object. The base must be flat-foldable with proportional tangents of
+  /// half fold angles, as every base of a parallel family is.
   BasePath(const Mechanism& mechanism, const PerforatedSheet& base);
   ~BasePath();
 
-  /// State, rates by radian of pilot, lengths and slopes where the pilot is folded so far; `misfit`
-  /// is what these rates open.
+  /// Finds state, rates per radian of pilot, lengths and slopes at a pilot angle; `misfit` is the
+  /// opening by these rates.
   void find(const SheetGeometry<double>& geometry, const HalfAngle<double>& pilot,
             PathPoint& point) const;
   void find_state(const HalfAngle<double>& pilot, FoldState<double>& state) const;
   void find_rates(const HalfAngle<double>& pilot, std::vector<double>& rates) const;
 
-  /// How far the worst of all loops is open there (rad, panel widths): of a member rounding alone,
-  /// also of the equations that are more than it has unknowns.
+  /// Opening of the worst loop (rad, panel widths): only rounding for a member, redundant equations
+  /// included.
   double open_by(const SheetGeometry<double>& geometry, const FoldState<double>& state);
-  /// The least of the Jacobian's without the pilot's column, at the state of open_by: where it is
-  /// not zero, the sheet folds in this one way. 0 below some 1e-8, which cannot be told from that.
+  /// The Jacobian's least singular value without the pilot's column, at the state of open_by: if it
+  /// is not zero, the sheet folds in this way only. Values below some 1e-8 count as 0.
   double singular_value();
 
  private:
@@ -36,7 +36,7 @@ class BasePath {
 
   const Mechanism& mechanism_;
   const PerforatedSheet& base_;
-  std::vector<double> tangents_;  // of half the fold angle, per edge, over the pilot's
+  std::vector<double> tangents_;  // per edge: tangent of half the fold angle over the pilot's
   std::unique_ptr<Equations> equations_;
 };
 

@@ -40,7 +40,7 @@ void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<dou
   point.rates.resize(static_cast<std::size_t>(mechanism_.unknowns));
   auto rates = Eigen::VectorXd::Map(point.rates.data(), mechanism_.unknowns);
   rates.head(mechanism_.equations) = -factors.solve(system.jacobian().col(mechanism_.equations));
-  rates[mechanism_.equations] = 1;  // the pilot's, last
+  rates[mechanism_.equations] = 1;  // the pilot's rate, last
   point.pilot_rate = 1 / rates.norm();
   folded_lengths_and_slopes(mechanism_, geometry, point.state, point.rates.data(),
                             point.lengths.data(), point.slopes.data(), misfit.data());

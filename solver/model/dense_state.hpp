@@ -1,5 +1,5 @@
-// Lengths, rates of change and the least singular value of a state, from dense factors of its
-// Jacobian: used where sparse factors are too inaccurate (at 180 degrees pivots vanish).
+// Finds lengths, rates of change and the least singular value of a state from dense factors of its
+// Jacobian, where sparse factors are too inaccurate (at 180 degrees pivots vanish).
 #pragma once
 
 #include <memory>
@@ -11,28 +11,28 @@
 
 namespace misalign::solver {
 
-/// From here on the fixed order's factors are not trusted: at 180 degrees singular values from them
-/// were off by up to 40 %, and closed loops were opened to 2e-10 by a last correction.
+/// Pilot angle beyond which the fixed order's factors are not used: at 180 degrees their singular
+/// values were off by up to 40 %, and a last correction opened closed loops to 2e-10.
 inline constexpr double kPoorFactorsFrom_deg = 179;
 
-/// J times the tangent that factors give is zero but for what they are worth: beyond this (per
-/// radian of pilot) what follows from them is asked of dense ones.
+/// Largest misfit, J times the tangent from the factors (per radian of pilot), with which these are
+/// used; beyond it dense factors are.
 inline constexpr double kLargestMisfit = 1e-9;
 
-/// Its matrices are made when first needed.
+/// Makes its matrices when they are first needed.
 class DenseState {
  public:
   /// `mechanism` must outlive this object.
   explicit DenseState(const Mechanism& mechanism);
   ~DenseState();
 
-  /// Everything about a solution, or what is near one: closes it first, its pilot held, if it is
-  /// open. `state` may be the point's own.
+  /// Finds all results at a solution; closes an open `state` first, with its pilot held. `state`
+  /// may be the point's own.
   void find(const SheetGeometry<double>& geometry, const FoldState<double>& state,
             PathPoint& point);
 
   double open_by() const { return open_by_; }
-  /// The least of the square Jacobian's there, whatever was asked before.
+  /// Least singular value of the square Jacobian at the last state, whatever was computed before.
   double singular_value();
 
  private:

@@ -1,13 +1,12 @@
-// Gradients of a folded sheet by where its vertices lie on the flat one: by the adjoint of the loop
-// closure, so that all vertices together cost one transposed solve.
+// Computes gradients of a folded sheet by the flat places of its vertices, by the adjoint of loop
+// closure: all vertices together cost one transposed solve.
 //
-// In a closed state a vertex enters a joint in two ways. Moved by d, a joint's fixed point moves
-// what comes after it by (R_before - R_after) d. An edge that is turned by an angle in the sheet
-// turns the crease on it: by the screw (R_before - R_after) z through the same point. The end of a
-// spring moves with the corner of its panel. A wrench
-// (force f, moment m about the origin) takes from a screw (w, c) the power w . (m - c x f); a
-// diagonal is such a wrench on the joints between its ends, and a weight of the closure equations
-// one on all joints of the loop.
+// In a closed state a vertex enters a joint in two ways. A joint's fixed point that moves by d
+// moves what follows it by (R_before - R_after) d. An edge that turns in the sheet turns the crease
+// on it: by the screw (R_before - R_after) z through the same point. The end of a spring moves with
+// the corner of its panel. A wrench (force f, moment m about the origin) has with a screw (w, c)
+// the power w . (m - c x f); a diagonal is such a wrench on the joints between its ends, and a
+// weight of the closure equations one on all joints of the loop.
 #pragma once
 
 #include <vector>
@@ -33,13 +32,13 @@ class FlatGradient {
     work_ = weights_;
   }
 
-  /// Looks at a closed state. `geometry` must live as long as that is asked about.
+  /// Prepares gradients at a closed state. `geometry` must live as long as they are computed.
   void at(const SheetGeometry<T>& geometry, const FoldState<T>& state) {
     geometry_ = &geometry;
     for (std::size_t i = 0; i < mechanism_.loops.size(); ++i) look_at(i, state);
   }
 
-  /// Of a diagonal, panel widths: as folded_lengths() has it.
+  /// Length of a diagonal, panel widths, as folded_lengths() has it.
   T length(int diagonal) const {
     const Diagonal& d = mechanism_.diagonals[diagonal];
     return distance(corners_[d.loop][d.from_corner].point, corners_[d.loop][d.to_corner].point);
@@ -66,7 +65,8 @@ class FlatGradient {
     of_unknowns(diagonal, rates_.data());
     add_held(diagonal, factors, gradient);
   }
-  /// The same with `level` held, a row of weights of the unknowns that `tangent` changes by 1.
+  /// d length / d vertex with the level held: the sum of unknowns weighted by `level`, which
+  /// `tangent` changes by 1.
   void with_level_held(int diagonal, const SparseLu<T>& factors, const std::vector<T>& level,
                        const std::vector<T>& tangent, std::vector<T>& gradient) {
     of_unknowns(diagonal, rates_.data());
@@ -120,9 +120,9 @@ class FlatGradient {
   struct Joint {
     std::array<Screw, 3> unknown;
     int count, column;
-    Vec3<T> along_x, along_y;  // how what comes after moves with its fixed point
-    Screw edge_end;            // and with the end of its edge, across the edge, per length of it
-    int vertex, edge;          // edge: -1 for a ball joint
+    Vec3<T> along_x, along_y;  // motion of what follows per motion of the fixed point
+    Screw edge_end;    // its motion per motion of the edge's end across the edge, per edge length
+    int vertex, edge;  // edge: -1 for a ball joint
   };
   struct Corner {
     Vec3<T> point;
@@ -167,7 +167,7 @@ class FlatGradient {
            flat_point(*geometry_, mechanism_.edges[edge].a);
   }
 
-  // By rates_ of what is left of the unknowns.
+  // Adds the gradient whose derivatives by the free unknowns are rates_.
   void add_held(int diagonal, const SparseLu<T>& factors, std::vector<T>& gradient) {
     factors.transposed(rates_.data(), work_.data(), weights_.data());
     for (T& weight : weights_) weight = -weight;
@@ -176,7 +176,7 @@ class FlatGradient {
     add_closure(weights_.data(), gradient.data());
   }
 
-  // By which a diagonal pulls at the end where it begins, or at the other.
+  // Wrench by which a diagonal pulls at its `from` corner, or at the other.
   Wrench pull(int diagonal, bool from) const {
     const Diagonal& d = mechanism_.diagonals[diagonal];
     const Vec3<T>& a = corners_[d.loop][d.from_corner].point;
@@ -185,7 +185,8 @@ class FlatGradient {
     return {force, cross(from ? a : b, force)};
   }
 
-  // The joints of its loop, and whether each comes before the corner where it begins or ends.
+  // Visits the joints of a diagonal's loop with whether each comes before the corner where it
+  // begins or ends.
   template <class Work>
   void each_joint_of(int diagonal, const Work& work) const {
     const Diagonal& d = mechanism_.diagonals[diagonal];
@@ -196,7 +197,7 @@ class FlatGradient {
     }
   }
 
-  // Of a force on a spring's end, its joints held.
+  // Adds the gradient of a force on a spring's end, with joints held.
   void add_corner(int loop, int corner, const Vec3<T>& force, T* gradient) const {
     const Mat3<T>& frame = corners_[loop][corner].frame;
     add_end(mechanism_, *geometry_, mechanism_.loops[loop], corner,

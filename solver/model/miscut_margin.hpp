@@ -1,7 +1,7 @@
-// The miscut margin: how far off, to first order, the vertices of a sheet may be cut before one of
-// its diagonals no longer goes on in its direction: for each section of the way, how far the
-// diagonal moves over how fast that changes with where the vertices lie. Rank correlation with the
-// share of miscut copies that deploy: 0.89, against 0.68 of the least slope (results/miscut/).
+// Finds the miscut margin: the cutting error, to first order, at which a diagonal reverses. For
+// each section of the path it is the diagonal's motion over the gradient of that motion by the
+// vertices. Its rank correlation with the share of miscut copies that deploy is 0.89, that of the
+// least slope 0.68 (results/miscut/).
 #pragma once
 
 #include <cmath>
@@ -13,15 +13,15 @@
 
 namespace misalign::solver {
 
-/// Sections of this much of the pilot's angle, and what is left of it up to the threshold. With
-/// 5 degrees the correlation is 0.91, with 30 it is 0.83.
+/// Length of the sections in pilot angle; the last is shorter. With 5 degrees the correlation is
+/// 0.91, with 30 it is 0.83.
 inline constexpr double kMarginSection_deg = 20;
 
-/// The samples where sections end, ascending: the last is the threshold, or where the fixed
-/// order's factors are poor beyond it.
+/// Samples at which sections end, ascending: the last is the threshold, or the last before the
+/// fixed order's factors are poor.
 std::vector<int> margin_samples(double sample_deg, int threshold_sample);
 
-/// For one sheet in each lane.
+/// Computes the margin of one sheet in each lane.
 template <class T>
 class MiscutMargin {
  public:
@@ -33,7 +33,7 @@ class MiscutMargin {
         row_(static_cast<std::size_t>(2 * mechanism.vertices), T(0)),
         last_rows_(last_lengths_.size(), row_) {}
 
-  /// A flat sheet. `geometry` must live until the next one.
+  /// Begins a flat sheet. `geometry` must live until the next one.
   void begin(const SheetGeometry<T>& geometry) {
     geometry_ = &geometry;
     least_square_ = T(kFar * kFar);
@@ -45,7 +45,7 @@ class MiscutMargin {
     }
   }
 
-  /// The closed state where the next section ends, and its Jacobian's factors.
+  /// Adds the section that ends in this closed state; `factors` are its Jacobian's.
   void see(const FoldState<T>& state, const SparseLu<T>& factors) {
     gradient_.at(*geometry_, state);
     for (std::size_t d = 0; d < last_lengths_.size(); ++d) {
@@ -65,25 +65,24 @@ class MiscutMargin {
     }
   }
 
-  /// Of the sheet in lane i the least over all diagonals and sections so far: the root of the sum
-  /// of squares of all errors in x and in y of the nearest sheet on which it does not move. None
-  /// where the solver failed: where one of them is not finite.
+  /// Least margin of the sheet in lane i over all diagonals and sections so far: the root of the
+  /// sum of squares of all vertex errors of the nearest sheet on which the diagonal does not move.
+  /// None if the solver failed, that is, if a value is not finite.
   std::optional<double> mm(int i) const {
     if (!std::isfinite(lane(failed_, i))) return std::nullopt;
     return std::sqrt(lane(least_square_, i)) * mechanism_.panel_width_mm;
   }
 
  private:
-  static constexpr double kFar = 1e6;  // panel widths: beyond any distance
+  static constexpr double kFar = 1e6;  // panel widths; beyond any distance
 
   const Mechanism& mechanism_;
   FlatGradient<T> gradient_;
   const SheetGeometry<T>* geometry_ = nullptr;
   std::vector<T> last_lengths_, row_;
-  std::vector<std::vector<T>>
-      last_rows_;  // of each diagonal: its gradient where the last one ended
+  std::vector<std::vector<T>> last_rows_;  // per diagonal: its gradient at the last section's end
   T least_square_ = T(0);
-  T failed_ = T(0);  // no number any more where the solver failed
+  T failed_ = T(0);  // not a number once the solver failed
 };
 
 }  // namespace misalign::solver

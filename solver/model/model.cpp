@@ -12,24 +12,24 @@
 namespace misalign::solver {
 namespace {
 
-// Of 180 degrees, in proportion where the base folding ends earlier: one step from there leads
-// 99 of 100 sheets of 6 x 6 to their own path, and of those that go on to deploy no one elsewhere;
-// at 165 degrees one of 35 was lost (results/level.md).
+// Largest pilot angle of the far place, of 180 degrees, in proportion if the base folding ends
+// earlier. One step from there leads 99 of 100 sheets of 6 x 6 to their own path, and no sheet that
+// deploys to another; at 165 degrees one of 35 was lost (results/level.md).
 constexpr double kSafeFromBase_deg = 157.5;
 
-// And this far below the threshold: at one level pilots differ.
+// Distance of the far place below the threshold, since pilots differ at one level.
 constexpr double kPilotsDiffer_deg = 2;
 
-// Where the first test at the far level lets a sheet pass, this share of it shows in which
-// direction its diagonals set out: with both, nine of ten sheets are decided.
+// Places as shares of the far one. After a test at the far level, one at a smaller share shows in
+// which direction diagonals set out: the two decide nine of ten sheets.
 constexpr double kPlaces[] = {1, 0.8, 0.6, 0.4, 0.2};
 static_assert(std::size(kPlaces) == Model::kNear + 1);
 
-// Closer to flat nothing is gained.
+// Least angle of the far place: closer to flat nothing is gained.
 constexpr double kLeastFar_deg = 1;
 
-// Unknowns but the pilot, in groups of which no loop has two: a diagonal answers to the joints of
-// its own loop alone, so that one evaluation serves a group.
+// Groups the unknowns without the pilot such that no loop has two of a group: a diagonal depends on
+// the joints of its own loop alone, so that one evaluation serves a group.
 std::vector<std::vector<int>> apart_from_each_other(
     const Mechanism& mechanism, const std::vector<std::vector<int>>& unknowns_of_loop) {
   std::vector<std::vector<int>> loops_of(mechanism.unknowns), groups;
@@ -67,15 +67,15 @@ std::vector<std::vector<int>> unknowns_of_loops(const Mechanism& mechanism) {
   return unknowns;
 }
 
-// The level's row: the sum of all |fold angles|.
+// Weights of the level: the sum of all |fold angles|.
 std::vector<double> level_of(const Mechanism& mechanism) {
   std::vector<double> level(mechanism.unknowns, 0);
   for (const Crease& crease : mechanism.creases) level[crease.column] = crease.assignment;
   return level;
 }
 
-// Rows d length / d closure of all diagonals, one after another: their gradients, through the
-// Jacobian's factors, with the level held.
+// Rows d length / d closure of all diagonals in turn: their gradients through the Jacobian's
+// factors, with the level held.
 std::vector<double> lengths_per_closure(const Mechanism& mechanism,
                                         const SheetGeometry<double>& geometry,
                                         const TestPlace& at) {
@@ -112,8 +112,8 @@ std::vector<double> lengths_per_closure(const Mechanism& mechanism,
   return rows;
 }
 
-// Joints of the hole with the most of them, times the largest distance across a hole from end to
-// end of a spring.
+// Largest number of joints of a hole, times the largest distance of two springs' ends across a
+// hole.
 double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
   double most_joints = 0, widest = 0, beside = 0;
   for (const Loop& loop : mechanism.loops) {

@@ -1,4 +1,4 @@
-// Pairs the panels of a sheet, each two with what they have in common: those that might meet.
+// Lists the pairs of panels that might meet, with their common vertex or crease.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@ namespace misalign::solver {
 
 enum class ContactKind {
   apart,   ///< panels without a common vertex: their distance is 0
-  vertex,  ///< with one common vertex: a ray from it lies in both
-  crease   ///< with a common crease: its fold angle is +-180 degrees
+  vertex,  ///< panels with one common vertex: a ray from it lies in both
+  crease   ///< panels with a common crease: its fold angle is +-180 degrees
 };
 
 /// Two panels that might meet.
@@ -21,10 +21,10 @@ struct PanelPair {
   int joint;  ///< the common vertex, or the crease's index; -1 apart
 };
 
-/// Every two panels, each with what they have in common.
+/// All pairs of panels, with their common vertex or crease.
 std::vector<PanelPair> pairs_of(const Panels& panels);
 
-/// Where a vertex comes among a panel's corners; 4 if it is none of them.
+/// Index of a vertex among a panel's corners; 4 if it is none of them.
 int corner_of(const std::array<int, 4>& corners, int vertex);
 
 }  // namespace misalign::solver

@@ -1,24 +1,24 @@
-// Quadratic forms of the coordinates' signs, as a table of bytes.
+// Holds quadratic forms of the coordinates' signs as a table of bytes.
 #pragma once
 
 #include <cstdint>
 #include <vector>
-#include <xsimd/xsimd.hpp>  // its allocator; xsimd 13 has no header for that alone
+#include <xsimd/xsimd.hpp>  // for its allocator, which has no header of its own in xsimd 13
 
 namespace misalign::solver {
 
-/// The second order of all quantities as quadratic forms of the coordinates, entries in bytes,
-/// which machines multiply and add up side by side.
+/// The second order of all quantities as quadratic forms of the coordinates. Entries are bytes,
+/// which processors multiply and sum in parallel.
 struct ProductTable {
   using Byte = signed char;
-  /// Products side by side that one multiplication adds up.
+  /// Number of products that one instruction sums.
   static constexpr int kQuad = 4;
   /// Signs of a sheet's coordinates are followed by this many zeros, so that they can be read a
   /// register at once.
   static constexpr int kPadding = 64;
-  /// Products of more coordinates are not found.
+  /// Largest number of coordinates with products.
   static constexpr int kMostCoordinates = 768;
-  /// Quantities of a group, whose forms lie side by side.
+  /// Number of quantities of a group, whose forms are adjacent.
   static constexpr int kRow = 16;
 
   explicit ProductTable(int count) : coordinates(count) {}
@@ -31,7 +31,7 @@ struct ProductTable {
   /// The sum of all entries for each quantity of each group.
   std::vector<std::int32_t> totals;
 
-  /// That hold so many products; those of this coordinate with itself and those after it.
+  /// Quads for `count` products; quads for a coordinate's products with itself and later ones.
   static int quads(int count) { return (count + kQuad - 1) / kQuad; }
   int quads_from(int coordinate) const { return quads(coordinates - coordinate); }
   int all_quads() const;

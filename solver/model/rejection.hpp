@@ -1,4 +1,4 @@
-// The answer of rejection tests about a sheet.
+// Result of the rejection tests for a sheet.
 #pragma once
 
 #include "solver/verdict/fault.hpp"
@@ -6,8 +6,8 @@
 namespace misalign::solver {
 
 struct Rejection {
-  Fault fault = Fault::none;  ///< none: not decided, the full path must tell
-  int sample = 0;             ///< where the test looked
+  Fault fault = Fault::none;  ///< none: undecided, the full path is needed
+  int sample = 0;             ///< sample at which the test was made
 };
 
 }  // namespace misalign::solver

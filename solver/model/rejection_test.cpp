@@ -41,10 +41,10 @@ double step_ahead_deg(double pilot_deg, double far_deg) {
 
 double farthest_between(double from_deg, double from_rate, double to_deg, double to_rate,
                         double step) {
-  const double here = std::max(from_deg, to_deg);
-  if (!(to_rate < 0 && from_rate > 0)) return here;
+  const double farthest = std::max(from_deg, to_deg);
+  if (!(to_rate < 0 && from_rate > 0)) return farthest;
   const double meet = (to_deg - from_deg - to_rate * step) / (from_rate - to_rate);
-  return here + 1.5 * std::max(0.0, from_deg + from_rate * meet - here);
+  return farthest + 1.5 * std::max(0.0, from_deg + from_rate * meet - farthest);
 }
 
 double norm_of(const std::vector<double>& vector) {
@@ -115,22 +115,22 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
       earlier_deg_[sheet] > 0 &&
       std::abs(earlier_deg_[sheet] - now.pilot_deg) > (1 - 1e-9) * model_.sample_deg();
   const double since = now.pilot_deg > earlier_deg_[sheet] ? 1 : -1;
-  // Of so many steps one at least is longer than the band.
+  // Beyond this margin at least one step between samples is longer than the band.
   const double flat_margin = now.length_error + kStepBand_widths * model_.threshold_sample();
   const double earlier_margin = flat_margin + earlier_error_[sheet];
   const bool slopes_count = model_.sample_deg() <= kRejection.longest_sample_for_slopes_deg &&
                             now.pilot_deg <= slopes_until_deg_;
   const double slope_margin =
       now.slope_error + kRejection.least_slope_widths_per_deg / kRadPerDeg * now.pilot_rate;
-  // What a diagonal may still do on its way to a sample is left to it.
+  // Allows for a diagonal's further motion up to a sample.
   const double of_a_sample = model_.sample_deg() * kRadPerDeg / now.pilot_rate;
   const int ways = now.sample > 0 ? 0 : 1;
   const int ways_since = now.sample > 0 && earlier_exact_[sheet] ? 0 : 2;
   for (std::size_t i = 0; i < diagonals_; ++i) {
     bool grows = direction_[first + i] > 0, shrinks = direction_[first + i] < 0;
-    const auto moved = [&](double by, double margin) {
-      grows = grows || by > margin;
-      shrinks = shrinks || by < -margin;
+    const auto moved = [&](double change, double margin) {
+      grows = grows || change > margin;
+      shrinks = shrinks || change < -margin;
     };
     const double next = (std::abs(now.slopes[i]) + now.slope_error) * of_a_sample;
     moved(now.lengths[i] - flat_[first + i], flat_margin + ways * next);

@@ -1,7 +1,6 @@
-// The rejection tests' rules: what an expansion and a few converged states of a sheet say about its
-// verdict. They only ever reject, and only what every sample's own test would reject too: samples
-// are a subset of those that the verdict looks at, and every comparison leaves room for the error
-// of both sides.
+// Rejects sheets by rules on an expansion and a few converged states. Only sheets that the test of
+// every sample would reject too are rejected: samples are a subset of the verdict's, and every
+// comparison allows for the errors of both sides.
 #pragma once
 
 #include <cmath>
@@ -14,37 +13,38 @@
 
 namespace misalign::solver {
 
-/// How far a diagonal is from that of the solution (panel widths) after two corrections of these
-/// sizes (rad); none where they do not shrink fast enough for that to be believed. Both by Newton:
-/// each squares the error, e' = K e^2, and the corrections give K (Kantorovich).
+/// Error of a diagonal (panel widths) after two Newton corrections of these sizes (rad); none if
+/// they do not shrink fast enough. Each squares the error, e' = K e^2, and the corrections give K
+/// (Kantorovich).
 std::optional<double> newton_error(double first_correction_rad, double second_correction_rad,
                                    double length_per_rad);
-/// What rounding may leave in a diagonal (panel widths) at a test's angle, for numbers that differ
-/// by `epsilon` next to 1: a loop closes to a few roundings of the sheet's extent.
+/// Rounding error of a diagonal (panel widths) at a test's angle, for numbers with the machine
+/// epsilon `epsilon`: a loop closes to a few roundings of the sheet's extent.
 double rounding_error(double epsilon, double extent, const TestPlace& test);
-/// How far to go along a path from a state with this pilot angle (degrees of the base folding's
-/// pilot); sheets depart from the base folding at `far_deg`.
+/// Length of the next step along a path from a state with this pilot angle (degrees of the base
+/// folding's pilot); sheets depart from the base folding at `far_deg`.
 double step_ahead_deg(double pilot_deg, double far_deg);
-/// Steps that lose the way are halved, down to this one.
+/// Bounds of a step; steps that lose the path are halved down to the shortest.
 inline constexpr double kShortestStep_deg = 0.5, kLongestStep_deg = 7.5;
-/// How far a pilot gets between two states `step` apart on a path (deg), where it changes at these
-/// rates: where the path's tangents meet, and half as much again.
+/// Largest pilot angle between two states `step` apart on a path (deg) with these rates: half as
+/// far again as the point where the path's tangents meet.
 double farthest_between(double from_deg, double from_rate, double to_deg, double to_rate,
                         double step);
-/// Of a vector.
+/// Euclidean norm.
 double norm_of(const std::vector<double>& vector);
-/// Error of slopes that were corrected by at most this much: so many times that, and a floor.
+/// Error of slopes after a largest correction `correction`: a multiple of it plus a floor.
 double slope_error(double correction);
 
-/// The memory of a block of sheets while they are tested.
+/// State of a block of sheets while they are tested.
 class RejectionTest {
  public:
-  /// One state of a sheet, its diagonals in panel widths and per radian of the way along its path.
+  /// One state of a sheet, its diagonals in panel widths and per radian of arc length along its
+  /// path.
   struct Observation {
     double pilot_deg;
-    int sample;           ///< that it is at exactly; 0: at none
-    double pilot_rate;    ///< how the pilot changes along that way; not positive: it turned back
-    double farthest_deg;  ///< no farther had the pilot been on the way here
+    int sample;           ///< sample of this exact angle; 0: none
+    double pilot_rate;    ///< pilot's rate per arc length; not positive: it turned back
+    double farthest_deg;  ///< largest pilot angle on the way to this state
     const double* lengths;
     double length_error;
     const double* slopes;
@@ -54,24 +54,25 @@ class RejectionTest {
   explicit RejectionTest(const Model& model);
   ~RejectionTest();
 
-  /// Forgets everything; room for `sheets` of them.
+  /// Begins a block of `sheets` sheets.
   void begin(int sheets);
-  /// The sheet's flat diagonals, before anything else about it.
+  /// Sets a sheet's flat diagonals, before all else.
   void set_flat(int sheet, const double* lengths);
-  /// What is certain of a sheet's diagonals at samples up to this one, before anything else: 1, it
-  /// grows somewhere, -1, it shrinks. Rejects the sheet if one does both.
+  /// Sets the certain directions of a sheet's diagonals at samples up to `sample`, before any
+  /// state: 1 if it grows somewhere, -1 if it shrinks. Rejects the sheet if one does both.
   void expect(int sheet, const signed char* directions, bool both, int sample);
   /// Rejects the sheet if a diagonal was seen both growing and shrinking, or if its pilot has
-  /// turned back short of the threshold. True if it is not decided and states beyond may tell more.
+  /// turned back short of the threshold. Returns true if it is undecided and states beyond may
+  /// decide.
   bool observe(int sheet, const Observation& observation);
-  /// Rejects it if a crease is over-folded or lost its sign in this state of its path, short of the
+  /// Rejects the sheet if a crease is over-folded or has the wrong sign in a state short of the
   /// threshold.
   void observe(int sheet, double pilot_deg, const FoldState<double>& state);
 
-  /// Beyond, of slopes nothing is believed.
+  /// Pilot angle beyond which slopes do not count.
   double slopes_until_deg() const { return slopes_until_deg_; }
-  /// The next sample beyond this pilot angle that is worth a look exactly there, where slopes are
-  /// not enough: the last one whose slopes count, and each after it.
+  /// The next sample beyond this pilot angle to be solved exactly because slopes do not suffice:
+  /// the last one whose slopes count, and each after it.
   int next_sample(double pilot_deg) const;
   const std::vector<Rejection>& results() const { return rejections_; }
   bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
@@ -80,7 +81,7 @@ class RejectionTest {
   bool sees_both(int sheet, const Observation& observation);
 
   const Model& model_;
-  /// The first sample that is not before it.
+  /// The first sample at or beyond this pilot angle.
   int sample_of(double pilot_deg) const {
     return static_cast<int>(std::ceil(pilot_deg / model_.sample_deg() * (1 - 1e-12)));
   }
@@ -89,10 +90,10 @@ class RejectionTest {
   const double threshold_deg_, slopes_until_deg_;
   std::vector<Rejection> rejections_;
   std::vector<double> flat_, earlier_;  // per sheet and diagonal
-  std::vector<double> earlier_deg_;     // per sheet: pilot; 0: nothing seen yet
-  std::vector<char> earlier_exact_;     // per sheet: whether that is a sample's
+  std::vector<double> earlier_deg_;     // per sheet: pilot; 0: no state yet
+  std::vector<char> earlier_exact_;     // per sheet: true if that is a sample
   std::vector<double> earlier_error_;   // per sheet
-  std::vector<signed char> direction_;  // per sheet and diagonal; 0: not seen to move
+  std::vector<signed char> direction_;  // per sheet and diagonal; 0: no motion seen
 };
 
 }  // namespace misalign::solver

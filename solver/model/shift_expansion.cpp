@@ -8,19 +8,19 @@
 namespace misalign::solver {
 namespace {
 
-// The largest sum there can be is this many units.
+// Largest possible sum and entry in units.
 constexpr double kLargestSum = 32000;
 constexpr double kLargestByte = 127;
-// Of the largest share that was left out on the sheets that were measured. Among 30,000 sheets of
-// 6 x 6 the largest is 1.6 times that of all but one in a thousand.
+// Safety factor of the largest remainder on the sample's sheets. Among 30,000 sheets of 6 x 6 the
+// largest is 1.6 times that of all but one in a thousand.
 constexpr float kSafety = 4;
-// No diagonal's share is taken to be less than this part of the largest: it was luck.
+// Lower bound of a diagonal's remainder as a share of the largest: smaller ones are chance.
 constexpr float kLeastShare = 0.5F;
 
-// The second order of a sheet counts as at least this part of the median's: where it is small by
-// accident, what is left out is not.
+// Lower bound of a sheet's second order as a share of the median: if it is small by chance, the
+// remainder is not.
 constexpr float kLeastOrder = 0.5F;
-// Of a shift, in squares of its amplitude.
+// Mean square of a shift in squared amplitudes.
 constexpr double kMeanSquare = 2.0 / 3;
 
 }  // namespace
@@ -31,8 +31,8 @@ class ShiftExpansion::Polynomial {
   Polynomial(const ShiftGradients& gradients, ShiftedQuantity quantity, int diagonal)
       : g_(gradients), q_(quantity), d_(diagonal) {}
 
-  /// Of x_j: the mean of its slope over the step, by Simpson's rule, and what x_i^2 x_j come to in
-  /// the mean.
+  /// Coefficient of x_j: its mean slope over the step by Simpson's rule, plus the mean of the terms
+  /// x_i^2 x_j.
   double linear(int j) const {
     const double none = g_.none(q_, d_, j);
     double sum = (forth(j, j) + back(j, j) + 4 * none) / 6;
@@ -41,7 +41,7 @@ class ShiftExpansion::Polynomial {
     }
     return sum;
   }
-  /// Of x_i x_j.
+  /// Coefficient of x_i x_j.
   double product(int i, int j) const {
     return (forth(i, j) - back(i, j) + (i == j ? 0 : forth(j, i) - back(j, i))) / 4;
   }
@@ -148,11 +148,11 @@ float ShiftExpansion::fill_singles(int group, int column, const Polynomial& poly
   }
   const double unit = bound / kLargestSum;
   for (int vertex = 0; vertex < vertices_; ++vertex) {
-    const double* const of = linear.data() + 2 * vertex;
+    const double* const weights = linear.data() + 2 * vertex;
     for (const int x : {-1, 0, 1}) {
       for (const int y : {-1, 0, 1}) {
         singles_[at_single(group, vertex, place_of(x, y)) + static_cast<std::size_t>(column)] =
-            static_cast<Short>(std::lround((x * of[0] + y * of[1]) / unit));
+            static_cast<Short>(std::lround((x * weights[0] + y * weights[1]) / unit));
       }
     }
   }
@@ -164,9 +164,9 @@ float ShiftExpansion::fill_products(int group, int column, const Polynomial& pol
   double largest = 0, bound = 0;
   for (int i = 0; i < coordinates; ++i) {
     for (int j = i; j < coordinates; ++j) {
-      const double here = std::abs(polynomial.product(i, j));
-      largest = std::max(largest, here);
-      bound += here;
+      const double size = std::abs(polynomial.product(i, j));
+      largest = std::max(largest, size);
+      bound += size;
     }
   }
   const double unit = std::max(largest / kLargestByte, bound / kLargestSum);
@@ -192,7 +192,7 @@ void ShiftExpansion::calibrate(int group, const std::vector<Short>& sums, const 
   for (const ShiftedQuantity quantity : {ShiftedQuantity::elongation, ShiftedQuantity::slope}) {
     const int which = static_cast<int>(quantity);
     const std::vector<double>& truth = which == 0 ? sample.elongations : sample.slopes;
-    Kind& of = kinds_[which];
+    Kind& kind = kinds_[which];
     std::vector<float> orders(sheets);
     for (std::size_t s = 0; s < sheets; ++s) {
       orders[s] = second_order(which, group, sums.data() + s * kSums);
@@ -200,8 +200,8 @@ void ShiftExpansion::calibrate(int group, const std::vector<Short>& sums, const 
     std::vector<float> sorted = orders;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sheets / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
-    const float least = of.least[static_cast<std::size_t>(group)] = kLeastOrder * *middle;
-    float* const share = of.share.data() + group * kDiagonals;
+    const float least = kind.least[static_cast<std::size_t>(group)] = kLeastOrder * *middle;
+    float* const share = kind.share.data() + group * kDiagonals;
     const int count = diagonals_of(group);
     for (std::size_t s = 0; s < sheets; ++s) {
       for (int k = 0; k < count && sample.is_known[s]; ++k) {

@@ -1,10 +1,9 @@
-// The diagonals as an expansion in the shifts, to second order, from tables. With ternary shifts a
-// vertex has nine places, and what its place adds to a quantity is known beforehand; so is what the
-// product of two coordinates adds, which is -1, 0 or 1 times a number. No residual, no solve.
-// Quantities are each diagonal's elongation at an early angle and
-// its slope at a late one, where the orders of the shifts still fall off quickly. On the base
-// folding both vanish. What is left out is bounded by a multiple of the draw's own second order,
-// and that multiple is measured on sheets of its own.
+// Expands the diagonals in the shifts to second order, from tables, without residual or solve. With
+// ternary shifts a vertex has nine places, each with a tabulated addition to a quantity; the
+// product of two coordinates adds -1, 0 or 1 times a number. Quantities are each diagonal's
+// elongation at an early angle and its slope at a late one, where the orders of the shifts still
+// decrease fast; both vanish on the base folding. The remainder is bounded by a multiple of the
+// draw's second order, which is measured on a sample of sheets.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +19,13 @@ namespace misalign::solver {
 /// Elongations at the early angle, slopes at the late one.
 enum class ShiftedQuantity { elongation, slope };
 
-/// Where quantities are looked at: early, on both sides of the late level, late.
+/// Places at which quantities are taken: early, on both sides of the late level, late.
 struct ShiftPlaces {
   enum { kEarly, kBefore, kAfter, kLate };
-  /// Slopes by central differences of lengths: their error is a ten-thousandth.
+  /// Half step of the central differences that give slopes, with an error of a ten-thousandth.
   static constexpr double kHalfStep_deg = 0.5;
 
-  /// By the base folding's pilot.
+  /// Angles are those of the base folding's pilot.
   ShiftPlaces(const Model& model, double early_deg, double late_deg);
   ~ShiftPlaces();
 
@@ -34,8 +33,8 @@ struct ShiftPlaces {
 };
 
 /// Gradients of all quantities by all coordinates (x and y of each shifted vertex in turn, in
-/// amplitudes), of the sheets that an expansion is made from: without shifts (0), and with
-/// coordinate i shifted forth (1 + 2 i) and back (2 + 2 i).
+/// amplitudes), on the sheets from which an expansion is made: unshifted (0), and with coordinate i
+/// shifted forth (1 + 2 i) and back (2 + 2 i).
 class ShiftGradients {
  public:
   explicit ShiftGradients(const Model& model);
@@ -63,8 +62,7 @@ class ShiftGradients {
 
 class ShiftExpansion {
  public:
-  /// Sheets with drawn shifts, and what their quantities are (panel widths; per radian), where that
-  /// could be found.
+  /// Quantities of sheets with drawn shifts (panel widths; per radian), where they are known.
   struct Sample {
     Sample(const Model& model, int sheets);
     ~Sample();
@@ -75,60 +73,60 @@ class ShiftExpansion {
   };
 
   using Short = std::int16_t;
-  /// A group: quantities of this many diagonals lie side by side, their elongations, then their
-  /// slopes. Sheets that one group turns away need not be asked of the next.
+  /// Sizes of a group: the elongations of kDiagonals diagonals, then their slopes. Sheets that one
+  /// group rejects skip the next groups.
   static constexpr int kRow = ProductTable::kRow, kDiagonals = kRow / 2;
   static constexpr int kPlaces = 9;
-  /// Of a sheet and a group: the first order, then the second.
+  /// Sums of a sheet and a group: the first order, then the second.
   static constexpr int kSums = 2 * kRow;
 
   explicit ShiftExpansion(const ShiftGradients& gradients);
   ~ShiftExpansion();
-  /// Of its products.
+  /// Size of the table of products.
   static std::size_t bytes(int vertices, int diagonals);
 
   int vertices() const { return vertices_; }
   int groups() const { return groups_; }
   int diagonals() const { return diagonals_; }
-  /// Diagonals of a group: the last one may have fewer.
+  /// Number of a group's diagonals; the last group may have fewer.
   int diagonals_of(int group) const {
     return std::min(kDiagonals, diagonals_ - group * kDiagonals);
   }
-  /// The second order: what products are multiplied with.
+  /// Coefficients of the second order.
   const ProductTable& products() const { return products_; }
-  /// What a vertex in this place adds to the first order.
+  /// First-order terms of a vertex in this place.
   const Short* single(int group, int vertex, int place) const {
     return singles_.data() + at_single(group, vertex, place);
   }
-  /// The place of a vertex with shifts of these signs: -1, 0 or 1.
+  /// Place of a vertex whose shifts have the signs x and y: -1, 0 or 1.
   static int place_of(int x, int y) { return 3 * (x + 1) + y + 1; }
 
-  /// Measures the bounds of a group on these sheets, whose sums are known.
+  /// Measures a group's error bounds on sample sheets with these sums.
   void calibrate(int group, const std::vector<Short>& sums, const Sample& sample);
-  /// A quantity of a sheet whose diagonal's group has these sums, and how far it may be off.
+  /// A quantity of a sheet whose diagonal's group has these sums, and its error bound.
   struct Estimate {
     double value, bound;
   };
   Estimate estimate(ShiftedQuantity quantity, int diagonal, const Short* sums) const;
-  /// What is certain of a group's diagonals in a sheet with these sums: `directions` becomes 1
-  /// where one grows somewhere, -1 where it shrinks, 0 where neither is certain. True if one does
+  /// Finds the certain directions of a group's diagonals on a sheet with these sums: 1 if a
+  /// diagonal grows somewhere, -1 if it shrinks, 0 if neither is certain. Returns true if one does
   /// both.
   bool see(int group, const Short* sums, signed char* directions) const;
 
  private:
   class Polynomial;
-  // Of one kind of quantity, padded to whole groups.
+  // Data of one kind of quantity, padded to whole groups.
   struct Kind {
-    std::vector<float> unit, second_unit;  // of a short
-    std::vector<float> share;              // of the second order that may be left out
-    std::vector<float> least;              // of a group: the second order is taken to be no smaller
+    std::vector<float> unit, second_unit;  // value of a short's unit
+    std::vector<float> share;              // remainder as a share of the second order
+    std::vector<float> least;              // per group: lower bound of the second order
   };
   std::size_t at_single(int group, int vertex, int place) const {
     const std::size_t before = static_cast<std::size_t>(group) * vertices_ + vertex;
     return (before * kPlaces + place) * kRow;
   }
-  // Of a quantity, whose column it is in its group. They return its unit: every entry fits, and
-  // every sum.
+  // Fill the column of a quantity in its group; return its unit, with which every entry and sum
+  // fits.
   float fill_singles(int group, int column, const Polynomial& polynomial);
   float fill_products(int group, int column, const Polynomial& polynomial);
   /// Largest second order of a kind.
@@ -140,7 +138,7 @@ class ShiftExpansion {
   Kind kinds_[2];
 };
 
-// Inlined, for the registers of whoever asks.
+// Inlined, so that it uses its callers' registers.
 [[gnu::always_inline]] inline float ShiftExpansion::second_order(int kind, int group,
                                                                  const Short* sums) const {
   const float* const unit = kinds_[kind].second_unit.data() + group * kDiagonals;

@@ -16,7 +16,7 @@ using Eigen::Index;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// The row of the actuation at the angle of use.
+// Returns the row of the actuation at the angle of use.
 Index row_of_use(const Sheet& sheet, std::optional<double> from_deg) {
   if (!from_deg) return sheet.rows_up_to_d();
   const std::optional<Index> row = sheet.row_at(*from_deg);
@@ -24,7 +24,7 @@ Index row_of_use(const Sheet& sheet, std::optional<double> from_deg) {
   return *row + 1;
 }
 
-// Rows of the actuation that are samples up to the angle of use, and that itself.
+// Returns whether a row is a sample up to the angle of use, or that angle.
 bool is_used(const FoldingHistory& history, const Actuation& actuation, std::size_t station) {
   assert(station < history.stations.size());
   const auto row = static_cast<Index>(station) + 1;
@@ -86,11 +86,11 @@ std::vector<double> free_lengths_mm(const Sheet& sheet, const Actuators& actuato
   return free_mm;
 }
 
-// What the diagonals take up over what the span does. Both stand still together, flat and where a
-// sheet lies folded flat: then there is none.
+// The diagonals' rates over the span's. Both are zero in flat sheets and where a sheet lies folded
+// flat: then there is no advantage.
 double advantage(const FoldingHistory& history, Index row, double span_mm_per_deg) {
   assert(row >= 0 && row < history.slope_mm_per_deg.rows());
-  constexpr double kStill = 1e-9;  // of the diagonals' lengths, per radian: what rates are off by
+  constexpr double kStill = 1e-9;  // error of rates, in the diagonals' lengths per radian
   const double still_mm_per_deg =
       kStill * kRadPerDeg * std::reduce(history.flat_mm.begin(), history.flat_mm.end());
   if (std::abs(span_mm_per_deg) <= still_mm_per_deg) return kNone;

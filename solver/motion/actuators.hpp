@@ -1,4 +1,4 @@
-// Springs or wires on the diagonals of the holes: which.
+// Springs or wires on the diagonals of the holes.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace misalign::solver {
 
-/// What springs are left with at flat: those on diagonals that lengthen as the sheet folds pull,
-/// those on diagonals that shorten push.
+/// Forces left in the springs of a flat sheet: those on diagonals that lengthen as the sheet folds
+/// pull, those on diagonals that shorten push.
 struct Preload {
   double each_n = 0;
   struct OfOne {
@@ -21,16 +21,16 @@ struct Preload {
       return std::minmax(from, to) == std::minmax(diagonal.from, diagonal.to);
     }
   };
-  std::vector<OfOne> others = {};  ///< springs that have another one
+  std::vector<OfOne> others = {};  ///< springs with another force
 
   bool is_any() const { return largest_n() > 0; }
-  /// Of all that are named.
+  /// The largest force given.
   double largest_n() const {
     double largest_n = each_n;
     for (const OfOne& other : others) largest_n = std::max(largest_n, other.n);
     return largest_n;
   }
-  /// Of each diagonal's spring. Names of other diagonals say nothing.
+  /// Forces of all diagonals' springs. Vertices that are no diagonal have no effect.
   Eigen::VectorXd forces_n(const std::vector<Diagonal>& diagonals) const {
     Eigen::VectorXd forces_n =
         Eigen::VectorXd::Constant(static_cast<Eigen::Index>(diagonals.size()), each_n);
@@ -43,7 +43,7 @@ struct Preload {
   }
 };
 
-/// One on every diagonal, relaxed on the flat sheet but for its preload.
+/// One spring on every diagonal, relaxed on the flat sheet except for its preload.
 struct Actuators {
   double stiffness_n_per_mm = 50;      ///< the paper's springs
   std::optional<double> stroke_limit;  ///< largest |L - L0| / L0; 0.08 for the paper's Ti-Ni wires

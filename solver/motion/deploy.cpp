@@ -17,7 +17,7 @@ std::vector<double> wells_of(const std::vector<Equilibrium>& equilibria) {
   return wells_x;
 }
 
-// Of the angles that must lie on the way: the first that does not.
+// Fault of the first angle that does not lie on the way, as all must.
 std::optional<OptionFault> angle_fault(const Sheet& sheet, const ReleaseOptions& options) {
   const FoldingWay& way = *sheet.way();
   double end_deg = way.end_deg();
@@ -50,7 +50,7 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const ReleaseOptions&
   return fault;
 }
 
-// A preload stands for where springs are relaxed.
+// A preload replaces the angle at which springs are relaxed.
 std::optional<OptionFault> preload_fault(const Springs& springs) {
   if (!springs.preload.is_any()) return {};
   const std::string value = shown("%g", springs.preload.largest_n());
@@ -131,7 +131,7 @@ std::optional<double> critical_friction_in_motion(const Sheet& sheet,
   const EnergyModel without(sheet, tried);
   const auto bound = find_friction_limits(without, options.from_deg).critical_n_mm_per_mm;
   if (!bound || !arrives(0)) return {};
-  double arriving = 0, held = *bound * (1 + relative);  // no damping lets it bear more
+  double arriving = 0, held = *bound * (1 + relative);  // damping lets it bear no more
   assert(held > arriving);
   while (held - arriving > relative * held) {
     const double middle = (arriving + held) / 2;
@@ -188,7 +188,7 @@ StudyResult<StaticRelease> static_release(const Sheet& sheet, const ReleaseOptio
 
 std::optional<double> springs_n_mm(const Sheet& sheet, const ReleaseOptions& options) {
   if (const auto study = static_release(sheet, options)) return study->springs_n_mm;
-  // By the state that was solved there: next to where it is folded flat ways are off.
+  // The energy comes from the solved state: ways are inexact next to folded flat.
   if (!sheet.way() || sheet.rows_up_to_d() == 0 || options.from_deg != sheet.deploys_from_deg() ||
       preload_fault(options.sheet.springs)) {
     return {};

@@ -12,10 +12,10 @@
 namespace misalign::solver {
 namespace {
 
-// Springs that are off by less than this are relaxed: lengths are known to 1e-10 mm.
+// Springs with a smaller elongation are relaxed: lengths are known to 1e-10 mm.
 constexpr double kRelaxed_mm = 1e-8;
 
-// Time is counted in units of the sheet's own, in which the way takes about 1.
+// Time is counted in the sheet's own unit, in which the motion takes about 1.
 double time_unit_s(const EnergyModel& sheet, double from_x, const std::vector<double>& wells_x) {
   const EnergyAt start = sheet.at(from_x);
   double released = std::abs(start.potential - sheet.at(0).potential);
@@ -26,7 +26,7 @@ double time_unit_s(const EnergyModel& sheet, double from_x, const std::vector<do
   return std::abs(from_x) * std::sqrt(start.mass / (2 * released));
 }
 
-// As close as this to where friction holds it, it is there.
+// The sheet is at rest this close to where friction holds it.
 constexpr double kCreep_deg = 1e-5;
 
 class Run {
@@ -67,55 +67,56 @@ class Run {
   using Stop = MotionIntegrator::Stop;
 
   double acceleration(double x, double rate) const {
-    const EnergyAt here = sheet_.at(x);
+    const EnergyAt energy = sheet_.at(x);
     const double speed = rate / unit_s_;  // per second
-    assert(here.mass > 0);
-    const double force = -here.mass_slope * speed * speed / 2 - here.slope -
-                         direction_ * here.friction - here.damping * speed;
-    return unit_s_ * unit_s_ * force / here.mass;
+    assert(energy.mass > 0);
+    const double force = -energy.mass_slope * speed * speed / 2 - energy.slope -
+                         direction_ * energy.friction - energy.damping * speed;
+    return unit_s_ * unit_s_ * force / energy.mass;
   }
 
-  // What a stop means; nothing where the motion goes on.
+  // Returns the outcome of a stop; none where the motion continues.
   std::optional<Outcome> after(Stop stop) {
-    const MotionIntegrator::State here = integrator_.state();
+    const MotionIntegrator::State state = integrator_.state();
     switch (stop) {
       case Stop::at_zero:
-        add_row(here, Deployment::Event::flat);
+        add_row(state, Deployment::Event::flat);
         if (options_.latch) return Outcome::latched;
-        if (options_.restitution) return bounced(here);
+        if (options_.restitution) return bounced(state);
         if (++run_.passes > options_.swings) return Outcome::passed_flat;
         return {};
       case Stop::at_rest:
-        add_row({here.time, here.x, 0}, Deployment::Event::turn);
+        add_row({state.time, state.x, 0}, Deployment::Event::turn);
         ++run_.turns;
-        if (is_held(here.x)) return held_at(here.x);
+        if (is_held(state.x)) return held_at(state.x);
         if (!loses_energy() && run_.turns > options_.swings) {
           return Outcome::turned_back;
         }
-        set_off({here.time, here.x, 0});
+        set_off({state.time, state.x, 0});
         return {};
       case Stop::at_end:
-        add_row(here, Deployment::Event::end);
+        add_row(state, Deployment::Event::end);
         return Outcome::fold_limit;
       case Stop::at_time:
-        add_row(here, Deployment::Event::end);
+        add_row(state, Deployment::Event::end);
         return Outcome::time_limit;
       case Stop::step:
       case Stop::failed:
         break;
     }
-    return at_rest(here);
+    return at_rest(state);
   }
 
   bool loses_energy() const { return sheet_.options().joints.slows_down() || options_.restitution; }
 
-  // By a stop at flat; there it stays if what is left does not take it out of flat's neighbourhood.
-  std::optional<Outcome> bounced(const MotionIntegrator::State& here) {
+  // Bounces off the stop at flat, or stays there if its energy does not take it out of the
+  // neighbourhood.
+  std::optional<Outcome> bounced(const MotionIntegrator::State& state) {
     assert(*options_.restitution >= 0 && *options_.restitution < 1);
-    const MotionIntegrator::State back{here.time, 0, -*options_.restitution * here.rate};
+    const MotionIntegrator::State back{state.time, 0, -*options_.restitution * state.rate};
     const EnergyAt flat = sheet_.at(0), beside = sheet_.at(way_.x_of(options_.flat_deg));
     if (flat.potential + kinetic(flat, back.rate) <= beside.potential) {
-      add_row({here.time, 0, 0}, Deployment::Event::end);
+      add_row({state.time, 0, 0}, Deployment::Event::end);
       return Outcome::flat;
     }
     ++run_.bounces;
@@ -133,12 +134,12 @@ class Run {
     integrator_.stop_at(options_.time_limit_s / unit_s_);
   }
 
-  // At rest there: by friction, or since nothing drives it.
+  // Returns whether it stays at rest there: friction holds it, or nothing drives it.
   bool is_held(double x) const {
-    const EnergyAt here = sheet_.at(x);
+    const EnergyAt energy = sheet_.at(x);
     const bool relaxed =
         std::sqrt(2 * sheet_.unit_springs(x).energy) < kRelaxed_mm && sheet_.all_else(x).slope == 0;
-    return relaxed || std::abs(here.slope) <= here.friction;
+    return relaxed || std::abs(energy.slope) <= energy.friction;
   }
   Outcome held_at(double x) const {
     const double pilot_deg = way_.pilot_deg(x);
@@ -150,7 +151,7 @@ class Run {
     return Outcome::stalled;
   }
 
-  // A well, and the energy with which its neighbourhood is left.
+  // A well, and the energy that leaves its neighbourhood.
   struct Well {
     double x, edge;
   };
@@ -165,49 +166,49 @@ class Run {
     return {x, edge};
   }
 
-  // Friction will hold it before it has gone on by kCreep_deg: it would come to rest there in no
-  // time, or creep for ever.
-  bool creeps_to_rest(const MotionIntegrator::State& here, const EnergyAt& now) const {
-    if (now.friction <= 0 || here.rate == 0) return false;
+  // Returns whether friction will hold it within kCreep_deg: it would come to rest there at once,
+  // or creep for ever.
+  bool creeps_to_rest(const MotionIntegrator::State& state, const EnergyAt& now) const {
+    if (now.friction <= 0 || state.rate == 0) return false;
     const double ahead_x =
-        here.x +
-        std::copysign(kCreep_deg / std::abs(way_.pilot_rate(here.x) / kRadPerDeg), here.rate);
-    if (std::abs(ahead_x) >= way_.end() || ahead_x * here.x <= 0) return false;
+        state.x +
+        std::copysign(kCreep_deg / std::abs(way_.pilot_rate(state.x) / kRadPerDeg), state.rate);
+    if (std::abs(ahead_x) >= way_.end() || ahead_x * state.x <= 0) return false;
     const EnergyAt ahead = sheet_.at(ahead_x);
-    if (std::abs(ahead.slope) > ahead.friction) return false;  // it turns round there
-    const double lost = (now.friction + ahead.friction) / 2 * std::abs(ahead_x - here.x);
-    return now.potential + kinetic(now, here.rate) - ahead.potential < lost;
+    if (std::abs(ahead.slope) > ahead.friction) return false;  // it turns back there
+    const double lost = (now.friction + ahead.friction) / 2 * std::abs(ahead_x - state.x);
+    return now.potential + kinetic(now, state.rate) - ahead.potential < lost;
   }
 
-  // In the nearest well, without the energy to leave its neighbourhood; or next to where friction
-  // holds it.
-  std::optional<Outcome> at_rest(const MotionIntegrator::State& here) {
+  // Returns the outcome of rest: in the nearest well, without the energy to leave its
+  // neighbourhood, or next to where friction holds it.
+  std::optional<Outcome> at_rest(const MotionIntegrator::State& state) {
     if (!sheet_.options().joints.slows_down()) return {};
-    if (creeps_to_rest(here, sheet_.at(here.x))) {
-      add_row({here.time, here.x, 0}, Deployment::Event::end);
-      return held_at(here.x);
+    if (creeps_to_rest(state, sheet_.at(state.x))) {
+      add_row({state.time, state.x, 0}, Deployment::Event::end);
+      return held_at(state.x);
     }
     if (wells_.empty()) return {};
     const Well& well =
         *std::min_element(wells_.begin(), wells_.end(), [&](const Well& a, const Well& b) {
-          return std::abs(here.x - a.x) < std::abs(here.x - b.x);
+          return std::abs(state.x - a.x) < std::abs(state.x - b.x);
         });
-    const EnergyAt now = sheet_.at(here.x);
-    if (now.potential + kinetic(now, here.rate) > well.edge) return {};
-    add_row(here, Deployment::Event::end);
-    return held_at(here.x);
+    const EnergyAt now = sheet_.at(state.x);
+    if (now.potential + kinetic(now, state.rate) > well.edge) return {};
+    add_row(state, Deployment::Event::end);
+    return held_at(state.x);
   }
 
-  double kinetic(const EnergyAt& here, double rate) const {
-    return here.mass / 2 * (rate / unit_s_) * (rate / unit_s_);
+  double kinetic(const EnergyAt& energy, double rate) const {
+    return energy.mass / 2 * (rate / unit_s_) * (rate / unit_s_);
   }
 
-  // At the multiples of row_deg that were passed; between two stops x goes one way.
+  // Adds rows at the multiples of row_deg that were passed; x is monotone between two stops.
   void add_rows_between(const MotionIntegrator::State& before,
                         const MotionIntegrator::State& after) {
     const double from_deg = way_.pilot_deg(before.x), to_deg = way_.pilot_deg(after.x);
     const int sign = to_deg > from_deg ? 1 : -1;
-    constexpr double kSame = 1e-9;  // of a row
+    constexpr double kSame = 1e-9;  // share of a row
     double row = sign > 0 ? std::floor(from_deg / options_.row_deg + kSame) + 1
                           : std::ceil(from_deg / options_.row_deg - kSame) - 1;
     for (; sign * (to_deg - row * options_.row_deg) > kSame * options_.row_deg; row += sign) {
@@ -216,28 +217,28 @@ class Run {
     }
   }
 
-  // When the pilot has this angle: by Newton's method on the integrator's own polynomial.
+  // State at this pilot angle, by Newton's method on the integrator's polynomial.
   MotionIntegrator::State passing(double pilot_deg, const MotionIntegrator::State& before,
                                   const MotionIntegrator::State& after) const {
     assert(before.time <= after.time && before.x != after.x);
     const double x = way_.x_of(pilot_deg);
     double time = before.time + (after.time - before.time) * (x - before.x) / (after.x - before.x);
-    MotionIntegrator::State here = integrator_.state_at(time);
-    for (int k = 0; k < 20 && std::abs(here.x - x) > 1e-15; ++k) {
-      const double next = here.rate != 0 ? time - (here.x - x) / here.rate : time;
+    MotionIntegrator::State state = integrator_.state_at(time);
+    for (int k = 0; k < 20 && std::abs(state.x - x) > 1e-15; ++k) {
+      const double next = state.rate != 0 ? time - (state.x - x) / state.rate : time;
       if (next == time) break;
       time = std::clamp(next, before.time, after.time);
-      here = integrator_.state_at(time);
+      state = integrator_.state_at(time);
     }
-    return here;
+    return state;
   }
 
   void add_row(const MotionIntegrator::State& at, Deployment::Event event) {
-    const EnergyAt here = sheet_.at(at.x);
-    const double rate = at.rate / unit_s_, moving = kinetic(here, at.rate);
+    const EnergyAt energy = sheet_.at(at.x);
+    const double rate = at.rate / unit_s_, moving = kinetic(energy, at.rate);
     run_.rows.push_back({at.time * unit_s_, at.x, rate, way_.pilot_deg(at.x),
-                         way_.pilot_rate(at.x) * rate / kRadPerDeg, here.springs_n_mm, moving,
-                         here.potential + moving, event});
+                         way_.pilot_rate(at.x) * rate / kRadPerDeg, energy.springs_n_mm, moving,
+                         energy.potential + moving, event});
   }
 
   Deployment end(Outcome outcome) {

@@ -34,8 +34,7 @@ VectorXd relaxed_angles(const FoldingWay& way, double rest_deg) {
   return angles_rad;
 }
 
-// Rows: the generalised mass, and where the centre of mass is; on the other side of flat it is
-// below where it was above.
+// Rows: the generalised mass, and the centre of mass. Its z changes sign on the other side of flat.
 SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
                               const PerforatedSheet& base, const EnergyModel::Options& options) {
   const Panels panels = panels_of(base, way.mechanism());
@@ -46,7 +45,7 @@ SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
   Index k = 0;
   for (const WayStation& station : way.stations()) {
     const MovingPanels sheet = mover.move(station.state, station.rates.data());
-    // Seen from the held panel, from +z.
+    // The centre is seen from the held panel, from +z.
     Eigen::Vector3d centre_mm = mover.seen_from(held.value_or(0), sheet.centre_mm());
     centre_mm.z() *= way.mechanism().side;
     values.col(k++) << sheet.generalised_mass(), centre_mm;
@@ -144,25 +143,25 @@ EnergyModel::Turning EnergyModel::turning(double x) const {
 
 EnergyAt EnergyModel::at(double x) const {
   assert(options_.springs.stiffness_n_per_mm >= 0 && options_.joints.stiffness_n_mm_per_mm >= 0);
-  EnergyAt here{};
+  EnergyAt energy{};
   masses_.find(x, 0, 1, mass_, mass_rate_);
-  here.mass = mass_(0);
-  here.mass_slope = mass_rate_(0);
+  energy.mass = mass_(0);
+  energy.mass_slope = mass_rate_(0);
   const double stiffness = options_.springs.stiffness_n_per_mm;
   const Potential springs = unit_springs(x), rest = all_else(x);
-  here.springs_n_mm = stiffness * springs.energy;
-  here.potential = here.springs_n_mm + rest.energy;
-  here.slope = stiffness * springs.slope + rest.slope;
-  assert(here.springs_n_mm >= 0 && std::isfinite(here.potential));
+  energy.springs_n_mm = stiffness * springs.energy;
+  energy.potential = energy.springs_n_mm + rest.energy;
+  energy.slope = stiffness * springs.slope + rest.slope;
+  assert(energy.springs_n_mm >= 0 && std::isfinite(energy.potential));
   const JointResistance& joints = options_.joints;
-  if (!joints.slows_down()) return here;
-  const Turning turning = this->turning(x);  // leaves the creases' rates
-  here.friction =
+  if (!joints.slows_down()) return energy;
+  const Turning turning = this->turning(x);  // sets angle_rates_
+  energy.friction =
       joints.friction_n_mm_per_mm * turning.creases_mm + joints.ball_friction_n_mm * turning.balls;
-  here.damping =
+  energy.damping =
       joints.damping_n_mm_s_per_mm * crease_mm_.dot(angle_rates_.cwiseProduct(angle_rates_));
-  assert(here.friction >= 0 && here.damping >= 0);
-  return here;
+  assert(energy.friction >= 0 && energy.damping >= 0);
+  return energy;
 }
 
 }  // namespace misalign::solver

@@ -1,5 +1,5 @@
-// Everything that drives, holds and weighs on a sheet while it folds, as functions of the one
-// coordinate x of its way: with T = mass / 2 (dx/dt)^2 the motion is
+// Energies and resistances of a folding sheet, as functions of the coordinate x of its way.
+// With T = mass / 2 (dx/dt)^2 the motion is
 //   mass x'' + mass' x'^2 / 2 + potential' + friction sign(x') + damping x' = 0.
 #pragma once
 
@@ -13,13 +13,13 @@
 
 namespace misalign::solver {
 
-/// One on every diagonal.
+/// One spring on every diagonal.
 struct Springs {
   double stiffness_n_per_mm = Actuators{}.stiffness_n_per_mm;
-  /// The pilot angle at which they are relaxed, and those diagonals that are relaxed elsewhere.
+  /// The pilot angle at which they are relaxed, and the diagonals that are relaxed at other angles.
   double rest_deg = 0;
   std::vector<std::pair<int, double>> other_rests_deg;
-  bool pull_only = false;  ///< wires: no force where they are shorter than relaxed
+  bool pull_only = false;  ///< true of wires: no force where they are shorter than relaxed
   Preload preload;
 };
 
@@ -36,25 +36,25 @@ struct JointResistance {
   }
 };
 
-/// Where the sheet is held: by a panel (counted over those that are there), in this field.
+/// Support of the sheet: a held panel (index among the panels), and gravity.
 struct HeldPanel {
   int panel;
-  Eigen::Vector3d gravity_mm_per_s2 = Eigen::Vector3d::Zero();  ///< in its flat frame, z up
+  Eigen::Vector3d gravity_mm_per_s2 = Eigen::Vector3d::Zero();  ///< frame of that panel, z up
 };
 
-/// At one x. Derivatives are by x.
+/// Energies and resistances at one x. Derivatives are by x.
 struct EnergyAt {
   double mass, mass_slope;  ///< t mm^2
   double springs_n_mm;      ///< energy of the springs
-  double potential, slope;  ///< of all that has an energy: N mm
-  double friction;          ///< N mm: always against the motion
+  double potential, slope;  ///< total energy, N mm
+  double friction;          ///< N mm: always opposes the motion
   double damping;           ///< N mm s
 };
 
-/// Of every crease.
+/// Lengths of all creases.
 Eigen::VectorXd crease_lengths_mm(const FoldingWay& way);
 
-/// Which way each diagonal goes next to flat, and on the way to D: 1 longer, -1 shorter.
+/// Sign of each diagonal's change next to flat, and up to D: 1 longer, -1 shorter.
 Eigen::VectorXd sides_of_diagonals(const FoldingWay& way);
 
 class EnergyModel {
@@ -76,30 +76,31 @@ class EnergyModel {
   const FoldingWay& way() const { return way_; }
   const Options& options() const { return options_; }
   double mass_t() const { return mass_t_; }
-  /// How long each spring is without force.
+  /// Length of each spring without force.
   const Eigen::VectorXd& relaxed_mm() const { return rest_mm_; }
 
   EnergyAt at(double x) const;
-  /// An energy and its derivative: the springs' if they had 1 N/mm, and that of all else.
+  /// An energy and its derivative. unit_springs() is for springs of 1 N/mm, all_else() for the
+  /// rest.
   struct Potential {
     double energy, slope;
   };
   Potential unit_springs(double x) const;
   Potential all_else(double x) const;
-  /// Of each spring: positive where it pulls.
+  /// Force of each spring, positive where it pulls.
   Eigen::VectorXd spring_forces_n(double x) const;
-  /// By which each crease resists an increase of its fold angle, with this dx/dt.
+  /// Moment with which each crease resists an increase of its fold angle, at this dx/dt.
   Eigen::VectorXd crease_moments_n_mm(double x, double x_rate) const;
 
-  /// What friction acts on, per unit of x: sum of l_i |d rho_i| over the creases (mm), and of the
-  /// angles by which ball joints turn.
+  /// Turning against friction, per unit of x: the sum of l_i |d rho_i| over the creases (mm), and
+  /// that of the ball joints' angles.
   struct Turning {
     double creases_mm, balls;
   };
   Turning turning(double x) const;
 
  private:
-  // Into lengths_: how much longer each spring is than relaxed, by which it pulls.
+  // Sets lengths_ to the change of each spring's length from its relaxed one.
   void find_lengths(double x) const;
 
   const FoldingWay& way_;

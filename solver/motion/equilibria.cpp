@@ -10,14 +10,14 @@ namespace {
 // A quarter of the distance between stations, from which polynomials show every bend.
 constexpr int kPerStation = 4;
 
-// As close to flat (of x) as where the potential is symmetric.
+// Closer to flat (in x) the potential is symmetric.
 constexpr double kFlat = 1e-6;
 
-// Springs whose lengths change by no more than this have no equilibria but those of rounding: ways
-// are off by 1e-11 panel widths.
+// Springs whose lengths change by no more than this have no equilibria but those of rounding: the
+// error of ways is 1e-11 panel widths.
 constexpr double kStill_mm = 1e-8;
 
-// As much as the energy of such springs changes on the way.
+// Bound of such springs' change of energy along the way.
 double still_n_mm(const EnergyModel& sheet) {
   const Springs& springs = sheet.options().springs;
   return kStill_mm * static_cast<double>(sheet.relaxed_mm().size()) *
@@ -43,7 +43,7 @@ Equilibrium equilibrium_at(const EnergyModel& sheet, double x, bool is_well) {
   return {x, sheet.way().pilot_deg(x), sheet.at(x).potential, bend / (rate * rate), is_well};
 }
 
-// Along the way from `from` to flat: what was let go, and how far joints have turned.
+// Energy released on the way from the start to flat, and the joints' turning.
 struct Descent {
   double x;
   double springs, else_n_mm;  // fall of the unit springs' energy, and of all else
@@ -65,7 +65,7 @@ class DescentToFlat {
 
   const std::vector<Descent>& path() const { return path_; }
 
-  /// From a place before it, by Simpson's rule.
+  /// Continues the descent from a place before, by Simpson's rule.
   Descent down_to(double x, const Descent& before) const {
     assert(x <= before.x);
     const auto& [u, v, w] =
@@ -75,7 +75,7 @@ class DescentToFlat {
             before.creases_mm + sixth * (u.creases_mm + 4 * v.creases_mm + w.creases_mm),
             before.balls + sixth * (u.balls + 4 * v.balls + w.balls)};
   }
-  /// What all of these are at the start per unit of x, downwards.
+  /// Rates of all members at the start, per unit of x, downwards.
   Descent at_start() const {
     const double x = path_.front().x;
     const EnergyModel::Turning turning = sheet_.turning(x);
@@ -93,7 +93,7 @@ struct Least {
   double value, x;
 };
 
-// The least of a quotient all over the descent, which is refined where it is least.
+// Minimises a quotient over the descent, refined near its minimum.
 template <class Quotient>
 Least least_over(const DescentToFlat& descent, const Quotient& quotient) {
   const std::vector<Descent>& path = descent.path();
@@ -113,14 +113,14 @@ Least least_over(const DescentToFlat& descent, const Quotient& quotient) {
     const Descent from = left;
     Descent last = from;
     for (int k = 1; k <= kParts; ++k) {
-      const Descent here = descent.down_to(std::max(from.x - k * part, 0.0), last);
-      const double value = quotient(here);
+      const Descent point = descent.down_to(std::max(from.x - k * part, 0.0), last);
+      const double value = quotient(point);
       if (value < least.value) {
-        least = {value, here.x};
+        least = {value, point.x};
         left = last;
-        right_x = std::max(here.x - part, 0.0);
+        right_x = std::max(point.x - part, 0.0);
       }
-      last = here;
+      last = point;
     }
   }
   return least;
@@ -128,8 +128,8 @@ Least least_over(const DescentToFlat& descent, const Quotient& quotient) {
 
 double stall_of(const EnergyModel& sheet, const std::vector<Descent>& path) {
   const auto is_held = [&](double x) {
-    const EnergyAt here = sheet.at(x);
-    return here.slope <= here.friction;
+    const EnergyAt energy = sheet.at(x);
+    return energy.slope <= energy.friction;
   };
   double moves_x = path.front().x;
   if (is_held(moves_x)) return sheet.way().pilot_deg(moves_x);
@@ -154,24 +154,24 @@ double stall_of(const EnergyModel& sheet, const std::vector<Descent>& path) {
 std::vector<Equilibrium> find_equilibria(const EnergyModel& sheet) {
   const FoldingWay& way = sheet.way();
   const int half = kPerStation * static_cast<int>(way.stations().size());
-  std::vector<Equilibrium> found;
+  std::vector<Equilibrium> equilibria;
   double last_x = 0, last_slope = 0, least_n_mm = 0, most_n_mm = 0;
-  // Never at flat itself, but on both sides of it.
+  // No place is flat itself; both sides of it are sampled.
   for (int k = -half; k < half; ++k) {
     const double x = way.end() * (k + 0.5) / half;
-    const EnergyAt here = sheet.at(x);
-    const double slope = here.slope;
-    least_n_mm = k == -half ? here.potential : std::min(least_n_mm, here.potential);
-    most_n_mm = k == -half ? here.potential : std::max(most_n_mm, here.potential);
+    const EnergyAt energy = sheet.at(x);
+    const double slope = energy.slope;
+    least_n_mm = k == -half ? energy.potential : std::min(least_n_mm, energy.potential);
+    most_n_mm = k == -half ? energy.potential : std::max(most_n_mm, energy.potential);
     if (last_slope * slope < 0) {
       double root = root_of_slope(sheet, last_x, x);
       if (std::abs(root) < kFlat) root = 0;
-      found.push_back(equilibrium_at(sheet, root, slope > 0));
+      equilibria.push_back(equilibrium_at(sheet, root, slope > 0));
     }
     if (slope != 0) last_x = x, last_slope = slope;
   }
-  if (most_n_mm - least_n_mm <= still_n_mm(sheet)) found.clear();
-  return found;
+  if (most_n_mm - least_n_mm <= still_n_mm(sheet)) equilibria.clear();
+  return equilibria;
 }
 
 FrictionLimits find_friction_limits(const EnergyModel& sheet, double from_deg) {

@@ -20,7 +20,8 @@ struct SetOfColumns {
   double least = kNothing;
 };
 
-// Every set once, each from the one before by one column (Gray's order): the best of each size.
+// Finds the best set of each size. Each set differs from the one before by one column (Gray's
+// order).
 std::vector<SetOfColumns> best_of_each_size(const Eigen::MatrixXd& moments) {
   const auto count = static_cast<unsigned>(moments.cols());
   assert(moments.cols() <= kMostForEverySet);
@@ -42,7 +43,8 @@ double least_sum(const Eigen::MatrixXd& moments, const std::vector<int>& columns
   return moments(Eigen::all, columns).rowwise().sum().minCoeff();
 }
 
-// No fewer columns than this reach `wanted` in every row: each row's largest ones on their own.
+// Lower bound of the number of columns that reach `wanted` in every row: each row alone takes its
+// largest.
 std::size_t at_least(const Eigen::MatrixXd& moments, double wanted) {
   std::size_t most = 0;
   for (Eigen::Index row = 0; row < moments.rows(); ++row) {
@@ -57,8 +59,8 @@ std::size_t at_least(const Eigen::MatrixXd& moments, double wanted) {
   return most;
 }
 
-// Taken away one by one, the one that is missed least first: as far as `wanted` is left, and the
-// next.
+// Removes columns one by one, each time the one whose loss costs least: the last set that reaches
+// `wanted`, and the next.
 std::pair<std::vector<int>, std::vector<int>> thinned_out(const Eigen::MatrixXd& moments,
                                                           double wanted) {
   std::vector<int> kept(moments.cols());
@@ -99,7 +101,7 @@ FewDiagonals few_diagonals(const Eigen::MatrixXd& moments, double share) {
   const double wanted = share * all;
   FewDiagonals few;
   if (moments.cols() <= kMostForEverySet) {
-    // Sums made in Gray's order carry the rounding of many steps: far less than this part.
+    // Sums in Gray's order carry the rounding of many steps: far less than this share.
     constexpr double kRounding = 1e-9;
     for (const SetOfColumns& set : best_of_each_size(moments)) {
       few.fewer = std::move(few.diagonals);

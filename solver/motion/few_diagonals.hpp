@@ -8,9 +8,9 @@ namespace misalign::solver {
 
 struct FewDiagonals {
   std::vector<int> diagonals;  ///< ascending
-  double share;                ///< of the least total of all diagonals that theirs is
-  bool proven;                 ///< whether no smaller set will do
-  /// The best of one diagonal fewer that was found, and its share; empty where there is none.
+  double share;                ///< their least total over that of all diagonals
+  bool proven;                 ///< true if no smaller set suffices
+  /// Best set found with one diagonal fewer, and its share; empty where there is none.
   std::vector<int> fewer = {};
   double share_of_fewer = 0;
 };
@@ -18,8 +18,8 @@ struct FewDiagonals {
 /// The smallest set of columns whose sum is everywhere at least `share` of the least sum of all
 /// columns; of several as small the one with the greatest least sum. `moments` has a row for each
 /// place along the way (at least one) and a column for each diagonal; the least sum of all columns
-/// must be positive. Up to 16 columns every set is looked at; beyond that columns are taken away
-/// one by one, the one that is missed least first, and the set is proven only if no smaller one
+/// must be positive. Up to 16 columns every set is compared; of more, columns are removed one by
+/// one, each time the one whose loss costs least, and the set is proven only if no smaller one
 /// reaches the share in the worst row alone.
 FewDiagonals few_diagonals(const Eigen::MatrixXd& moments, double share);
 

@@ -30,7 +30,7 @@ class Reactions {
   }
   int rank() const { return rank_; }
 
-  // Those at a row: matrices' rows are filled in.
+  // Fills the matrices' rows at one angle.
   void find(const Deployment::Row& at, Index row, JointForces& forces);
 
  private:
@@ -43,7 +43,7 @@ class Reactions {
   int rank_ = 0;
 };
 
-// What each reaction does to the panels, six rows a panel; the last column is the moment by which
+// Effect of each reaction on the panels, six rows a panel; the last column is the moment with which
 // the pilot crease holds the sheet.
 Eigen::MatrixXd Reactions::reactions_matrix() const {
   Eigen::MatrixXd matrix =
@@ -57,11 +57,11 @@ Eigen::MatrixXd Reactions::reactions_matrix() const {
     loads_.add(from, at_mm, -force, -moment, column);
     matrix.col(next++) = column;
   };
-  const auto add_moment = [&](int crease, const Vector3d& about) {
-    const Crease& of = mechanism_.creases[static_cast<std::size_t>(crease)];
-    const PanelLoads::Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(crease)];
-    add(loads_.panel_of(of.right), loads_.panel_of(of.left), hinge.middle_mm, Vector3d::Zero(),
-        hinge.length_mm * about);
+  const auto add_moment = [&](int k, const Vector3d& about) {
+    const Crease& crease = mechanism_.creases[static_cast<std::size_t>(k)];
+    const PanelLoads::Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
+    add(loads_.panel_of(crease.right), loads_.panel_of(crease.left), hinge.middle_mm,
+        Vector3d::Zero(), hinge.length_mm * about);
   };
   for (int k = 0; k < static_cast<int>(loads_.hinges().size()); ++k) {
     const Crease& crease = mechanism_.creases[static_cast<std::size_t>(k)];
@@ -83,8 +83,8 @@ Eigen::MatrixXd Reactions::reactions_matrix() const {
   return matrix;
 }
 
-// Round a whole vertex a force that every panel hands on to the next one, at the vertex, balances:
-// three rows for each such vertex, a force along each axis, as the creases' reactions.
+// A force that the panels round a whole vertex pass on from one to the next balances. Rows are the
+// creases' reactions: three for each such vertex, a force along each axis.
 Eigen::MatrixXd Reactions::self_stresses() const {
   std::vector<const Loop*> whole;
   for (const Loop& loop : mechanism_.loops) {
@@ -112,8 +112,8 @@ Eigen::MatrixXd Reactions::self_stresses() const {
   return stresses;
 }
 
-// The panels' balance without one panel's, which follows from the others' (the held one's is what
-// holds it), and no share of any self-stress: as many equations as unknowns.
+// Solves the balance of all panels but one, which follows from the others (the support balances the
+// held one), with no component of any self-stress: as many equations as unknowns.
 VectorXd Reactions::solve(const VectorXd& loads) {
   assert(loads.size() == PanelLoads::kOfPanel * loads_.panels());
   const Eigen::MatrixXd matrix = reactions_matrix(), stresses = self_stresses();
@@ -144,26 +144,26 @@ VectorXd Reactions::solve(const VectorXd& loads) {
 
 void Reactions::find(const Deployment::Row& at, Index row, JointForces& forces) {
   loads_.pose(at);
-  const VectorXd found = solve(loads_.find());
+  const VectorXd reactions = solve(loads_.find());
 
   const Vector3d seen(1, 1,
-                      mechanism_.side);  // forces are seen in the mirror, moments turn round there
+                      mechanism_.side);  // a mirror keeps forces and reverses moments
   Index next = 0;
   for (Index k = 0; k < static_cast<Index>(loads_.hinges().size()); ++k, next += kOfCrease) {
     const PanelLoads::Hinge& hinge = loads_.hinges()[static_cast<std::size_t>(k)];
     const Vector3d moment =
-        hinge.length_mm * (found(next + 3) * hinge.one + found(next + 4) * hinge.other);
+        hinge.length_mm * (reactions(next + 3) * hinge.one + reactions(next + 4) * hinge.other);
     forces.crease_force_n.block<1, 3>(row, 3 * k) =
-        found.segment<3>(next).cwiseProduct(seen).transpose();
+        reactions.segment<3>(next).cwiseProduct(seen).transpose();
     forces.crease_moment_n_mm.block<1, 3>(row, 3 * k) =
         (mechanism_.side * moment.cwiseProduct(seen)).transpose();
     forces.crease_axis.block<1, 3>(row, 3 * k) = hinge.axis.cwiseProduct(seen).transpose();
   }
   const std::size_t pilot = static_cast<std::size_t>(mechanism_.pilot);
-  forces.holding_n_mm.push_back(loads_.hinges()[pilot].length_mm * found(found.size() - 1));
+  forces.holding_n_mm.push_back(loads_.hinges()[pilot].length_mm * reactions(reactions.size() - 1));
   for (Index k = 0; k < static_cast<Index>(mechanism_.balls.size()); ++k, next += kOfBall) {
     forces.ball_force_n.block<1, 3>(row, 3 * k) =
-        found.segment<3>(next).cwiseProduct(seen).transpose();
+        reactions.segment<3>(next).cwiseProduct(seen).transpose();
   }
 }
 

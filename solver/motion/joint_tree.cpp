@@ -11,7 +11,7 @@ namespace {
 struct Joint {
   bool ball;
   int joint;
-  int one, other;  // panels
+  int first, second;  // panels
 };
 
 int panel_of(const Panels& panels, int facet) {
@@ -59,8 +59,8 @@ class Growth {
 
  private:
   bool hang(const Joint& joint, int parent) {
-    if (joint.one != parent && joint.other != parent) return false;
-    const int child = joint.one == parent ? joint.other : joint.one;
+    if (joint.first != parent && joint.second != parent) return false;
+    const int child = joint.first == parent ? joint.second : joint.first;
     if (reached_[child]) return false;
     reached_[child] = true;
     frontier_.push_back(child);
@@ -92,20 +92,20 @@ std::vector<int> vertices_of(const Mechanism& mechanism, const Joint& joint) {
 
 JointTree joint_tree(const Mechanism& mechanism, const Panels& panels) {
   const std::vector<Joint> joints = joints_of(mechanism, panels);
-  JointTree tree = Growth(joints, joints.front().one, panels.facets.size()).grow();
+  JointTree tree = Growth(joints, joints.front().first, panels.facets.size()).grow();
   tree.crease_is_branch.assign(mechanism.creases.size(), false);
   std::vector<bool> ball_is_branch(mechanism.balls.size(), false);
   for (const JointTree::Branch& branch : tree.branches) {
     (branch.ball ? ball_is_branch : tree.crease_is_branch)[branch.joint] = true;
   }
-  // Which panels are kept together at a vertex.
+  // Sets of panels that joints tie together at a vertex.
   std::vector<DisjointSets> at_vertex(mechanism.vertices, DisjointSets(panels.facets.size()));
   for (const bool branches : {true, false}) {
     for (const Joint& joint : joints) {
       if ((joint.ball ? ball_is_branch : tree.crease_is_branch)[joint.joint] != branches) continue;
       for (const int vertex : vertices_of(mechanism, joint)) {
-        const bool is_new = at_vertex[vertex].tie(joint.one, joint.other);
-        if (is_new && !branches) tree.closures.push_back({vertex, joint.one, joint.other});
+        const bool is_new = at_vertex[vertex].tie(joint.first, joint.second);
+        if (is_new && !branches) tree.closures.push_back({vertex, joint.first, joint.second});
       }
     }
   }

@@ -1,5 +1,5 @@
-// The joints of a sheet as a tree of panels, and the points that close its loops: how programs for
-// bodies in motion want a linkage.
+// The joints of a sheet as a tree of panels, and the points that close its loops: the linkage of
+// multibody programs.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct JointTree {
     int joint;  ///< index into the mechanism's creases or ball joints
     int parent, child;
   };
-  /// A vertex that two panels share because a joint, which is none of the branches, ties them.
+  /// A vertex that two panels share by a joint that is no branch.
   struct Closure {
     int vertex;
     int one, other;  ///< panels
@@ -23,17 +23,17 @@ struct JointTree {
 
   int root;
   std::vector<Branch> branches;  ///< parents before children
-  /// Of each ball joint that is left its vertex, of each crease that is left both ends; but for
-  /// ends that others keep together already, as round a whole vertex. Of a crease's six equations
-  /// one is still too many: both panels keep the distance of its ends.
+  /// The vertex of each remaining ball joint, and both ends of each remaining crease, except ends
+  /// that others already tie, as round a whole vertex. One of a crease's six equations is
+  /// redundant: both panels keep the distance of its ends.
   std::vector<Closure> closures;
 
-  /// Whether a crease is a branch: the only hinges on which `frictionloss` can act in MuJoCo.
+  /// True of creases that are branches: the only hinges on which `frictionloss` can act in MuJoCo.
   std::vector<bool> crease_is_branch;
 };
 
 /// Breadth first from the panel on the left of the pilot, which is a branch itself. Ball joints are
-/// taken only where no crease leads on: as many creases as can be are branches.
+/// branches only where no crease leads on, so that most creases are branches.
 JointTree joint_tree(const Mechanism& mechanism, const Panels& panels);
 
 }  // namespace misalign::solver

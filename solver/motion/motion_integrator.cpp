@@ -24,7 +24,7 @@ T* made(T* object) {
   return object;
 }
 
-// Silent where SUNDIALS lets its context speak (7): failures are what step() returns.
+// Silences SUNDIALS (7), which prints messages: step() returns failures.
 SUNContext silent_context() {
   SUNContext context = nullptr;
 #if SUNDIALS_VERSION_MAJOR < 7
@@ -91,7 +91,7 @@ struct MotionIntegrator::Cvode {
   N_Vector y = nullptr, passed = nullptr;
   void* memory = nullptr;
   SUNNonlinearSolver iteration = nullptr;
-  SUNMatrix jacobian = nullptr;  // by differences; of backward differences only
+  SUNMatrix jacobian = nullptr;  // by finite differences; only for Method::backward_differences
   SUNLinearSolver solver = nullptr;
 };
 
@@ -125,7 +125,7 @@ void MotionIntegrator::start(const State& state) {
 void MotionIntegrator::stop_at(double time) { CVodeSetStopTime(cvode_->memory, time); }
 
 MotionIntegrator::Stop MotionIntegrator::step() {
-  // A time that no step reaches; the direction is what counts.
+  // The time is beyond any step; only its direction matters.
   const int how = CVode(cvode_->memory, state_.time + 1e30, cvode_->y, &state_.time, CV_ONE_STEP);
   if (how < 0) return Stop::failed;
   const double* const y = N_VGetArrayPointer(cvode_->y);
@@ -133,11 +133,11 @@ MotionIntegrator::Stop MotionIntegrator::step() {
   state_.rate = y[1];
   if (how == CV_TSTOP_RETURN) return Stop::at_time;
   if (how != CV_ROOT_RETURN) return Stop::step;
-  std::array<int, kEvents> found{};
-  CVodeGetRootInfo(cvode_->memory, found.data());
-  if (found[kEnd] != 0) return Stop::at_end;
-  if (found[kRest] != 0) return Stop::at_rest;
-  assert(found[kZero] != 0);
+  std::array<int, kEvents> roots{};
+  CVodeGetRootInfo(cvode_->memory, roots.data());
+  if (roots[kEnd] != 0) return Stop::at_end;
+  if (roots[kRest] != 0) return Stop::at_rest;
+  assert(roots[kZero] != 0);
   return Stop::at_zero;
 }
 

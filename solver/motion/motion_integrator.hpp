@@ -1,5 +1,5 @@
-// One coordinate in motion: SUNDIALS' CVODE (Hindmarsh et al., ACM TOMS 31, 2005), with the places
-// where something changes located.
+// Integrates the motion of one coordinate with SUNDIALS' CVODE (Hindmarsh et al., ACM TOMS 31,
+// 2005) and locates its events.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@ namespace misalign::solver {
 class MotionIntegrator {
  public:
   /// The method of integration: Adams' methods of changing order and step, or backward differences
-  /// where much damping makes the equation stiff: it settles to a slow creep at once, which Adams'
-  /// steps would have to follow.
+  /// where strong damping makes the equation stiff: the motion soon creeps slowly, and Adams' steps
+  /// would stay short.
   enum class Method { adams, backward_differences };
 
   struct State {
@@ -20,23 +20,23 @@ class MotionIntegrator {
 
   using Acceleration = std::function<double(double x, double rate)>;
 
-  /// Where x reaches `end` or -`end` it must stop. Errors of x are kept at `tolerance` times
-  /// `scale` a step, and so are those of its rate.
+  /// The motion stops where x reaches `end` or -`end`. Errors of x and its rate are at most
+  /// `tolerance` times `scale` a step.
   MotionIntegrator(Acceleration acceleration, Method method, double end, double scale,
                    double tolerance);
   ~MotionIntegrator();
   MotionIntegrator(const MotionIntegrator&) = delete;
   MotionIntegrator& operator=(const MotionIntegrator&) = delete;
 
-  /// Begins there, or goes on with an acceleration that has jumped.
+  /// Begins at a state, or continues after a jump of the acceleration.
   void start(const State& state);
   void stop_at(double time);
 
   enum class Stop { step, at_zero, at_rest, at_end, at_time, failed };
-  /// One step, or less: up to where x is zero, the rate is zero, or the end or the time is reached.
+  /// Takes one step, shortened to where x or its rate is zero, or the end or the time is reached.
   Stop step();
   const State& state() const { return state_; }
-  /// Within the last step.
+  /// State within the last step.
   State state_at(double time) const;
 
  private:

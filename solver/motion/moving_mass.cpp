@@ -18,7 +18,7 @@ Matrix3d matrix(const Mat3<double>& m) {
   return columns;
 }
 
-// That of a point mass away from where moments are taken.
+// Inertia of a point mass at this arm.
 Matrix3d inertia_of(double mass_t, const Vector3d& arm_mm) {
   return mass_t * (arm_mm.squaredNorm() * Matrix3d::Identity() - arm_mm * arm_mm.transpose());
 }

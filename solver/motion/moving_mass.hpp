@@ -1,4 +1,4 @@
-// The motion of the panels of a folding sheet, and its inertia in its own coordinate.
+// Motion of the panels of a folding sheet, and the inertia of its coordinate.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace misalign::solver {
 
-/// A sheet in one state. Free in space it moves without momentum and angular momentum, which of all
-/// motions with these joints' rates has the least energy (Koenig); or a panel is held.
+/// A sheet in one state. A free sheet moves without momentum and angular momentum, which of all
+/// motions with these joints' rates has the least energy (Koenig); otherwise a panel is held.
 struct MovingPanels {
   /// Coordinates are those of the first panel (mm from A1; its flat ones); rates are per unit of x.
   struct Panel {
@@ -20,11 +20,11 @@ struct MovingPanels {
   };
 
   std::vector<Panel> panels;
-  Eigen::Vector3d frame_spin;  ///< of the first panel itself
+  Eigen::Vector3d frame_spin;  ///< spin of the first panel
 
   /// T = generalised_mass() / 2 * (dx/dt)^2, in t mm^2.
   double generalised_mass() const;
-  /// Of the whole sheet, mm.
+  /// Centre of mass of the whole sheet, mm.
   Eigen::Vector3d centre_mm() const;
 };
 
@@ -39,10 +39,10 @@ class SheetMover {
         masses_(panel_masses(plates, panels.corners, way.from_a1_mm())),
         held_(held) {}
 
-  /// At a state with these rates of every unknown (rad per unit of x).
+  /// Moves panels at a state with these rates of all unknowns (rad per unit of x).
   MovingPanels move(const FoldState<double>& state, const double* rates);
-  /// Of the last state: where a panel has a vertex or another point (flat, from A1), which way a
-  /// direction of its points, and where on its own flat sheet it sees a point.
+  /// Transforms of the last state: the place of a panel's vertex or point (flat, from A1), the
+  /// direction of a vector fixed to it, and a point as seen in its flat frame.
   Eigen::Vector3d place_mm(int panel, int vertex) const {
     return place_mm(panel, Eigen::Vector2d(way_.from_a1_mm().col(vertex)));
   }
@@ -67,7 +67,7 @@ class SheetMover {
   const FoldedShape& shape_;
   const FoldingWay& way_;
   const Panels& panels_;
-  const std::vector<PanelMass> masses_;  // centres from A1
+  const std::vector<PanelMass> masses_;  // centres relative to A1
   const std::optional<int> held_;
   FoldedShape::Points<double> points_;
   std::vector<FoldedShape::Twist<double>> twists_;

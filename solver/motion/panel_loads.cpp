@@ -30,7 +30,7 @@ SmoothTable momenta_on_the_way(const FoldingWay& way, SheetMover& mover) {
       row += kOfPanel;
     }
   }
-  // Of the mirror image, run through in the other direction.
+  // Parities are those of the mirror image, traversed in the other direction.
   using enum SmoothTable::Parity;
   std::vector<SmoothTable::Parity> parities;
   for (Index row = 0; row < values.rows(); row += kOfPanel) {
@@ -64,12 +64,12 @@ void PanelLoads::pose(const Deployment::Row& at) {
   x_ = at.x;
   moved_ = {0, 0};
   if (in_motion_) {
-    const EnergyAt here = sheet_.at(at.x);
-    assert(here.mass > 0);
-    const double friction = at.x_rate == 0 ? 0 : std::copysign(here.friction, at.x_rate);
-    const double force = -here.mass_slope * at.x_rate * at.x_rate / 2 - here.slope - friction -
-                         here.damping * at.x_rate;
-    moved_ = {at.x_rate, force / here.mass};
+    const EnergyAt energy = sheet_.at(at.x);
+    assert(energy.mass > 0);
+    const double friction = at.x_rate == 0 ? 0 : std::copysign(energy.friction, at.x_rate);
+    const double force = -energy.mass_slope * at.x_rate * at.x_rate / 2 - energy.slope - friction -
+                         energy.damping * at.x_rate;
+    moved_ = {at.x_rate, force / energy.mass};
   }
   FoldState<double> state = way_.stations().front().state;
   VectorXd rates;
@@ -80,8 +80,8 @@ void PanelLoads::pose(const Deployment::Row& at) {
   for (const Crease& crease : mechanism().creases) {
     const int left = panel_of(crease.left);
     const Vector3d a = place_mm(left, crease.a), b = place_mm(left, crease.b);
-    const Vector3d axis = (b - a).normalized(), one = axis.unitOrthogonal();
-    hinges_.push_back({(a + b) / 2, axis, one, axis.cross(one), (b - a).norm()});
+    const Vector3d axis = (b - a).normalized(), normal = axis.unitOrthogonal();
+    hinges_.push_back({(a + b) / 2, axis, normal, axis.cross(normal), (b - a).norm()});
   }
 }
 
@@ -104,7 +104,7 @@ void PanelLoads::add(int panel, const Vector3d& at_mm, const Vector3d& force_n,
   loads.segment<3>(first + 3) += arm_mm.cross(force_n) + moment_n_mm;
 }
 
-// m a = F and dH/dt = M, the frame of the first panel turning itself.
+// m a = F and dH/dt = M, in the rotating frame of the first panel.
 void PanelLoads::add_inertia(VectorXd& loads) const {
   assert(loads.size() == momenta_.functions());
   VectorXd momenta, slopes;
@@ -113,17 +113,17 @@ void PanelLoads::add_inertia(VectorXd& loads) const {
   for (std::size_t k = 0; k < moving_.panels.size(); ++k) {
     const Index first = kOfPanel * static_cast<Index>(k);
     const auto rate_of = [&](Index at) -> Vector3d {
-      const Vector3d here = momenta.segment<3>(at), slope = slopes.segment<3>(at);
-      return slope * moved_.rate * moved_.rate + here * moved_.acceleration +
-             frame_spin.cross(here * moved_.rate);
+      const Vector3d momentum = momenta.segment<3>(at), slope = slopes.segment<3>(at);
+      return slope * moved_.rate * moved_.rate + momentum * moved_.acceleration +
+             frame_spin.cross(momentum * moved_.rate);
     };
     loads.segment<3>(first) -= moving_.panels[k].mass_t * rate_of(first);
     loads.segment<3>(first + 3) -= rate_of(first + 3);
   }
 }
 
-// A spring's force is taken by the panel that carries its end, or at a vertex in equal parts by
-// those that meet there.
+// A spring's force acts on the panel that carries its end, or at a vertex in equal parts on all
+// panels that meet there.
 void PanelLoads::add_springs(VectorXd& loads) const {
   const VectorXd forces_n = sheet_.spring_forces_n(x_);
   const bool at_vertices = mechanism().springs.at_vertices();
@@ -154,7 +154,7 @@ void PanelLoads::add_springs(VectorXd& loads) const {
   }
 }
 
-// About creases: the right panel turns by -rho about a -> b, so what resists rho pushes it on.
+// The right panel turns by -rho about a -> b: moments that resist rho push it on.
 void PanelLoads::add_joints(VectorXd& loads) const {
   const VectorXd resisting = sheet_.crease_moments_n_mm(x_, moved_.rate);
   assert(resisting.size() == std::ssize(hinges_));

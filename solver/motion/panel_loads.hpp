@@ -1,5 +1,5 @@
-// Loads on each panel of a sheet besides its joints' reactions: springs, weight, what creases and
-// ball joints resist with, and inertia.
+// Loads on each panel of a sheet besides its joints' reactions: springs, weight, inertia, and the
+// resistance of creases and ball joints.
 #pragma once
 
 #include "solver/motion/deployment.hpp"
@@ -9,22 +9,22 @@ namespace misalign::solver {
 
 class PanelLoads {
  public:
-  /// A crease where it lies now, in the coordinates of the first panel.
+  /// A crease of the posed sheet, in the coordinates of the first panel.
   struct Hinge {
-    Eigen::Vector3d middle_mm, axis, one, other;  ///< from a to b; and two directions square to it
+    Eigen::Vector3d middle_mm, axis, one, other;  ///< axis from a to b, two normals to it
     double length_mm;
   };
 
   /// Force and moment about its centre.
   static constexpr int kOfPanel = 6;
 
-  /// `in_motion`: with inertia, and joints that resist motion. All must outlive this object.
+  /// `in_motion`: with inertia, and joints that resist motion. Arguments must outlive this object.
   PanelLoads(const EnergyModel& sheet, const FoldedShape& shape, const PerforatedSheet& base,
              bool in_motion);
 
-  /// Places the panels as they are there.
+  /// Places the panels as in this row.
   void pose(const Deployment::Row& at);
-  /// Of the sheet as it was posed: six a panel, N and N mm.
+  /// Loads on the posed sheet: six a panel, N and N mm.
   Eigen::VectorXd find();
 
   const EnergyModel& sheet() const { return sheet_; }
@@ -34,15 +34,15 @@ class PanelLoads {
   std::optional<int> held() const { return held_; }
   int panel_of(int facet) const { return panel_of_facet_[static_cast<std::size_t>(facet)]; }
   const std::vector<Hinge>& hinges() const { return hinges_; }
-  /// Where a panel has a vertex, mm.
+  /// Place of a panel's vertex, mm.
   Eigen::Vector3d place_mm(int panel, int vertex) const { return mover_.place_mm(panel, vertex); }
-  /// Adds a force at a place, and a moment, to a panel's six.
+  /// Adds a force at a place, and a moment, to a panel's six loads.
   void add(int panel, const Eigen::Vector3d& at_mm, const Eigen::Vector3d& force_n,
            const Eigen::Vector3d& moment_n_mm, Eigen::VectorXd& loads) const;
 
  private:
   struct Moved {
-    double rate, acceleration;  // of x
+    double rate, acceleration;  // derivatives of x
   };
   void add_inertia(Eigen::VectorXd& loads) const;
   void add_springs(Eigen::VectorXd& loads) const;
@@ -57,7 +57,7 @@ class PanelLoads {
   SheetMover mover_;
   const SmoothTable momenta_;
   std::vector<int> panel_of_facet_;
-  std::vector<std::vector<int>> panels_at_;  // each vertex
+  std::vector<std::vector<int>> panels_at_;  // index: vertex
   double x_ = 0;
   Moved moved_{};
   MovingPanels moving_{};

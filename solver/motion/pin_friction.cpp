@@ -12,14 +12,15 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Angles in proportion to each other; what is between them is as a power of the angle.
+// Number of intervals between angles in geometric progression; loads between them follow a power of
+// the angle.
 constexpr int kPinRows = 48;
 
 struct Load {
   double in_middle = 0, at_ends = 0;
 };
 
-// What the pins of a hinge carry across themselves, N.
+// Loads across the pins of a hinge, N.
 Load load_of_hinge(const Vector3d& force_n, const Vector3d& moment_n_mm, const Vector3d& axis,
                    double length_mm) {
   assert(length_mm > 0 && std::abs(axis.norm() - 1) < 1e-6);
@@ -28,7 +29,7 @@ Load load_of_hinge(const Vector3d& force_n, const Vector3d& moment_n_mm, const V
   return {across_n.norm(), (across_n / 2 + couple_n).norm() + (across_n / 2 - couple_n).norm()};
 }
 
-// At these angles, in a sheet that is held.
+// Loads at these angles, in a sheet that is held.
 PinStudy loads_at(const EnergyModel& sheet, const Model& model,
                   const std::vector<double>& pilot_deg) {
   const FoldingWay& way = sheet.way();
@@ -47,8 +48,8 @@ PinStudy loads_at(const EnergyModel& sheet, const Model& model,
   VectorXd angles_rad, rates, ball_rates;
   for (std::size_t k = 0; k < pilot_deg.size(); ++k) {
     const double x = held.rows[k].x, pilot_rate = way.pilot_rate(x);
-    const auto vector = [&](const Eigen::MatrixXd& of, Index joint) -> Vector3d {
-      return of.block<1, 3>(static_cast<Index>(k), 3 * joint).transpose();
+    const auto vector = [&](const Eigen::MatrixXd& matrix, Index joint) -> Vector3d {
+      return matrix.block<1, 3>(static_cast<Index>(k), 3 * joint).transpose();
     };
     way.find_creases(x, angles_rad, rates);
     way.find_balls(x, ball_rates);
@@ -75,7 +76,7 @@ PinStudy loads_at(const EnergyModel& sheet, const Model& model,
   return study;
 }
 
-// Between two rows, of something that goes as a power of the angle there.
+// Integral between two rows of a power of the angle.
 double integral(double a_deg, double a, double b_deg, double b) {
   assert(a_deg > b_deg && b_deg > 0);
   if (!(a > 0) || !(b > 0)) return 0.5 * (a + b) * (a_deg - b_deg) * kRadPerDeg;
@@ -83,7 +84,7 @@ double integral(double a_deg, double a, double b_deg, double b) {
   return (a * a_deg - b * b_deg) * kRadPerDeg / (power + 1);
 }
 
-// Energy that has become free since the start, over what 1 mm of mu r has taken: the least.
+// Finds the least energy released since the start over the loss by 1 mm of mu r.
 void find_critical(const EnergyModel& sheet, PinFriction& friction) {
   const FoldingWay& way = sheet.way();
   const std::vector<PinFriction::Row>& rows = friction.rows;
@@ -97,7 +98,7 @@ void find_critical(const EnergyModel& sheet, PinFriction& friction) {
     taken += integral(rows[k - 1].pilot_deg, rows[k - 1].loss_n, rows[k].pilot_deg, rows[k].loss_n);
     see(way.x_of(rows[k].pilot_deg));
   }
-  // Below the last row as between the last two.
+  // The power between the last two rows also holds below.
   const PinFriction::Row &last = rows.back(), &before = rows[rows.size() - 2];
   const double power =
       std::log(before.loss_n / last.loss_n) / std::log(before.pilot_deg / last.pilot_deg);
@@ -115,10 +116,10 @@ const PinFriction::Row& PinFriction::locks_first() const {
 
 std::optional<double> PinFriction::stall_deg(double mu_r_mm) const {
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double here = rows[k].locks_mm();
-    if (here > mu_r_mm) continue;
+    const double least_mm = rows[k].locks_mm();
+    if (least_mm > mu_r_mm) continue;
     if (k == 0) return rows[0].pilot_deg;
-    const double before = rows[k - 1].locks_mm(), share = (before - mu_r_mm) / (before - here);
+    const double before = rows[k - 1].locks_mm(), share = (before - mu_r_mm) / (before - least_mm);
     return rows[k - 1].pilot_deg + share * (rows[k].pilot_deg - rows[k - 1].pilot_deg);
   }
   return {};

@@ -20,14 +20,14 @@ PanelMass triangle(double area_density, const std::array<Vector2d, 3>& corners_m
   return mass;
 }
 
-// Both, by the parallel axis theorem.
-PanelMass sum_of(const PanelMass& one, const PanelMass& other) {
-  const double mass_t = one.mass_t + other.mass_t;
+// Adds two masses, by the parallel axis theorem.
+PanelMass sum_of(const PanelMass& first, const PanelMass& second) {
+  const double mass_t = first.mass_t + second.mass_t;
   assert(mass_t > 0);
-  const Vector2d apart_mm = other.centre_mm - one.centre_mm;
-  return {mass_t, one.centre_mm + other.mass_t / mass_t * apart_mm,
-          one.spread + other.spread +
-              one.mass_t * other.mass_t / mass_t * apart_mm * apart_mm.transpose()};
+  const Vector2d apart_mm = second.centre_mm - first.centre_mm;
+  return {mass_t, first.centre_mm + second.mass_t / mass_t * apart_mm,
+          first.spread + second.spread +
+              first.mass_t * second.mass_t / mass_t * apart_mm * apart_mm.transpose()};
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Panels as plates of one thickness and one material: what they weigh, and how that is spread.
+// Panels as plates of one thickness and one material: their masses and second moments.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace misalign::solver {
 
-/// The paper's, section 5: 1 mm of aluminium.
+/// The paper's plates, section 5: 1 mm of aluminium.
 struct Plates {
   double thickness_mm = 1;
   double density_g_per_cm3 = 2.7;
@@ -17,7 +17,7 @@ struct Plates {
   double area_density() const { return thickness_mm * density_g_per_cm3 * 1e-9; }
 };
 
-/// A panel's own, on the flat sheet.
+/// The mass of a panel on the flat sheet.
 struct PanelMass {
   double mass_t;
   Eigen::Vector2d centre_mm;
@@ -26,7 +26,7 @@ struct PanelMass {
   Eigen::Matrix2d spread;
 };
 
-/// Of each panel (its corners as vertices, counter-clockwise) cut in two along a diagonal.
+/// Masses of all panels (corners as vertices, counter-clockwise), each cut in two along a diagonal.
 std::vector<PanelMass> panel_masses(const Plates& plates,
                                     const std::vector<std::array<int, 4>>& panels,
                                     const FlatVertices& vertices_mm);

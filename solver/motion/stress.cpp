@@ -19,7 +19,7 @@ std::optional<double> StressStudy::rigid_pilot_deg(double time_s) const {
                                   [&](const auto& row) { return row.time_s >= time_s; });
   if (after == rigid.end()) return {};
   if (after == rigid.begin()) return after->pilot_deg;
-  // By the cubic through both rows with their rates.
+  // The angle is on the cubic through both rows with their rates.
   const auto& before = *(after - 1);
   const double h = after->time_s - before.time_s, s = (time_s - before.time_s) / h;
   assert(h > 0 && s >= 0 && s <= 1);

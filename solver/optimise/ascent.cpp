@@ -15,16 +15,16 @@ using Eigen::Index;
 using Eigen::Matrix2Xd;
 using Eigen::VectorXd;
 
-// The box of a linear program, in amplitudes: at first, and where it is given up.
+// The box of a linear program, in amplitudes: the first, and the least.
 constexpr double kFirstBox = 0.25, kLastBox = 1e-3;
-// A step that gains less than this share of the goal is none.
+// Least gain of a step, as a share of the goal.
 constexpr double kLeastGain = 1e-4;
-// The box grows where this share of what was foreseen came true.
+// The box grows where at least this share of the foreseen gain came true.
 constexpr double kForeseen = 0.5;
-// The limits at the end are those of a box of so many amplitudes.
+// Box, in amplitudes, in which the limits at the optimum are found.
 constexpr double kBoxOfLimits = 0.05;
-// The share of what a flip moves by which it may seem to turn back and yet is evaluated: to first
-// order slopes are off by 7 % at 120 degrees, and by half at 150.
+// A flip is evaluated even if it seems to violate a row by this share of its effect: to first order
+// slopes are off by 7 % at 120 degrees, and by half at 150.
 constexpr double kEarlyDoubt = 0.15, kLateDoubt = 0.6, kLateFrom_deg = 120;
 
 }  // namespace
@@ -73,7 +73,7 @@ void Ascent::take_step(Feasible next) {
   linearization_.reset();
 }
 
-// Of a step of free shifts: the box shrinks until one is right.
+// Takes a step of free shifts: the box shrinks until its linearisation is right.
 void Ascent::try_box() {
   assert(linearization_ && box_mm_ > 0);
   if (box_mm_ < std::max(kLastBox * options_.amplitude_mm, options_.grid_mm / 2)) {
@@ -100,8 +100,8 @@ void Ascent::give_up_box() {
   begin_flips();
 }
 
-// Flips of one or two coordinates are evaluated in the order of what they promise; where none does
-// better, every single one before the step is given up.
+// Evaluates flips of one or two coordinates in the order of their foreseen gain; where none is
+// better, every single flip before the step is given up.
 void Ascent::begin_flips() {
   trying_ = Trying::promising_flips;
   next_flip_ = 0;
@@ -113,18 +113,18 @@ void Ascent::begin_flips() {
     flip.foreseen = goal_after(flip) - own_goal;
     if (flip.foreseen > least_foreseen()) promising_.push_back(flip);
   };
-  for (std::size_t one = 0; one < singles_.size(); ++one) {
-    consider(singles_[one]);
-    for (std::size_t other = one + 1; other < singles_.size(); ++other) {
-      const Index first = singles_[one].coordinate[0], second = singles_[other].coordinate[0];
+  for (std::size_t i = 0; i < singles_.size(); ++i) {
+    consider(singles_[i]);
+    for (std::size_t k = i + 1; k < singles_.size(); ++k) {
+      const Index first = singles_[i].coordinate[0], second = singles_[k].coordinate[0];
       if (first == second) continue;
-      consider({{first, second}, {singles_[one].by_mm[0], singles_[other].by_mm[0]}});
+      consider({{first, second}, {singles_[i].by_mm[0], singles_[k].by_mm[0]}});
     }
   }
   std::ranges::stable_sort(promising_, std::ranges::greater(), &Flip::foreseen);
 }
 
-// The first that does better is a step.
+// The first flip that raises the goal is a step.
 void Ascent::try_flip() {
   const bool by_promise = trying_ == Trying::promising_flips;
   std::vector<Flip>& flips = by_promise ? promising_ : singles_;
@@ -155,7 +155,7 @@ std::optional<Ascent::Feasible> Ascent::evaluate(const VectorXd& change_mm) {
   return Feasible{std::move(sheet), std::move(point), *value};
 }
 
-// That is tried: of what only leads to the goal anything.
+// Least foreseen gain that is tried; any, where the terms only lead to the goal.
 double Ascent::least_foreseen() const {
   return options_.goal->is_exact ? kLeastGain * now_.value : 0;
 }
@@ -163,22 +163,23 @@ double Ascent::least_foreseen() const {
 double Ascent::goal_after(const Flip& flip) const {
   assert(linearization_ && !linearization_->goals.empty());
   double least = std::numeric_limits<double>::infinity();
-  for (const LocalGoal& one : linearization_->goals) {
-    least = std::min(least, (one.amount + flip.along(one.row)) / one.over);
+  for (const GoalTerm& term : linearization_->goals) {
+    least = std::min(least, (term.numerator + flip.along(term.row)) / term.divisor);
   }
   return least;
 }
 
 bool Ascent::may_fit(const Flip& flip) const {
-  return std::ranges::all_of(linearization_->rows, [&](const LocalModel::Row& one) {
-    const double doubt = one.pilot_deg <= kLateFrom_deg ? kEarlyDoubt : kLateDoubt;
+  return std::ranges::all_of(linearization_->rows, [&](const LocalModel::Row& constraint) {
+    const double doubt = constraint.pilot_deg <= kLateFrom_deg ? kEarlyDoubt : kLateDoubt;
     double moved = 0;
-    for (const int k : {0, 1}) moved += std::abs(one.row(flip.coordinate[k]) * flip.by_mm[k]);
-    return std::max(one.slack, 0.0) + flip.along(one.row) >= -doubt * moved;
+    for (const int k : {0, 1})
+      moved += std::abs(constraint.row(flip.coordinate[k]) * flip.by_mm[k]);
+    return std::max(constraint.slack, 0.0) + flip.along(constraint.row) >= -doubt * moved;
   });
 }
 
-// To nothing, to the amplitude, and to what is next on a grid.
+// Flips to zero, to either amplitude, and to the next values on a grid.
 std::vector<Ascent::Flip> Ascent::single_flips() const {
   std::vector<Flip> flips;
   const VectorXd from_mm = variables_.of(now_.point);
@@ -205,25 +206,25 @@ void Ascent::find_limits() {
   Optimised::Limits limits;
   limits.per_floor.resize(options_.floors.size());
   for (std::size_t k = 0; k < inside.reached.size(); ++k) {
-    const LocalModel::Row& one = *inside.reached[k];
+    const LocalModel::Row& constraint = *inside.reached[k];
     const double price = inside.price(best, static_cast<Index>(k));
     assert(best.price.size() == inside.scales.size());
     if (price == 0) continue;
-    switch (one.kind) {
+    switch (constraint.kind) {
       case LocalModel::Row::Kind::stroke:
-        limits.per_share_of_stroke += price * now_.sheet->way()->flat_mm()(one.where);
+        limits.per_share_of_stroke += price * now_.sheet->way()->flat_mm()(constraint.where);
         break;
       case LocalModel::Row::Kind::force:
         limits.per_n_of_force += price;
         break;
       case LocalModel::Row::Kind::direction:
-        limits.turning.push_back({one.where, one.pilot_deg, price});
+        limits.turning.push_back({constraint.where, constraint.pilot_deg, price});
         break;
       case LocalModel::Row::Kind::amplitude:
         limits.per_mm_of_amplitude += price;
         break;
       case LocalModel::Row::Kind::floor:
-        limits.per_floor[static_cast<std::size_t>(one.where)] += price;
+        limits.per_floor[static_cast<std::size_t>(constraint.where)] += price;
         break;
       case LocalModel::Row::Kind::fold_limit:
       case LocalModel::Row::Kind::fold_angle:
@@ -232,7 +233,7 @@ void Ascent::find_limits() {
     }
   }
   std::ranges::sort(limits.turning, std::ranges::greater(), &Optimised::Limits::Turning::per_mm);
-  // Of the box those sides that are the amplitude's, or the ends of a range.
+  // Sides of the box that lie on the amplitude, or at the end of a range, are limits.
   const Index sides = 2 * linearization_->coordinates, first = best.price.size() - sides;
   for (Index side = 0; side < sides; ++side) {
     if (inside.linear.bounds(first + side) >= 1) continue;

@@ -1,5 +1,5 @@
-// The ascent from a sheet to better ones near it, an evaluation at a time: one part of an
-// optimisation (optimise.hpp), for callers that must not wait for its end.
+// The ascent of an optimisation (optimise.hpp), one evaluation at a time, for callers that must not
+// wait for its end.
 #pragma once
 
 #include <array>
@@ -13,28 +13,28 @@ namespace misalign::solver {
 
 class Ascent {
  public:
-  /// Goes on from fitted_start(). The sheet's model must outlive this object, the sheet need not.
+  /// Continues from fitted_start(). The sheet's model must outlive this object, the sheet need not.
   Ascent(const Sheet& start, Optimised fitted);
   Ascent(const Ascent&) = delete;
   Ascent& operator=(const Ascent&) = delete;
 
   bool finished() const { return finished_; }
-  /// Evaluates one more sheet, or linearises around the one that was reached.
+  /// Evaluates one more sheet, or linearises around the current one.
   void advance();
-  /// The sheet that was reached, with its record.
+  /// The current sheet, with its record.
   const Sheet& reached() const { return *now_.sheet; }
   Optimised release() { return std::move(result_); }
 
  private:
-  // A sheet that keeps what is asked, with its springs and the value of the goal.
+  // A feasible sheet, with its springs and the value of the goal.
   struct Feasible {
     std::unique_ptr<const Sheet> sheet;
     DesignPoint point;
     double value;
   };
-  // A change of one variable or two, and what the goal would gain.
+  // A change of one variable or two, and the foreseen gain of the goal.
   struct Flip {
-    std::array<Eigen::Index, 2> coordinate;  // the same twice: of one
+    std::array<Eigen::Index, 2> coordinate;  // twice the same: one variable
     std::array<double, 2> by_mm;
     double foreseen = 0;
 
@@ -42,8 +42,8 @@ class Ascent {
       return by_mm[0] * row(coordinate[0]) + by_mm[1] * row(coordinate[1]);
     }
   };
-  // The changes that are tried next: those of a linear program in a box, or flips in their order:
-  // those that promise most, then all single ones.
+  // The changes that are tried next: those of a linear program in a box, or flips: first those with
+  // the largest foreseen gain, then all single ones.
   enum class Trying { in_a_box, promising_flips, single_flips };
 
   void begin_step();
@@ -61,13 +61,13 @@ class Ascent {
   std::vector<Flip> single_flips() const;
   void find_limits();
 
-  OptimiseOptions options_;  // with the springs of the sheet that was reached
+  OptimiseOptions options_;  // with the springs of the current sheet
   const Coordinates variables_;
   SheetSolver solver_;
   double box_mm_;
   Feasible now_;
   Optimised result_;
-  std::optional<LocalModel> linearization_;  // around the sheet that was reached
+  std::optional<LocalModel> linearization_;  // around the current sheet
   Trying trying_ = Trying::in_a_box;
   std::vector<Flip> promising_, singles_;
   std::size_t next_flip_ = 0;

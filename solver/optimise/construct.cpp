@@ -10,9 +10,9 @@
 namespace misalign::solver {
 namespace {
 
-// Least stroke per mm that counts as one: below it is rounding.
+// Least stroke per mm: smaller ones are rounding.
 constexpr double kLeastRate_per_mm = 1e-9;
-// The amplitude is met to this part.
+// Relative tolerance of the amplitude.
 constexpr double kAmplitudePart = 1e-12;
 constexpr int kScaleSteps = 60;
 
@@ -32,8 +32,8 @@ StrokeRates stroke_rates(const BaseHole& hole, const HalfAngle<double>& pilot) {
   return {rate * hole.a_mm * x, rate * hole.b_mm * y};
 }
 
-// Signs that go by a hole's place: of these the family of a checkerboard has one with its rim held,
-// and all of them with its rim free.
+// Signs by the places of holes: a checkerboard's family has one of these arrangements with its rim
+// held, and all with its rim free.
 std::vector<std::vector<int>> arrangements(const PerforatedSheet& base) {
   std::map<int, int> in_row, in_column;
   std::vector<std::array<int, 4>> places;
@@ -99,7 +99,7 @@ class StrokeProgram {
     program_.rows.block(2 * shifts, last, holes, 1).setOnes();
   }
 
-  // Stroke per mm, and the coordinates at an amplitude of 1 mm.
+  // Returns the stroke per mm; finds the coordinates at an amplitude of 1 mm.
   double solve(Eigen::VectorXd& coordinates, std::vector<int>& binding) const {
     const LinearOptimum optimum = maximize(program_);
     coordinates.setZero(family_.dimension());
@@ -133,7 +133,7 @@ double least_stroke(const ParallelFamily& family, const Eigen::Matrix2Xd& shifts
   return least;
 }
 
-// The share of the shifts that has the stroke, which grows with it: by bisection.
+// Bisects for the share of the shifts with this stroke, which grows with the share.
 double share_for(const ParallelFamily& family, const Eigen::Matrix2Xd& shifts_mm,
                  const HalfAngle<double>& pilot, double stroke) {
   double low = 0, high = 1;

@@ -1,5 +1,5 @@
-// The study of construction: the sheet of the parallel family whose least used diagonal changes
-// most, by linear programs in the family's coordinates.
+// The study of construction: the sheet of the parallel family with the largest least stroke, by
+// linear programs in the family's coordinates.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@ namespace misalign::solver {
 
 struct ConstructOptions {
   double amplitude_mm = 0.4;     ///< no vertex is shifted by more, in x or in y
-  std::optional<double> stroke;  ///< least |L - L0| / L0 wanted at `at_deg`; none: the largest
+  std::optional<double> stroke;  ///< required |L - L0| / L0 at `at_deg`; none: the largest
   double at_deg = 179;           ///< pilot angle of the stroke
-  std::vector<int> signs;        ///< per hole, of delta and epsilon alike: +1 or -1; empty: found
+  std::vector<int> signs;        ///< per hole, for both delta and epsilon: +1 or -1; empty: chosen
 };
 
 struct ConstructStudy {
@@ -23,25 +23,25 @@ struct ConstructStudy {
     int facet;
     double delta_mm, epsilon_mm;
     int direction;  ///< HoleMotion::direction
-    double stroke;  ///< of the diagonal that changes less, at `at_deg`
+    double stroke;  ///< stroke at `at_deg` of the diagonal that changes less
   };
 
   Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex
-  int dimension = 0;           ///< of the family
+  int dimension = 0;           ///< dimension of the family
   std::vector<Hole> holes;
-  double stroke = 0;           ///< the least of the holes'
+  double stroke = 0;           ///< least stroke of a hole
   double amplitude_mm = 0;     ///< the largest shift of a vertex in x or y
-  std::vector<int> binding;    ///< vertices that are shifted by the most that is allowed
-  double misfit_mm = 0;        ///< of parallel_misfit: rounding
+  std::vector<int> binding;    ///< vertices at the largest allowed shift
+  double misfit_mm = 0;        ///< parallel_misfit: rounding
   double base_misfit_rad = 0;  ///< ParallelFamily::misfit_rad
-  /// Whether every diagonal goes one way from flat to 180 degrees, as the closed form says.
+  /// Returns whether every diagonal is monotone from flat to 180 degrees, by the closed form.
   bool is_monotone() const;
 };
 
-/// Of the stroke's rate by the shifts near zero, maximized with signs alike in each hole. Where
-/// `options.signs` is empty, several arrangements of signs are tried and the best is taken: not
-/// certain to be the best of all. Faults: signs of another number than the holes, or that the
-/// family does not have; a stroke out of reach; shifts that take a facet's convexity.
+/// Maximises the stroke's rate by the shifts near zero, with equal signs in each hole. Where
+/// `options.signs` is empty, several arrangements of signs are tried and the best is taken, not
+/// certainly the best of all. Faults: signs whose number is not that of the holes, or that the
+/// family does not have; a stroke out of reach; shifts with a facet that is not convex.
 StudyResult<ConstructStudy> construct(const PerforatedSheet& base, const ParallelFamily& family,
                                       const ConstructOptions& options);
 

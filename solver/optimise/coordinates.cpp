@@ -21,18 +21,18 @@ const OptimiseOptions::Range* Coordinates::range(Index k) const {
 }
 
 VectorXd Coordinates::of(const DesignPoint& point) const {
-  VectorXd own_mm = VectorXd::Zero(count());
+  VectorXd values_mm = VectorXd::Zero(count());
   for (Index k = 0; k < shifts_ && !are_free(); ++k) {
-    own_mm(k) = point.shifts_mm(k % 2, options_.shifted[static_cast<std::size_t>(k / 2)]);
+    values_mm(k) = point.shifts_mm(k % 2, options_.shifted[static_cast<std::size_t>(k / 2)]);
   }
   Index next = shifts_;
-  const auto add = [&](const std::optional<OptimiseOptions::Range>& range, double own) {
-    if (range) own_mm(next++) = (own - range->least) / per_mm(*range) - options_.amplitude_mm;
+  const auto add = [&](const std::optional<OptimiseOptions::Range>& range, double value) {
+    if (range) values_mm(next++) = (value - range->least) / per_mm(*range) - options_.amplitude_mm;
   };
   add(options_.stiffness_n_per_mm, point.stiffness_n_per_mm);
   add(options_.preload_n, point.preload_n);
   assert(next == count());
-  return own_mm;
+  return values_mm;
 }
 
 DesignPoint Coordinates::after(const DesignPoint& point, const VectorXd& change_mm) const {
@@ -49,9 +49,9 @@ DesignPoint Coordinates::after(const DesignPoint& point, const VectorXd& change_
   const double farthest_mm = next.shifts_mm.cwiseAbs().maxCoeff();
   if (are_free() && farthest_mm > most_mm) next.shifts_mm *= most_mm / farthest_mm;
   Index at = shifts_;
-  const auto change = [&](const std::optional<OptimiseOptions::Range>& range, double& own) {
+  const auto change = [&](const std::optional<OptimiseOptions::Range>& range, double& value) {
     if (!range) return;
-    own = std::clamp(own + change_mm(at++) * per_mm(*range), range->least, range->most);
+    value = std::clamp(value + change_mm(at++) * per_mm(*range), range->least, range->most);
   };
   change(options_.stiffness_n_per_mm, next.stiffness_n_per_mm);
   change(options_.preload_n, next.preload_n);

@@ -7,8 +7,8 @@
 namespace misalign::solver {
 namespace {
 
-// Ways are off by thousandths of a degree between their stations, next to limits by less than this:
-// where a crease is folded to 180 degrees is solved there, and no closer to a limit.
+// The angle at which a crease is folded to 180 degrees is solved this close around the way's, which
+// is inexact by thousandths of a degree between stations, and no closer to a limit.
 constexpr double kAroundFlat_deg = 0.1, kFromLimit_deg = 1e-6;
 
 // The angle at which a crease is folded to 180 degrees; none where no crease is.
@@ -22,7 +22,7 @@ std::optional<double> folded_flat_deg(const Sheet& sheet) {
   if (!about_deg) return {};
   double before_deg = *about_deg - kAroundFlat_deg,
          beyond_deg = std::min(*about_deg + kAroundFlat_deg, way.end_deg() - kFromLimit_deg);
-  // A crease that only touches 180 degrees, in a sharp bend, leaves no place to be solved for.
+  // A crease that only touches 180 degrees, in a sharp bend, gives no angle to solve for.
   if (is_beyond(before_deg) || !is_beyond(beyond_deg)) return about_deg;
   while (beyond_deg - before_deg > kFromLimit_deg) {
     const double middle_deg = (before_deg + beyond_deg) / 2;

@@ -1,11 +1,12 @@
-// The angle from which a sheet deploys, not of samples alone.
+// Finds the angle from which a sheet deploys, between samples too.
 #pragma once
 
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
 
-/// Every diagonal goes one way up to there, between samples too, and the sheet goes on folding.
+/// Largest pilot angle to which every diagonal is monotone, between samples too, and the sheet
+/// folds on.
 double goes_until_deg(const Sheet& sheet);
 
 }  // namespace misalign::solver

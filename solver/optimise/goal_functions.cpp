@@ -16,7 +16,7 @@ namespace {
 
 using Value = std::optional<double>;
 
-// A value of a study, where it found one.
+// A member of a study's value, where there is one.
 template <class Study, class Member>
 Value member_of(const std::optional<Study>& study, Member member) {
   return study ? Value((*study).*member) : std::nullopt;
@@ -27,7 +27,7 @@ Value critical_friction(const Sheet& sheet, const OptimiseOptions& options) {
   return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
 }
 
-// The friction that panels that bend leave; none where some angles are not sure.
+// Friction with bending panels; none where an equilibrium was lost.
 std::optional<BentFriction> bent_friction(const Sheet& sheet, const OptimiseOptions& options) {
   const auto bent = bend_panels(sheet, options.deploying, options.bending);
   return bent && bent->unsure() == 0 ? std::optional(bent->friction) : std::nullopt;
@@ -74,7 +74,7 @@ Value springs_spared(const Sheet& sheet, const OptimiseOptions& options) {
 struct Functions {
   std::string_view name;
   Value (*value)(const Sheet& sheet, const OptimiseOptions& options);
-  std::vector<LocalGoal> (*linearization)(SheetChanges& changes);
+  std::vector<GoalTerm> (*linearization)(SheetChanges& changes);
 };
 
 constexpr Functions kFunctions[] = {
@@ -102,7 +102,7 @@ Value value_of(const Goal& goal, const Sheet& sheet, const OptimiseOptions& opti
   return functions_of(goal).value(sheet, options);
 }
 
-std::vector<LocalGoal> linearization_of(const Goal& goal, SheetChanges& changes) {
+std::vector<GoalTerm> linearization_of(const Goal& goal, SheetChanges& changes) {
   return functions_of(goal).linearization(changes);
 }
 

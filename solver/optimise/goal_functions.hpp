@@ -10,14 +10,14 @@
 namespace misalign::solver {
 
 class Sheet;
-struct LocalGoal;
+struct GoalTerm;
 struct OptimiseOptions;
 struct SheetChanges;
 
-/// The value for a sheet that can be let go; none where its study finds nothing.
+/// The value for a sheet that can be released; none where its study has no value.
 std::optional<double> value_of(const Goal& goal, const Sheet& sheet,
                                const OptimiseOptions& options);
-/// The pieces next to a sheet, to first order in its shifts and springs.
-std::vector<LocalGoal> linearization_of(const Goal& goal, SheetChanges& changes);
+/// The terms next to a sheet, to first order in its shifts and springs.
+std::vector<GoalTerm> linearization_of(const Goal& goal, SheetChanges& changes);
 
 }  // namespace misalign::solver

@@ -20,36 +20,37 @@ using Eigen::Matrix2Xd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-// Number of angles at which the goal of rigid panels is evaluated, beside flat.
+// Number of angles besides flat at which the energies of rigid panels are evaluated.
 constexpr int kGoalAngles = 6;
-// Margins within the factor kNearTheLeast of the least are followed to second order, by sheets that
-// are shifted by kAlong_mm: between rounding of gradients, 1e-9, and their curvature.
+// Sections whose ratio is below kNearTheLeast times the least one also get the gradient of their
+// divisor, by a step of kAlong_mm: far above the rounding of gradients, 1e-9, and small against
+// their curvature.
 constexpr double kNearTheLeast = 1.5, kAlong_mm = 1e-4;
-// The range of angles beyond where a diagonal turns back in which they are evaluated, and its
-// steps.
+// Changes of diagonals are evaluated to kBeyond_deg beyond the first reversal, in steps of
+// kStep_deg.
 constexpr double kBeyond_deg = 4, kStep_deg = 1;
 // Number of angles at which moments are evaluated.
 constexpr Index kMomentAngles = 12;
 
-// Energy, what the creases have turned, and how the first changes, at an angle.
-LocalGoal energy_at(const SheetChanges& changes, const SpringChanges& springs,
-                    const PathGradients::AtAngle& here, double n_mm, const VectorXd& forces_n) {
+// Energy over the creases' turning, and the gradient of the energy, at an angle.
+GoalTerm energy_at(const SheetChanges& changes, const SpringChanges& springs,
+                   const PathGradients::AtAngle& at_angle, double n_mm, const VectorXd& forces_n) {
   VectorXd folds_rad, rates;
   const FoldingWay& way = *changes.sheet.way();
-  way.find_creases(way.x_of(here.pilot_deg), folds_rad, rates);
+  way.find_creases(way.x_of(at_angle.pilot_deg), folds_rad, rates);
   double turned_mm = 0;
   for (Index c = 0; c < folds_rad.size(); ++c) {
     const Crease& crease = changes.sheet.mechanism().creases[static_cast<std::size_t>(c)];
     turned_mm += (changes.sheet.point_mm(crease.b) - changes.sheet.point_mm(crease.a)).norm() *
                  std::abs(folds_rad(c));
   }
-  return {n_mm, turned_mm, springs.energy_row(here, forces_n)};
+  return {n_mm, turned_mm, springs.energy_row(at_angle, forces_n)};
 }
 
-// In ascending angles, flat first.
-std::vector<LocalGoal> rigid_energies(SheetChanges& changes) {
+// Energies at ascending angles, flat first.
+std::vector<GoalTerm> rigid_energies(SheetChanges& changes) {
   const SpringChanges springs(changes);
-  std::vector<LocalGoal> all;
+  std::vector<GoalTerm> all;
   for (int k = 0; k <= kGoalAngles; ++k) {
     const double angle_deg = *changes.options.deploying.from_deg * k / kGoalAngles;
     const double x = changes.sheet.way()->x_of(angle_deg);
@@ -60,17 +61,17 @@ std::vector<LocalGoal> rigid_energies(SheetChanges& changes) {
   return all;
 }
 
-std::vector<LocalGoal> bent_energies(SheetChanges& changes) {
+std::vector<GoalTerm> bent_energies(SheetChanges& changes) {
   const auto bent = bend_panels(changes.sheet, changes.options.deploying, changes.options.bending);
   if (!bent) return {};
   const SpringChanges springs(changes);
   const BentAngle& first = bent->angles.front();
-  // What panels next to flat take off the forces they take off flat, too.
+  // Bending is not solved at flat; its change of the forces is that at the first bent angle.
   const PathGradients::AtAngle next_to_flat = changes.at(first.pilot_deg);
-  const VectorXd taken_n = first.bent.forces_n - springs.forces_n(next_to_flat);
+  const VectorXd bending_n = first.bent.forces_n - springs.forces_n(next_to_flat);
   const double flat_n_mm = first.bent.n_mm - bent->curve.at(first.pilot_deg).n_mm;
-  std::vector<LocalGoal> all{energy_at(changes, springs, changes.flat, flat_n_mm,
-                                       springs.forces_n(changes.flat) + taken_n)};
+  std::vector<GoalTerm> all{energy_at(changes, springs, changes.flat, flat_n_mm,
+                                      springs.forces_n(changes.flat) + bending_n)};
   for (const BentAngle& angle : bent->angles) {
     all.push_back(energy_at(changes, springs, changes.at(angle.pilot_deg), angle.bent.n_mm,
                             angle.bent.forces_n));
@@ -78,30 +79,31 @@ std::vector<LocalGoal> bent_energies(SheetChanges& changes) {
   return all;
 }
 
-LocalGoal between(const LocalGoal& high, const LocalGoal& low) {
+GoalTerm between(const GoalTerm& high, const GoalTerm& low) {
   assert(high.row.size() == low.row.size());
-  return {high.amount - low.amount, high.over - low.over, high.row - low.row};
+  return {high.numerator - low.numerator, high.divisor - low.divisor, high.row - low.row};
 }
 
-// What drives it on from where it is let go to each angle before.
-std::vector<LocalGoal> critical_frictions(const std::vector<LocalGoal>& energies) {
-  std::vector<LocalGoal> goals;
+// Terms of the critical friction: from the angle of use to each smaller angle.
+std::vector<GoalTerm> critical_frictions(const std::vector<GoalTerm>& energies) {
+  std::vector<GoalTerm> terms;
   for (std::size_t k = 0; k + 1 < energies.size(); ++k) {
-    goals.push_back(between(energies.back(), energies[k]));
+    terms.push_back(between(energies.back(), energies[k]));
   }
-  return goals;
+  return terms;
 }
 
-// How far a diagonal goes on in a section of the way, from the one angle to the other.
+// Change of a diagonal's length in a section of the way, from one angle to the other.
 struct Section {
   Index diagonal;
   double from_deg, to_deg, side, moved_mm;
-  RowVectorXd by_mm;  // of all vertices
+  RowVectorXd by_mm;  // gradient by all vertices
 
   double ratio() const { return moved_mm / by_mm.norm(); }
 };
 
-// How the norm of a section's row changes, per mm: by the row of a sheet that is shifted along it.
+// Gradient of the norm of a section's by_mm, as the difference of by_mm at a sheet that is shifted
+// along it.
 RowVectorXd norm_by_mm(SheetChanges& changes, const Section& section, SheetSolver& solver) {
   assert(section.by_mm.size() == changes.sheet.shifts_mm().size());
   const RowVectorXd along = section.by_mm.normalized();
@@ -122,84 +124,86 @@ RowVectorXd norm_by_mm(SheetChanges& changes, const Section& section, SheetSolve
 
 }  // namespace
 
-std::vector<LocalGoal> local_critical_friction(SheetChanges& changes) {
+std::vector<GoalTerm> local_critical_friction(SheetChanges& changes) {
   return critical_frictions(rigid_energies(changes));
 }
 
-std::vector<LocalGoal> local_bent_critical_friction(SheetChanges& changes) {
+std::vector<GoalTerm> local_bent_critical_friction(SheetChanges& changes) {
   return critical_frictions(bent_energies(changes));
 }
 
-std::vector<LocalGoal> local_static_friction(SheetChanges& changes) {
-  const std::vector<LocalGoal> energies = bent_energies(changes);
-  std::vector<LocalGoal> goals;
+std::vector<GoalTerm> local_static_friction(SheetChanges& changes) {
+  const std::vector<GoalTerm> energies = bent_energies(changes);
+  std::vector<GoalTerm> terms;
+  // Static friction is evaluated above flat.
   for (std::size_t k = 1; k + 1 < energies.size(); ++k) {
-    goals.push_back(between(energies[k + 1], energies[k]));
+    terms.push_back(between(energies[k + 1], energies[k]));
   }
-  return goals;
+  return terms;
 }
 
-std::vector<LocalGoal> local_energy(SheetChanges& changes) {
-  LocalGoal stored = rigid_energies(changes).back();
-  stored.over = 1;
+std::vector<GoalTerm> local_energy(SheetChanges& changes) {
+  GoalTerm stored = rigid_energies(changes).back();
+  stored.divisor = 1;
   return {stored};
 }
 
-std::vector<LocalGoal> local_margin(SheetChanges& changes) {
+std::vector<GoalTerm> local_margin(SheetChanges& changes) {
   std::vector<Section> sections;
   PathGradients::AtAngle last = changes.flat;
   for (const int sample : changes.sheet.model().margin_samples()) {
-    PathGradients::AtAngle here = changes.at(changes.sheet.sample_deg(sample));
-    for (Index d = 0; d < here.length_mm.size(); ++d) {
-      const double longer_mm = here.length_mm(d) - last.length_mm(d);
+    PathGradients::AtAngle at_angle = changes.at(changes.sheet.sample_deg(sample));
+    for (Index d = 0; d < at_angle.length_mm.size(); ++d) {
+      const double longer_mm = at_angle.length_mm(d) - last.length_mm(d);
       const double side = longer_mm < 0 ? -1 : 1;
-      sections.push_back({d, last.pilot_deg, here.pilot_deg, side, std::abs(longer_mm),
-                          side * (here.length_by_mm.row(d) - last.length_by_mm.row(d))});
+      sections.push_back({d, last.pilot_deg, at_angle.pilot_deg, side, std::abs(longer_mm),
+                          side * (at_angle.length_by_mm.row(d) - last.length_by_mm.row(d))});
     }
-    last = std::move(here);
+    last = std::move(at_angle);
   }
   SheetSolver solver(changes.sheet.model());
   double least = std::numeric_limits<double>::infinity();
-  for (const Section& one : sections) least = std::min(least, one.ratio());
-  std::vector<LocalGoal> all;
-  for (const Section& one : sections) {
-    RowVectorXd row = one.by_mm;
-    // The divisor changes too, which counts for the least ones.
-    if (one.ratio() < kNearTheLeast * least) row -= one.ratio() * norm_by_mm(changes, one, solver);
-    all.push_back({one.moved_mm, one.by_mm.norm(), changes.variables.row(row)});
+  for (const Section& section : sections) least = std::min(least, section.ratio());
+  std::vector<GoalTerm> terms;
+  for (const Section& section : sections) {
+    RowVectorXd row = section.by_mm;
+    // The divisor changes too, which matters for the least terms.
+    if (section.ratio() < kNearTheLeast * least)
+      row -= section.ratio() * norm_by_mm(changes, section, solver);
+    terms.push_back({section.moved_mm, section.by_mm.norm(), changes.variables.row(row)});
   }
-  return all;
+  return terms;
 }
 
-std::vector<LocalGoal> local_deployed_angle(SheetChanges& changes) {
+std::vector<GoalTerm> local_deployed_angle(SheetChanges& changes) {
   const Sheet& sheet = changes.sheet;
   const double reached_deg = goes_until_deg(sheet), end_deg = sheet.way()->end_deg();
   const double asked_deg = sheet.sample_deg(changes.options.deploys_from_sample);
   PathGradients::AtAngle last = changes.at(asked_deg);
   const VectorXd side = (last.length_mm - changes.flat.length_mm).cwiseSign();
-  std::vector<LocalGoal> goals;
+  std::vector<GoalTerm> terms;
   double most_mm = 0;
   for (double angle_deg = asked_deg + kStep_deg;
        angle_deg < std::min(reached_deg + kBeyond_deg, end_deg); angle_deg += kStep_deg) {
-    PathGradients::AtAngle here = changes.at(angle_deg);
+    PathGradients::AtAngle at_angle = changes.at(angle_deg);
     for (Index d = 0; d < side.size(); ++d) {
-      goals.push_back(
-          {side(d) * (here.length_mm(d) - last.length_mm(d)), 1,
-           changes.variables.row(side(d) * (here.length_by_mm.row(d) - last.length_by_mm.row(d)))});
-      most_mm = std::max(most_mm, std::abs(goals.back().amount));
+      terms.push_back({side(d) * (at_angle.length_mm(d) - last.length_mm(d)), 1,
+                       changes.variables.row(
+                           side(d) * (at_angle.length_by_mm.row(d) - last.length_by_mm.row(d)))});
+      most_mm = std::max(most_mm, std::abs(terms.back().numerator));
     }
-    last = std::move(here);
+    last = std::move(at_angle);
   }
   if (const auto limit = changes.gradients.fold_limit();
       limit && end_deg < reached_deg + kBeyond_deg) {
     const double mm_per_deg = most_mm > 0 ? most_mm : 1;
-    goals.push_back({mm_per_deg * (limit->fold_limit_deg - reached_deg), 1,
+    terms.push_back({mm_per_deg * (limit->fold_limit_deg - reached_deg), 1,
                      changes.variables.row(mm_per_deg * limit->by_mm)});
   }
-  return goals;
+  return terms;
 }
 
-std::vector<LocalGoal> local_rest_stiffness(SheetChanges& changes) {
+std::vector<GoalTerm> local_rest_stiffness(SheetChanges& changes) {
   const ReleaseOptions& deploying = changes.options.deploying;
   const auto now = rest_stiffness(changes.sheet, deploying, changes.options.bending.material);
   if (!now) return {};
@@ -212,7 +216,7 @@ std::vector<LocalGoal> local_rest_stiffness(SheetChanges& changes) {
              changes.variables.row(2 * now->forces_n.transpose() * slopes->slope_by_mm,
                                    now->forces_n.squaredNorm() / (n_per_mm * n_per_mm))}};
   }
-  // Next to flat lengths go with the square of the angle.
+  // Changes of length are proportional to the square of the angle next to flat.
   const PathGradients::AtAngle near = changes.at(kNearFlat_deg);
   const VectorXd longer_mm = near.length_mm - changes.flat.length_mm,
                  forces_n = springs.preload.forces_n(changes.sheet.mechanism().diagonals)
@@ -225,45 +229,45 @@ std::vector<LocalGoal> local_rest_stiffness(SheetChanges& changes) {
                0, 2 / square * longer_mm.cwiseAbs().sum() - 2 * preload_n * now->give_mm_per_n)}};
 }
 
-std::vector<LocalGoal> local_spare_diagonals(SheetChanges& changes) {
+std::vector<GoalTerm> local_spare_diagonals(SheetChanges& changes) {
   const SpringChanges springs(changes);
   const auto now =
       spare_diagonals(changes.sheet, springs.rigid(), *changes.options.deploying.from_deg);
   if (!now || now->few.fewer.empty()) return {};
-  std::vector<LocalGoal> all, fewer;
+  std::vector<GoalTerm> all, fewer;
   const Index angles = now->pilot_deg.size(), step = std::max<Index>(1, angles / kMomentAngles);
   for (Index k = angles - 1; k >= 0; k -= step) {
-    const PathGradients::AtAngle here = changes.at(now->pilot_deg(k));
-    const auto slopes = changes.gradients.slopes(here.pilot_deg);
+    const PathGradients::AtAngle at_angle = changes.at(now->pilot_deg(k));
+    const auto slopes = changes.gradients.slopes(at_angle.pilot_deg);
     if (!slopes) return {};
-    const VectorXd forces_n = springs.forces_n(here);
-    const auto of = [&](const VectorXd& chosen) {
-      return LocalGoal{chosen.dot(forces_n.cwiseProduct(slopes->slope_mm_per_rad)), 1,
-                       springs.forces_row(here, chosen.cwiseProduct(slopes->slope_mm_per_rad)) +
-                           changes.variables.row(chosen.cwiseProduct(forces_n).transpose() *
-                                                 slopes->slope_by_mm)};
+    const VectorXd forces_n = springs.forces_n(at_angle);
+    const auto moment_of = [&](const VectorXd& chosen) {
+      return GoalTerm{chosen.dot(forces_n.cwiseProduct(slopes->slope_mm_per_rad)), 1,
+                      springs.forces_row(at_angle, chosen.cwiseProduct(slopes->slope_mm_per_rad)) +
+                          changes.variables.row(chosen.cwiseProduct(forces_n).transpose() *
+                                                slopes->slope_by_mm)};
     };
     VectorXd chosen = VectorXd::Zero(forces_n.size());
     for (const int diagonal : now->few.fewer) chosen(diagonal) = 1;
-    all.push_back(of(VectorXd::Ones(forces_n.size())));
-    fewer.push_back(of(chosen));
+    all.push_back(moment_of(VectorXd::Ones(forces_n.size())));
+    fewer.push_back(moment_of(chosen));
   }
-  const LocalGoal& least = *std::ranges::min_element(all, {}, &LocalGoal::amount);
+  const GoalTerm& least = *std::ranges::min_element(all, {}, &GoalTerm::numerator);
   assert(all.size() == fewer.size());
-  for (LocalGoal& one : fewer) {
-    one.over = least.amount;
-    one.row -= one.amount / least.amount * least.row;
+  for (GoalTerm& term : fewer) {
+    term.divisor = least.numerator;
+    term.row -= term.numerator / least.numerator * least.row;
   }
   return fewer;
 }
 
-std::vector<LocalGoal> local_thickness(SheetChanges& changes) {
-  std::vector<LocalGoal> goals;
-  for (const LengthGradient& one :
+std::vector<GoalTerm> local_thickness(SheetChanges& changes) {
+  std::vector<GoalTerm> terms;
+  for (const LengthGradient& length :
        thickness_changes(changes.sheet, changes.gradients, changes.options.used_from_deg)) {
-    goals.push_back({one.mm, 1, changes.variables.row(one.by_mm)});
+    terms.push_back({length.mm, 1, changes.variables.row(length.by_mm)});
   }
-  return goals;
+  return terms;
 }
 
 }  // namespace misalign::solver

@@ -1,4 +1,4 @@
-// The goals of an optimisation next to one sheet, to first order.
+// Linearises the goals of an optimisation around one sheet.
 #pragma once
 
 #include <vector>
@@ -7,30 +7,35 @@
 
 namespace misalign::solver {
 
-/// A piece of a goal, which is the least of all pieces, in its unit: energy between two angles over
-/// what the creases turn between them, N mm and mm; how far a diagonal goes on over how fast that
-/// changes, mm and mm per mm; a thickness, an energy or a stiffness over 1. Goals that are not
-/// exact (goal.hpp) have pieces that lead to more of them.
-struct LocalGoal {
-  double amount, over;
-  Eigen::VectorXd row;  ///< of the amount, per mm of the variables
+/// A term of a goal: numerator / divisor, in the goal's unit, linearised at this sheet. A goal is
+/// the least of its terms; terms of goals that are not exact (goal.hpp) only lead to larger values.
+struct GoalTerm {
+  double numerator, divisor;
+  /// Gradient of the numerator, per mm of the variables; where the divisor varies, less the term's
+  /// value times the divisor's gradient.
+  Eigen::VectorXd row;
 };
 
-// Each gives its pieces by the sheet's springs, as the options have them: none where the changes
-// are not known.
+// Each function returns the terms of its goal, with the springs of the options. Where a gradient is
+// not known there are none, or `changes.is_known` is false.
 
-std::vector<LocalGoal> local_critical_friction(SheetChanges& changes);
-std::vector<LocalGoal> local_bent_critical_friction(SheetChanges& changes);
-std::vector<LocalGoal> local_static_friction(SheetChanges& changes);
-std::vector<LocalGoal> local_energy(SheetChanges& changes);
-std::vector<LocalGoal> local_rest_stiffness(SheetChanges& changes);
-std::vector<LocalGoal> local_thickness(SheetChanges& changes);
-/// The margin against miscuts, as solver/model/miscut_margin.hpp has it: a piece for each section.
-std::vector<LocalGoal> local_margin(SheetChanges& changes);
-/// What every diagonal goes on, for each degree, behind where the first of them turns back, and the
-/// room before the fold limit by as much.
-std::vector<LocalGoal> local_deployed_angle(SheetChanges& changes);
-/// The moments of the best set of one spring fewer over the least of all.
-std::vector<LocalGoal> local_spare_diagonals(SheetChanges& changes);
+// Frictions: energy between two angles, N mm, over the creases' turning between them, mm.
+std::vector<GoalTerm> local_critical_friction(SheetChanges& changes);
+std::vector<GoalTerm> local_bent_critical_friction(SheetChanges& changes);
+std::vector<GoalTerm> local_static_friction(SheetChanges& changes);
+// One term, over 1.
+std::vector<GoalTerm> local_energy(SheetChanges& changes);
+std::vector<GoalTerm> local_rest_stiffness(SheetChanges& changes);
+/// Largest thickness before contact, mm, of each pair of panels that limits it.
+std::vector<GoalTerm> local_thickness(SheetChanges& changes);
+/// The margin against miscuts (solver/model/miscut_margin.hpp): change of a diagonal in a section,
+/// mm, over the norm of its gradient.
+std::vector<GoalTerm> local_margin(SheetChanges& changes);
+/// The change of every diagonal in each degree from the required angle to beyond the first
+/// reversal, and the distance of the fold limit, scaled to mm.
+std::vector<GoalTerm> local_deployed_angle(SheetChanges& changes);
+/// At each angle the moment of the best set with one spring fewer, over the least moment of all
+/// springs.
+std::vector<GoalTerm> local_spare_diagonals(SheetChanges& changes);
 
 }  // namespace misalign::solver

@@ -15,18 +15,18 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Steps between directions: long ones up to kNearEnd_deg below the angle asked for, then short
-// ones, since near fold limits diagonals turn within degrees, and a last one that shows which still
-// go on there.
+// Steps between angles of direction rows: long ones up to kNearEnd_deg below the required angle,
+// then short ones, since near fold limits diagonals turn back within degrees, and a last one that
+// shows which still change there.
 constexpr double kLong_deg = 4, kShort_deg = 1, kNearEnd_deg = 24, kLast_deg = 0.02;
-// Distances that are kept: of the fold limit beyond the angle asked for, of creases there from
-// folded flat.
+// Distances to keep: of the fold limit from the required angle, and of creases there from folded
+// flat.
 constexpr double kBeforeLimit_deg = 0.05, kBeforeFlat_deg = 1e-3;
-// Fold angles are constrained where the angle asked for is at least this.
+// Least required angle with which fold angles are constrained.
 constexpr double kFoldedFar_deg = 150;
 
-// Slopes below kLowSlopes times the least one are constrained themselves, to stay above it by the
-// share kAboveLeast: less than what steps leave.
+// Slopes below kLowSlopes times the least one have rows of their own, which keep them above it by
+// the share kAboveLeast: less than what steps leave.
 constexpr double kLowSlopes = 10, kAboveLeast = 0.1;
 
 class Builder {
@@ -89,17 +89,17 @@ class Builder {
     const PathGradients::AtAngle end = changes_.at(to_deg, to_deg >= kFoldedFar_deg);
     const VectorXd longer_mm = end.length_mm - flat_.length_mm;
     for (const double pilot_deg : angles_of_directions(to_deg)) {
-      PathGradients::AtAngle here = pilot_deg == to_deg ? end : changes_.at(pilot_deg);
+      PathGradients::AtAngle at_angle = pilot_deg == to_deg ? end : changes_.at(pilot_deg);
       const double least_mm = options_.least_slope_mm_per_deg *
                               half_angle_of_deg(pilot_deg + last.pilot_deg).s *
                               (pilot_deg - last.pilot_deg);
-      for (Index d = 0; d < here.length_mm.size(); ++d) {
+      for (Index d = 0; d < at_angle.length_mm.size(); ++d) {
         const double side = longer_mm(d) < 0 ? -1 : 1;
         add(LocalModel::Row::Kind::direction, d, pilot_deg,
-            side * (here.length_mm(d) - last.length_mm(d)) - least_mm,
-            side * (here.length_by_mm.row(d) - last.length_by_mm.row(d)));
+            side * (at_angle.length_mm(d) - last.length_mm(d)) - least_mm,
+            side * (at_angle.length_by_mm.row(d) - last.length_by_mm.row(d)));
       }
-      last = std::move(here);
+      last = std::move(at_angle);
     }
     if (options_.slope_at_every_angle && !options_.ternary) add_low_slopes(to_deg);
     if (to_deg >= kFoldedFar_deg) add_folds(end);
@@ -107,7 +107,7 @@ class Builder {
     if (options_.largest_force_n) add_forces(*options_.largest_force_n);
   }
 
-  // As what a diagonal goes on in a degree there.
+  // Rows are the diagonal's change in a degree there.
   void add_low_slopes(double to_deg) {
     std::map<double, std::optional<PathGradients::Slopes>> at_deg;
     for (const LowSlope& low : low_slopes(sheet_, to_deg)) {
@@ -115,7 +115,7 @@ class Builder {
       if (low.mm_per_deg >= kLowSlopes * least) continue;
       if (!at_deg.contains(a_deg)) at_deg[a_deg] = changes_.gradients.slopes(a_deg);
       const auto& slopes = at_deg[a_deg];
-      if (!slopes) continue;  // it ends there
+      if (!slopes) continue;  // the way ends there
       const double sine = std::sin(a_deg * kRadPerDeg);
       const double side = slopes->slope_mm_per_rad(low.diagonal) * low.mm_per_deg < 0 ? -1 : 1;
       add(LocalModel::Row::Kind::direction, low.diagonal, a_deg,
@@ -124,53 +124,53 @@ class Builder {
     }
   }
 
-  void add_folds(const PathGradients::AtAngle& here) {
-    for (Index c = 0; c < here.fold_deg.size(); ++c) {
+  void add_folds(const PathGradients::AtAngle& at_angle) {
+    for (Index c = 0; c < at_angle.fold_deg.size(); ++c) {
       if (static_cast<int>(c) == sheet_.mechanism().pilot) continue;
-      const double side = here.fold_deg(c) < 0 ? -1 : 1;
-      add(LocalModel::Row::Kind::fold_angle, c, here.pilot_deg,
-          180 - kBeforeFlat_deg - side * here.fold_deg(c), -side * here.fold_by_mm.row(c));
+      const double side = at_angle.fold_deg(c) < 0 ? -1 : 1;
+      add(LocalModel::Row::Kind::fold_angle, c, at_angle.pilot_deg,
+          180 - kBeforeFlat_deg - side * at_angle.fold_deg(c), -side * at_angle.fold_by_mm.row(c));
     }
     if (const auto limit = changes_.gradients.fold_limit()) {
       add(LocalModel::Row::Kind::fold_limit, 0, limit->fold_limit_deg,
-          limit->fold_limit_deg - here.pilot_deg - kBeforeLimit_deg, limit->by_mm);
+          limit->fold_limit_deg - at_angle.pilot_deg - kBeforeLimit_deg, limit->by_mm);
     }
   }
 
-  // Diagonals go one way up to D: at an angle they have not been longer or shorter before.
+  // Diagonals are monotone up to D: their largest elongation is there.
   void add_strokes(double limit) {
-    const PathGradients::AtAngle here = changes_.at(sheet_.deploys_from_deg());
-    for (Index d = 0; d < here.length_mm.size(); ++d) {
-      const double longer_mm = here.length_mm(d) - flat_.length_mm(d);
+    const PathGradients::AtAngle at_angle = changes_.at(sheet_.deploys_from_deg());
+    for (Index d = 0; d < at_angle.length_mm.size(); ++d) {
+      const double longer_mm = at_angle.length_mm(d) - flat_.length_mm(d);
       const double side = longer_mm < 0 ? -1 : 1;
-      add(LocalModel::Row::Kind::stroke, d, here.pilot_deg,
+      add(LocalModel::Row::Kind::stroke, d, at_angle.pilot_deg,
           limit * flat_.length_mm(d) - side * longer_mm,
           limit * flat_.length_by_mm.row(d) -
-              side * (here.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
+              side * (at_angle.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
     }
   }
 
   void add_forces(double most_n) {
     assert(most_n >= 0);
     const SpringChanges springs(changes_);
-    const PathGradients::AtAngle here = changes_.at(*options_.deploying.from_deg);
-    const VectorXd forces_n = springs.forces_n(here);
+    const PathGradients::AtAngle at_angle = changes_.at(*options_.deploying.from_deg);
+    const VectorXd forces_n = springs.forces_n(at_angle);
     for (Index d = 0; d < forces_n.size(); ++d) {
       const double side = forces_n(d) < 0 ? -1 : 1;
-      const VectorXd row = springs.forces_row(here, side * VectorXd::Unit(forces_n.size(), d));
-      model_.rows.push_back({LocalModel::Row::Kind::force, static_cast<int>(d), here.pilot_deg,
+      const VectorXd row = springs.forces_row(at_angle, side * VectorXd::Unit(forces_n.size(), d));
+      model_.rows.push_back({LocalModel::Row::Kind::force, static_cast<int>(d), at_angle.pilot_deg,
                              most_n - side * forces_n(d), -row});
     }
   }
 
-  // In units of the goal.
+  // Slacks are in the unit of the floor's goal.
   void add_floors() {
     for (std::size_t floor = 0; floor < options_.floors.size(); ++floor) {
       const auto& [goal, least] = options_.floors[floor];
-      if (!goal->is_exact) continue;  // whether it is kept is seen of each sheet
-      for (const LocalGoal& one : linearization_of(*goal, changes_)) {
+      if (!goal->is_exact) continue;  // each sheet is checked instead
+      for (const GoalTerm& term : linearization_of(*goal, changes_)) {
         model_.rows.push_back({LocalModel::Row::Kind::floor, static_cast<int>(floor), 0,
-                               one.amount / one.over - least, one.row / one.over});
+                               term.numerator / term.divisor - least, term.row / term.divisor});
       }
     }
   }
@@ -186,8 +186,8 @@ class Builder {
 
 double LocalModel::goal(const VectorXd& change_mm) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const LocalGoal& one : goals) {
-    least = std::min(least, (one.amount + one.row.dot(change_mm)) / one.over);
+  for (const GoalTerm& term : goals) {
+    least = std::min(least, (term.numerator + term.row.dot(change_mm)) / term.divisor);
   }
   return least;
 }

@@ -1,4 +1,4 @@
-// A linear model of the sheets next to one: what every one keeps, and the goal.
+// The linearisation of an optimisation around one sheet: its constraints and its goal.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@ struct LocalModel {
   struct Row {
     enum class Kind { direction, stroke, force, fold_limit, fold_angle, amplitude, floor } kind;
     int where;         ///< diagonal, crease, coordinate of a shift, or floor
-    double pilot_deg;  ///< where on the way
+    double pilot_deg;  ///< pilot angle
     double slack;
     Eigen::VectorXd row;
   };
 
   std::vector<Row> rows;
-  std::vector<LocalGoal> goals;
+  std::vector<GoalTerm> goals;
   Eigen::Index coordinates = 0;
-  /// How far each may rise, and fall; of those that are free rows say it.
+  /// Largest rise and fall of each coordinate; rows bound the free ones.
   Eigen::ArrayXd rise_mm, fall_mm;
 
-  /// After this change.
+  /// Value of the goal after this change.
   double goal(const Eigen::VectorXd& change_mm) const;
 };
 
-/// Around a sheet that fits; `options.deploying` says from where it is let go, and has its springs.
+/// Linearises around a feasible sheet; `options.deploying` has its angle of use and its springs.
 /// None where its gradients are not found.
 std::optional<LocalModel> local_model(const Sheet& sheet, const OptimiseOptions& options);
 

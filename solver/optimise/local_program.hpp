@@ -1,4 +1,4 @@
-// The best change of a sheet within a box, to first order, as a linear program.
+// Finds the best change of a sheet within a box, to first order, as a linear program.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace misalign::solver {
 
-/// The largest goal of the model within a box. Columns: what each coordinate rises and what each
-/// falls, in boxes, and what the goal rises, in units. Rows: those of the model that the box
-/// reaches, the goals, the box.
+/// Maximises the goal of the model within a box. Columns: each coordinate's rise and fall, in
+/// boxes, and the goal's rise, in units. Rows: those of the model that the box reaches, the goals,
+/// the box.
 struct LocalProgram {
   std::vector<const LocalModel::Row*> reached;
   LinearProgram linear;
-  Eigen::VectorXd scales;  ///< what 1 of each row's bound is: mm, or as the row's slack
+  Eigen::VectorXd scales;  ///< unit of each row's bound: mm, or that of its slack
   double box_mm, unit;     ///< the unit of the goal
 
-  /// By what the goal grows for each 1 that a row has more.
+  /// Price of a row: the goal's growth per unit of its slack.
   double price(const LinearOptimum& best, Eigen::Index row) const {
     return unit * best.price(row) / scales(row);
   }

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 // An eighth of the distance between stations, from which polynomials show every bend.
 constexpr int kSlopesPerStation = 8;
-// Where the pilot stands still, or folds no farther, slopes have no size.
+// Slopes are undefined where the pilot's rate or sine is smaller than this.
 constexpr double kStandsStill = 1e-4;
 
 }  // namespace
@@ -39,10 +39,10 @@ std::vector<LowSlope> low_slopes(const Sheet& sheet, double to_deg) {
   assert(angles_deg.size() == slopes.size());
   for (Index d = 0; d < side.size(); ++d) {
     for (std::size_t k = 0; k < slopes.size(); ++k) {
-      const double here = slopes[k](d);
-      if (k > 0 && slopes[k - 1](d) < here) continue;
-      if (k + 1 < slopes.size() && slopes[k + 1](d) <= here) continue;
-      lows.push_back({d, angles_deg[k], here});
+      const double slope = slopes[k](d);
+      if (k > 0 && slopes[k - 1](d) < slope) continue;
+      if (k + 1 < slopes.size() && slopes[k + 1](d) <= slope) continue;
+      lows.push_back({d, angles_deg[k], slope});
     }
   }
   return lows;

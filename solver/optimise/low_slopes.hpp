@@ -1,4 +1,4 @@
-// Finds where diagonals hardly go on.
+// Finds where diagonals hardly change.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace misalign::solver {
 
-/// How fast a diagonal goes the way that it goes on the whole, over the sine of the pilot's angle:
-/// so it is of one size from flat on.
+/// Rate of a diagonal, positive in the direction of its whole change, over the sine of the pilot's
+/// angle, which makes it comparable from flat on.
 struct LowSlope {
   Eigen::Index diagonal;
   double pilot_deg, mm_per_deg;
 };
 
-/// Of each diagonal up to this angle, where that is less than beside it; of a sheet that has a way.
+/// Local minima for each diagonal up to this angle; the sheet must have a way.
 std::vector<LowSlope> low_slopes(const Sheet& sheet, double to_deg);
-/// The least of them.
+/// The least of these slopes.
 double least_slope_mm_per_deg(const Sheet& sheet, double to_deg);
 
 }  // namespace misalign::solver

@@ -9,10 +9,10 @@
 namespace misalign::solver {
 namespace {
 
-// Creases stay so far from folded flat: more than rounding, less than what steps leave.
+// Least distance of creases from folded flat: more than rounding, less than what steps leave.
 constexpr double kFromFlat_deg = 1e-4;
 
-// As columns of catalogues have it.
+// Stroke as in catalogues.
 double stroke(const Sheet& sheet) {
   return measure(sheet.base(), sheet.vertices_mm(), sheet.record(), sheet.model().sample_deg())
       .stroke_max;
@@ -24,7 +24,7 @@ double force_n(const Sheet& sheet, const ReleaseOptions& deploying) {
   return rigid.spring_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
 }
 
-// True where the goals of the floors are no lower.
+// Returns whether all goals with floors keep them.
 bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
   return std::ranges::all_of(options.floors, [&](const OptimiseFloor& floor) {
     const auto value = value_of(*floor.goal, sheet, options);
@@ -50,8 +50,9 @@ bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
   const double to_deg = sheet.sample_deg(options.deploys_from_sample);
   const auto& reverses_deg = sheet.record().extremes.reverses_deg;
   if (reverses_deg && *reverses_deg <= to_deg) return false;
-  if (sheet.way()->end_deg() < to_deg) return true;  // its end is the sample, but for rounding
-  // Solved: between their stations ways are off by thousandths of a degree, next to limits by more.
+  if (sheet.way()->end_deg() < to_deg) return true;  // its end is the sample, except for rounding
+  // The pose is solved: ways are inexact by thousandths of a degree between stations, next to
+  // limits by more.
   const Sheet::Pose& pose = sheet.at(to_deg);
   return pose.is_closed && pose.fold_deg.cwiseAbs().maxCoeff() <= 180 - kFromFlat_deg;
 }

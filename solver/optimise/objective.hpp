@@ -1,4 +1,4 @@
-// The objective of an optimisation, of sheets that keep what is asked.
+// The objective and the constraints of an optimisation.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,19 @@
 
 namespace misalign::solver {
 
-/// `options.deploying` says from where it is let go.
+/// Returns whether spring forces at the angle of use, in `options.deploying`, keep their limit.
 bool is_strong_enough(const Sheet& sheet, const OptimiseOptions& options);
-/// Whether it deploys from the angle that is asked, can be let go there, and keeps stroke and
-/// force.
+/// Returns whether it deploys from the required angle, its way reaches the angle of use, and it
+/// keeps the limits of stroke and force.
 bool fits(const Sheet& sheet, const OptimiseOptions& options);
-/// Whether, up to the angle that is asked, no diagonal turns back between samples and no crease is
-/// all but folded flat: what a certificate wants, and a draw need not have.
+/// Returns whether, up to the required angle, no diagonal turns back between samples and no crease
+/// is almost folded flat. A certificate needs this, a draw does not.
 bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options);
-/// Whether free shifts leave every diagonal its least slope at every angle, where that is asked, or
-/// no less than the sheet had before.
+/// Returns whether, with free shifts, every diagonal keeps its least slope at every angle, where
+/// required, or at least that of the sheet before.
 bool keeps_slope(const Sheet& sheet, const Sheet& before, const OptimiseOptions& options);
-/// The value of the goal, of a sheet that is to be better than another; none where it does not fit,
-/// violates a floor, does not go all the way, or has no value.
+/// The value of the goal of a feasible sheet; none where it violates a constraint or a floor, does
+/// not go all the way, or has no value.
 std::optional<double> objective(const Sheet& sheet, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

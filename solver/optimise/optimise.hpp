@@ -1,15 +1,14 @@
-// The study of better sheets: from one, step by step, to shifts near its own with which it does
-// better, until no step is found.
+// The study of optimisation: from one sheet, step by step, to nearby shifts that raise the goal,
+// until no step does.
 //
-// With free shifts a step is a linear program: energies, the way each diagonal goes between
-// neighbouring angles, elongations, fold limit and fold angles change as their gradients say
-// (PathGradients), within a box that shrinks where that was wrong (a sequence of linear programs
-// with a trust region). With ternary shifts a step changes one coordinate or two: the same
-// gradients say which to evaluate first. Either way a sheet is taken only if it, folded itself,
-// fits and does better.
+// Free shifts: a step is a linear program in energies, the diagonals' changes between neighbouring
+// angles, elongations, fold limit and fold angles, by their gradients (PathGradients), within a box
+// that shrinks where these were wrong (sequential linear programming with a trust region). Ternary
+// shifts: a step changes one coordinate or two, in an order by the same gradients. Every sheet is
+// folded, and taken only if it is feasible and better.
 //
-// Where the goal is of rigid panels, every number that decides comes of additions, products,
-// quotients and roots: the same sheet at the same steps, to the last bit, on every processor.
+// Every number that decides on a goal of rigid panels comes from additions, products, quotients and
+// roots: the same sheets at the same steps, to the last bit, on every processor.
 #pragma once
 
 #include "solver/optimise/optimise_options.hpp"
@@ -17,13 +16,13 @@
 
 namespace misalign::solver {
 
-/// From `start`. Faults: of the angles as deploy(); amplitude_mm where its own shifts are larger or
-/// not ternary, or there is none; grid_mm where they do not lie on it; deploys_from_deg,
-/// stroke_limit, largest_force_n and floors where it does not keep them; goal where it has no
-/// value. Reasons: overconstrained, path_lost.
+/// Optimises from `start`. Faults: those of the angles in deploy(); amplitude_mm where the shifts
+/// of the start are larger or not ternary, or there are none; grid_mm where they do not lie on it;
+/// deploys_from_deg, stroke_limit, largest_force_n and floors where the start violates them; goal
+/// where it has no value. Reasons: overconstrained, path_lost.
 StudyResult<Optimised> optimise(const Sheet& start, const OptimiseOptions& options);
 
-/// The same before its first step: the options as they fit the sheet, and the value of the goal.
+/// The state before the first step: options that fit the sheet, and the value of the goal.
 StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& options);
 
 }  // namespace misalign::solver

@@ -16,11 +16,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Along the curve from a state near it; so still is the pilot at its limit, and no sooner given up.
+// First step along the curve from a state near it; tolerances of the corrections and of the pilot's
+// rate at its limit.
 constexpr double kFirstAlong_rad = 1e-3, kOnCurve_rad = 1e-10, kStill = 1e-9;
 constexpr int kMostToLimit = 60;
-// Shapes of a state that is moved so far along its gradient: between rounding and curvature, both
-// 1e-10 of a gradient.
+// Shift of shapes along the gradient: between rounding and curvature, both 1e-10 of a gradient.
 constexpr double kNextShape_mm = 1e-4;
 
 }  // namespace
@@ -38,8 +38,8 @@ struct PathGradients::Workspace {
 
   Index coordinates() const { return 2 * Index{mechanism.vertices}; }
 
-  // Minus what holds the closure while `rates` (one per unknown) are those of a quantity: adds that
-  // to its own gradient.
+  // Completes the gradient of a quantity whose derivatives by the unknowns are `rates`: subtracts
+  // the part by which the unknowns keep the loops closed.
   void hold_closed(VectorXd& of_quantity) {
     assert(of_quantity.size() == coordinates());
     const VectorXd weights = -lu.solve_transposed(rates.head(mechanism.equations));
@@ -150,7 +150,7 @@ std::optional<PathGradients::Slopes> PathGradients::slopes(double pilot_deg) {
   } kDifferences[] = {{-2, 1}, {-1, -8}, {1, 8}, {2, -1}};  // over 12 steps
   for (const auto& [steps, weight] : kDifferences) {
     const double there_deg = pilot_deg + steps * kSlopeStep_rad / kRadPerDeg;
-    // On the other side of flat lies the mirror image.
+    // The mirror image lies on the other side of flat.
     const bool is_on = std::abs(there_deg) <= sheet_.way()->end_deg() &&
                        (there_deg >= 0 || sheet_.mechanism().springs.in_mid_plane());
     const auto there = is_on ? at(std::abs(there_deg), false) : std::nullopt;
@@ -161,8 +161,8 @@ std::optional<PathGradients::Slopes> PathGradients::slopes(double pilot_deg) {
   return gradients;
 }
 
-// How the unknowns follow each coordinate, column by column of the identity; and with that shapes
-// on either side.
+// Derivatives of the unknowns by each coordinate, column by column of the identity, and with these
+// the shapes on either side.
 std::optional<PathGradients::Shape> PathGradients::vertices(double pilot_deg) {
   if (!solve_at(pilot_deg)) return {};
   Workspace& with = *workspace_;

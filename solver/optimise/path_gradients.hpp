@@ -1,12 +1,14 @@
-// How what a sheet does along its way changes with where its vertices lie on the flat sheet.
+// Gradients of lengths, fold angles and shapes along a sheet's way, by the coordinates of its flat
+// vertices.
 //
-// Each is one transposed solve of the loop closure (the adjoint, as in FlatGradient), so that all
-// vertices together cost little more than one. With x the unknowns but the pilot, v the vertices:
+// Each gradient is one transposed solve of the loop closure (the adjoint, as in FlatGradient), so
+// that all vertices together cost little more than one. With x the unknowns but the pilot, v the
+// vertices:
 //   F(x, pilot, v) = 0,  dq/dv = q_v - (J^-T q_x) . F_v  of any quantity q, pilot held;
-// and where the pilot turns, J is singular: with its left null vector w,
+// and J is singular where the pilot turns: with its left null vector w,
 //   d(limit)/dv = -(w . F_v) / (w . F_pilot).
-// Slopes are differences of lengths at four angles next to one, and so are their gradients: off by
-// the fourth power of kSlopeStep_rad.
+// Slopes are differences of lengths at four angles next to one, and so are their gradients, with
+// errors of the fourth power of kSlopeStep_rad.
 #pragma once
 
 #include <memory>
@@ -20,25 +22,24 @@ inline constexpr double kSlopeStep_rad = 5e-4;
 
 class PathGradients {
  public:
-  /// The gradients at one pilot angle, which is held. A row of numbers each: x and y of each vertex
-  /// in turn, per mm.
+  /// Gradients at one pilot angle, which is held: rows with x and y of each vertex in turn, per mm.
   struct AtAngle {
     double pilot_deg;
-    Eigen::VectorXd length_mm;     ///< of the diagonals' springs
+    Eigen::VectorXd length_mm;     ///< one per spring, on the diagonals
     Eigen::MatrixXd length_by_mm;  ///< diagonals x (2 vertices): mm per mm
-    Eigen::VectorXd fold_deg;      ///< of the creases, valleys positive
+    Eigen::VectorXd fold_deg;      ///< one per crease, valleys positive
     Eigen::MatrixXd fold_by_mm;    ///< creases x (2 vertices): deg per mm
   };
 
   /// The slopes of the diagonals at one pilot angle.
   struct Slopes {
-    Eigen::VectorXd slope_mm_per_rad;  ///< of the pilot's angle
+    Eigen::VectorXd slope_mm_per_rad;  ///< per rad of the pilot's angle
     Eigen::MatrixXd slope_by_mm;       ///< diagonals x (2 vertices): mm per rad per mm
   };
 
   /// The folded sheet at one pilot angle, its first panel held.
   struct Shape {
-    Eigen::Matrix3Xd at_mm;  ///< every vertex, where its panel has it
+    Eigen::Matrix3Xd at_mm;  ///< place of every vertex
     Eigen::MatrixXd by_mm;   ///< (3 vertices) x (2 vertices): mm per mm
   };
 
@@ -51,12 +52,12 @@ class PathGradients {
   explicit PathGradients(const Sheet& sheet);
   ~PathGradients();
 
-  /// On the way, between flat and its end: states are corrected there. Flat, only lengths change.
-  /// None where the correction fails.
+  /// Gradients at an angle of the way between flat and its end, where states are corrected. Only
+  /// lengths have gradients at flat. None where the correction fails.
   std::optional<AtAngle> at(double pilot_deg, bool with_folds = true);
   /// None also where the way ends within twice kSlopeStep_rad.
   std::optional<Slopes> slopes(double pilot_deg);
-  /// Of all vertices: what is between panels changes with them.
+  /// Shape with the gradients of all vertices, for distances between panels.
   std::optional<Shape> vertices(double pilot_deg);
   /// None where the way does not end at a fold limit.
   std::optional<AtLimit> fold_limit();

@@ -27,24 +27,24 @@ SpringChanges::SpringChanges(SheetChanges& changes)
   }
 }
 
-VectorXd SpringChanges::forces_n(const PathGradients::AtAngle& here) const {
-  return n_per_mm() * (here.length_mm - rest_mm_) + preload_n_;
+VectorXd SpringChanges::forces_n(const PathGradients::AtAngle& at_angle) const {
+  return n_per_mm() * (at_angle.length_mm - rest_mm_) + preload_n_;
 }
 
-VectorXd SpringChanges::forces_row(const PathGradients::AtAngle& here,
+VectorXd SpringChanges::forces_row(const PathGradients::AtAngle& at_angle,
                                    const VectorXd& weights) const {
   assert(weights.size() == rest_mm_.size());
   return changes_.variables.row(
-      n_per_mm() * weights.transpose() * (here.length_by_mm - rest_by_mm_),
-      weights.dot(here.length_mm - rest_mm_), weights.dot(side_));
+      n_per_mm() * weights.transpose() * (at_angle.length_by_mm - rest_by_mm_),
+      weights.dot(at_angle.length_mm - rest_mm_), weights.dot(side_));
 }
 
-VectorXd SpringChanges::energy_row(const PathGradients::AtAngle& here,
+VectorXd SpringChanges::energy_row(const PathGradients::AtAngle& at_angle,
                                    const VectorXd& forces_n) const {
   assert(forces_n.size() == rest_mm_.size() && n_per_mm() > 0);
   const VectorXd longer_mm = forces_n / n_per_mm();
   return changes_.variables.row(
-      forces_n.transpose() * (here.length_by_mm - rest_by_mm_),
+      forces_n.transpose() * (at_angle.length_by_mm - rest_by_mm_),
       longer_mm.squaredNorm() / 2 - longer_mm.dot(preload_n_) / n_per_mm(), longer_mm.dot(side_));
 }
 

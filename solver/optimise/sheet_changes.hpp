@@ -1,5 +1,4 @@
-// The changes of one sheet with the variables of an optimisation, and of its springs' forces and of
-// what they store.
+// Gradients of one sheet by the variables of an optimisation, with its springs' forces and energy.
 #pragma once
 
 #include <utility>
@@ -11,12 +10,17 @@
 namespace misalign::solver {
 
 struct SheetChanges {
-  /// `of`, which has a way and is not overconstrained, and `asked`, which says from where it is let
-  /// go and has its springs, must outlive this object.
-  SheetChanges(const Sheet& of, const OptimiseOptions& asked)
-      : sheet(of), options(asked), variables(asked), gradients(of), flat(at(0)) {}
+  /// The sheet, which has a way and is not overconstrained, and its options, which have its springs
+  /// and angle of use, must outlive this object.
+  SheetChanges(const Sheet& given, const OptimiseOptions& given_options)
+      : sheet(given),
+        options(given_options),
+        variables(given_options),
+        gradients(given),
+        flat(at(0)) {}
 
-  /// Where they are not found it is not known, and the flat sheet's stand in their place.
+  /// Gradients at an angle; where they are not found, those of the flat sheet, and is_known is
+  /// false.
   PathGradients::AtAngle at(double pilot_deg, bool with_folds = false) {
     options.watch();
     auto there = gradients.at(pilot_deg, with_folds);
@@ -33,8 +37,8 @@ struct SheetChanges {
   const PathGradients::AtAngle flat;
 };
 
-/// Springs that pull and push: f = k (L - L_rest) + F s, with s which way a diagonal goes next to
-/// flat and F the preload.
+/// Springs that pull and push: f = k (L - L_rest) + F s, with s the sign of a diagonal's change
+/// next to flat and F the preload.
 class SpringChanges {
  public:
   /// `changes` must outlive this object.
@@ -43,13 +47,13 @@ class SpringChanges {
   const EnergyModel& rigid() const { return rigid_; }
   double n_per_mm() const { return springs().stiffness_n_per_mm; }
   /// Forces with panels rigid, N.
-  Eigen::VectorXd forces_n(const PathGradients::AtAngle& here) const;
-  /// A row of their changes: by the coordinates, `weights` one per spring.
-  Eigen::VectorXd forces_row(const PathGradients::AtAngle& here,
+  Eigen::VectorXd forces_n(const PathGradients::AtAngle& at_angle) const;
+  /// Gradient of the weighted sum of the forces by the coordinates; `weights`: one per spring.
+  Eigen::VectorXd forces_row(const PathGradients::AtAngle& at_angle,
                              const Eigen::VectorXd& weights) const;
-  /// The gradient of the energy of springs with these forces, panels where they are: in equilibrium
-  /// that changes nothing to first order (the envelope theorem).
-  Eigen::VectorXd energy_row(const PathGradients::AtAngle& here,
+  /// The gradient of the energy of springs with these forces, panels held: in equilibrium their
+  /// displacement has no effect to first order (the envelope theorem).
+  Eigen::VectorXd energy_row(const PathGradients::AtAngle& at_angle,
                              const Eigen::VectorXd& forces_n) const;
 
  private:

@@ -1,4 +1,4 @@
-// How many diagonals of a sheet need no spring, in steps and between them.
+// Counts the diagonals of a sheet that need no spring, with a fraction.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,17 @@
 namespace misalign::solver {
 
 /// Springs on `few.diagonals` keep kShareOfFew of the least moment of all, at every sample from
-/// kSlopeFrom_deg and at the angle of use, as actuate() has it.
+/// kSlopeFrom_deg and at the angle of use, as in actuate().
 struct SpareDiagonals {
   FewDiagonals few;
-  Eigen::VectorXd pilot_deg;  ///< where moments are evaluated
+  Eigen::VectorXd pilot_deg;  ///< angles at which moments are evaluated
 
-  /// Diagonals without a spring, and how near one more is to being enough.
+  /// Number of diagonals without a spring, plus a fraction that tells how close one spring fewer is
+  /// to sufficing.
   double amount;
 };
 
-/// None where its springs do not drive it to flat all the way.
+/// Returns none where springs do not drive the sheet to flat all the way.
 std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const EnergyModel& rigid,
                                               double from_deg);
 

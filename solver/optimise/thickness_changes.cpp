@@ -22,11 +22,11 @@ constexpr double kClose = 1.3;
 // Tapers are differenced over two sheets beside one: they are halved down to rounding.
 constexpr double kNextTaper_mm = 1e-4;
 
-// So near the line between two corners, in their distance, a point lies on it.
+// A point this close to the line between two corners, relative to their distance, lies on it.
 constexpr double kOnEdge = 1e-9;
 
-// A point of a polygon as a sum of its corners: where it lies on an edge of that edge's, which move
-// it whatever the others do; else of the first three.
+// Weights of the corners whose sum is a point of a polygon: on an edge the two ends, which alone
+// move it; otherwise the first three.
 VectorXd weights_of(const Vector3d& at, const PolygonCorners& corners) {
   const Index count = corners.cols();
   assert(count >= 3);
@@ -48,9 +48,9 @@ VectorXd weights_of(const Vector3d& at, const PolygonCorners& corners) {
 }
 
 struct PlacedPanel {
-  PlacedPanel(const std::array<int, 4>& of, const FlatVertices& vertices_mm,
+  PlacedPanel(const std::array<int, 4>& corner_vertices, const FlatVertices& vertices_mm,
               const Eigen::Matrix3Xd& folded_mm, const PolygonCorners& flat_mm)
-      : corners(of), of_corners(4, flat_mm.cols()) {
+      : corners(corner_vertices), of_corners(4, flat_mm.cols()) {
     assert(folded_mm.cols() == vertices_mm.cols());
     PolygonCorners flat(3, 4), folded(3, 4);
     for (int k = 0; k < 4; ++k) {
@@ -62,7 +62,7 @@ struct PlacedPanel {
     outline = folded * of_corners;
   }
 
-  // Of a point of its outline or plane, which keeps its place on it.
+  // Gradient of the displacement, in one direction, of a point that is fixed in the panel.
   RowVectorXd moves_along(const Vector3d& direction, const Vector3d& at,
                           const Eigen::MatrixXd& by_mm) const {
     const Eigen::Vector4d weights = of_corners * weights_of(at, outline);
@@ -75,11 +75,11 @@ struct PlacedPanel {
   }
 
   const std::array<int, 4> corners;
-  Eigen::Matrix4Xd of_corners;  // of the outline's
+  Eigen::Matrix4Xd of_corners;  // weights of the outline's points
   PolygonCorners outline;
 };
 
-// Of the tapers, by differences: fold angles at the end follow the vertices.
+// Gradient of the tapers, by differences: fold angles at the end follow the vertices.
 RowVectorXd taper_by_mm(const Sheet& sheet, const PathGradients::AtAngle& end,
                         const PlateThickness& now, double trim_mm) {
   const FlatVertices& from_a1_mm = sheet.way()->from_a1_mm();

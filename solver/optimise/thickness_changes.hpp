@@ -1,4 +1,4 @@
-// How the thickness that plates may have changes with where the vertices lie.
+// Gradients of the largest thickness of plates by the coordinates of the vertices.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,14 @@ struct LengthGradient {
   Eigen::RowVectorXd by_mm;  ///< x and y of each vertex in turn
 };
 
-/// From flat to `from_deg`, otherwise to D, with the usual trim (contact.hpp): of the pairs of
-/// panels that come closest at some angles, with points of a panel that keep their places on it,
-/// and of the tapers. Empty where it is not known, or panels meet.
+/// Finds gradients of the closest pairs of panels at several angles from flat to `from_deg` or else
+/// D, with the default trim (contact.hpp), points being fixed in their panels, and of the tapers.
+/// Empty where they are not known, or panels meet.
 std::vector<LengthGradient> thickness_changes(const Sheet& sheet, PathGradients& gradients,
                                               std::optional<double> from_deg);
 
-/// Of panels that are apart, or of what trims leave of them, by corners on the flat sheet (mm, A1
-/// at the origin).
+/// Gradient of the distance of two disjoint outlines, trimmed or not, given by corners on the flat
+/// sheet (mm, A1 at the origin).
 LengthGradient distance_gradient(const Sheet& sheet, const PathGradients::Shape& folded,
                                  int panel_a, int panel_b, const PolygonCorners& flat_a_mm,
                                  const PolygonCorners& flat_b_mm);

@@ -9,23 +9,23 @@
 namespace misalign::solver {
 namespace {
 
-// Angles at which the loops are looked at: these shares of the way to the end.
+// Pilot angles at which the loops are checked, as shares of the largest.
 constexpr double kLookedAt[] = {0.005, 0.02, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.97, 0.995};
 
 constexpr double kEndStep_deg = 0.5, kEndTolerance_deg = 1e-7;
 
-// Completions that do not close have one that is meant, if the next best is open by this much more:
-// on sheets with shifts of a quarter of a panel it is by 20 times.
+// The least open completion is taken as the intended one if the next is open by this factor more;
+// with shifts of a quarter of a panel the factor is 20.
 constexpr double kFarLess = 4;
 constexpr double kNotKnown = std::numeric_limits<double>::infinity();
 
-// Completions of unknown assignments that are tried before giving up.
+// Largest number of tried completions of an unknown assignment.
 constexpr int kMostBranches = 200;
 
 }  // namespace
 
-// Finds each vertex' way of folding by the signs of its creases, the ones with the fewest ways
-// first.
+// Finds each vertex' way of folding from the signs of its creases; vertices with the fewest ways
+// come first.
 class SequentialMethod {
  public:
   SequentialMethod(const CreasePattern& sheet, const std::vector<int>& assignment, int pilot_edge)
@@ -71,7 +71,7 @@ class SequentialMethod {
     return edges;
   }
 
-  // The vertex with its creases from number `first` on.
+  // Returns the vertex with its creases numbered from `first` on.
   DegreeFourVertex from(const Vertex& v, int first, int way) const {
     std::array<Eigen::Vector2d, 4> directions;
     for (int k = 0; k < 4; ++k) {
@@ -84,8 +84,7 @@ class SequentialMethod {
     return DegreeFourVertex(directions, first % 2 == 0 ? way : -way);
   }
 
-  // The sign that each crease gets if the vertex folds this way, its known ones agreeing; none if
-  // they do not.
+  // Returns the creases' signs if the vertex folds this way; none if known signs disagree.
   std::optional<std::array<int, 4>> signs_of(const Vertex& v, int way) const {
     int first = 0;
     while (first < 4 && signs_[v.edges[first]] == 0) ++first;
@@ -107,7 +106,7 @@ class SequentialMethod {
     for (int k = 0; k < 4; ++k) signs_[v.edges[k]] = signs[k];
   }
 
-  // Chooses what leaves no choice, then tries both ways of a vertex that has two.
+  // Fixes the vertices that have one way left, then tries both ways of a vertex that has two.
   void branch() {
     if (solutions_.size() > 1 || ++branches_ > kMostBranches) return;
     for (bool chosen = true; chosen;) {
@@ -166,13 +165,14 @@ class SequentialMethod {
     return failure;
   }
 
-  // Whether a vertex and those next to it fold, each by itself.
+  // Returns whether a vertex and its neighbours fold, each by itself.
   bool folds_with_neighbours(const Vertex& v) const {
     for (const int edge : v.edges) {
       for (const int end : {sheet_.edges[edge].a, sheet_.edges[edge].b}) {
         if (vertex_at_[end] < 0) continue;
-        const Vertex& one = vertices_[vertex_at_[end]];
-        if (is_known(one) && !signs_of(one, 1) && !signs_of(one, -1)) return false;
+        const Vertex& neighbour = vertices_[vertex_at_[end]];
+        if (is_known(neighbour) && !signs_of(neighbour, 1) && !signs_of(neighbour, -1))
+          return false;
       }
     }
     return true;
@@ -182,7 +182,8 @@ class SequentialMethod {
     return std::any_of(v.edges.begin(), v.edges.end(), [&](int e) { return signs_[e] != 0; });
   }
 
-  // Every vertex has its way: puts them in order from the pilot, and looks whether the loops close.
+  // Orders the vertices, all of whose ways are chosen, from the pilot, and checks that the loops
+  // close.
   void finish() {
     BaseFolding folding;
     folding.pilot_edge_ = pilot_edge_;
@@ -249,28 +250,28 @@ class SequentialMethod {
     folding.end_deg_ = good;
   }
 
-  // Where a crease gets another angle from the vertex that was not the first to give it one.
+  // Returns the first crease to which its two vertices give different angles.
   std::optional<NoBaseFolding> first_opening(const BaseFolding& folding) const {
     for (const double share : kLookedAt) {
       const double pilot_deg = share * folding.end_deg_;
       const auto angles = folding.fold_angles(half_angle_of_deg(pilot_deg));
       for (const BaseFolding::Step& step : folding.steps_) {
         const auto others = step.folds.others(angles[step.edges[0]]);
-        // Short of the end everything folds, but for what rounding does where the end is near flat.
+        // Short of the end every vertex folds, except by rounding if the end is near flat.
         if (!others) return NoBaseFolding{NoBaseFolding::Cause::assignment, step.vertex};
         for (int k = 0; k < 3; ++k) {
           const int edge = step.edges[k + 1];
-          const double here = angle_deg((*others)[k]), there = angle_deg(angles[edge]);
-          if (std::abs(here - there) <= kBaseClosure * pilot_deg) continue;
+          const double angle = angle_deg((*others)[k]), other_angle = angle_deg(angles[edge]);
+          if (std::abs(angle - other_angle) <= kBaseClosure * pilot_deg) continue;
           return NoBaseFolding{
-              NoBaseFolding::Cause::open, step.vertex, edge, pilot_deg, here, there};
+              NoBaseFolding::Cause::open, step.vertex, edge, pilot_deg, angle, other_angle};
         }
       }
     }
     return std::nullopt;
   }
 
-  // The largest difference between the two angles of a crease, over that of the pilot.
+  // Returns the largest difference between the two angles of a crease, divided by the pilot's.
   static double open_next_to_flat(const BaseFolding& folding) {
     const double pilot_deg = kLookedAt[0] * folding.end_deg_;
     const auto angles = folding.fold_angles(half_angle_of_deg(pilot_deg));
@@ -286,15 +287,15 @@ class SequentialMethod {
     return open_by;
   }
 
-  // The first failure is told: branches that were tried after it came nearer or not.
+  // Keeps the first failure, even if later branches come nearer.
   void fail(const NoBaseFolding& failure) {
     if (!failure_) failure_ = failure;
   }
 
   NoBaseFolding ambiguity() const {
-    const auto& one = solutions_[0].assignment();
-    const auto& other = solutions_[1].assignment();
-    const auto at = std::mismatch(one.begin(), one.end(), other.begin()).first - one.begin();
+    const auto& first = solutions_[0].assignment();
+    const auto& second = solutions_[1].assignment();
+    const auto at = std::mismatch(first.begin(), first.end(), second.begin()).first - first.begin();
     return {NoBaseFolding::Cause::ambiguous, branched_at_, static_cast<int>(at)};
   }
 
@@ -306,7 +307,7 @@ class SequentialMethod {
   std::vector<Vertex> vertices_;
   std::vector<BaseFolding> solutions_;
   std::optional<NoBaseFolding> failure_;
-  std::optional<BaseFolding> unclosed_;  // the one that is open the least
+  std::optional<BaseFolding> unclosed_;  // the least open folding
   double open_by_ = kNotKnown, next_open_by_ = kNotKnown;
 };
 

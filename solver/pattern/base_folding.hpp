@@ -1,5 +1,5 @@
-// The folding of the correct (unshifted, unperforated) sheet: the starting values of every path. By
-// the sequential method: each vertex of degree four gives its other fold angles from one.
+// Folds the correct (unshifted, unperforated) sheet, from which every path starts, by the
+// sequential method: each vertex of degree four gives its other fold angles from one.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace misalign::solver {
 
-/// Where the fold angles that two vertices give to one crease differ by no more than this part of
-/// the pilot's angle, the loops close: coordinates written to 1e-4 mm on 80 mm panels leave a tenth
-/// of it, and the path's Newton steps take off a hundred times as much.
+/// Largest misfit of loops that count as closed: the difference of the fold angles that a crease
+/// gets from its two vertices, as a share of the pilot's. Coordinates written to 1e-4 mm on 80 mm
+/// panels leave a tenth of it; the path's Newton steps correct a hundred times as much.
 inline constexpr double kBaseClosure = 1e-4;
 
-/// Mountains and valleys as seen from the side where the pilot is a valley.
+/// Mountains and valleys are those seen from the side where the pilot is a valley.
 class BaseFolding {
  public:
   /// One vertex: its creases counter-clockwise, the one whose angle is known first.
@@ -29,7 +29,7 @@ class BaseFolding {
   int pilot_edge() const { return pilot_edge_; }
   /// +1 valley, -1 mountain, per edge of the sheet; 0 on the perimeter.
   const std::vector<int>& assignment() const { return assignment_; }
-  /// +1 where that is +z, -1 where the pilot is a mountain seen from there.
+  /// Side from which the pilot is a valley: +1 for +z, else -1.
   int side() const { return side_; }
   /// The pilot's largest angle, to 1e-6: 180 if the whole sheet folds flat.
   double end_deg() const { return end_deg_; }
@@ -43,7 +43,7 @@ class BaseFolding {
  private:
   friend class SequentialMethod;
 
-  // Half fold angles so far, and the vertex that cannot fold that far; -1 if there is none.
+  // Computes half fold angles; returns the first vertex that cannot fold that far, or -1.
   int follow(const HalfAngle<double>& pilot, double closed_rad,
              std::vector<HalfAngle<double>>& angles) const;
 
@@ -53,38 +53,38 @@ class BaseFolding {
   double end_deg_ = 0;
 };
 
-/// Why a crease pattern has no base folding.
+/// Reason for which a crease pattern has no base folding.
 struct NoBaseFolding {
   enum class Cause {
     assignment,  ///< the vertex does not fold with these mountains and valleys
-    open,  ///< at `pilot_deg` the vertex gives the crease another fold angle than its other end
+    open,        ///< the crease's two vertices give it different fold angles at `pilot_deg`
     ambiguous,   ///< edges without an assignment can be completed in several ways, at this vertex
     unconnected  ///< the vertex is not reached from the pilot
   } cause;
   int vertex, edge = -1;
   double pilot_deg = 0, angle_deg = 0, other_angle_deg = 0;
 
-  /// Of `assignment`: the vertex' creases counter-clockwise with their signs as seen from +z, 0
-  /// where not known; some may follow from what its neighbours need.
+  /// The vertex' creases (cause `assignment`), counter-clockwise with their signs as seen from +z,
+  /// 0 if unknown; some signs may follow from neighbouring vertices.
   struct Creases {
     std::array<int, 4> edges, signs;
-    /// The ones of the four that can differ in sign from the other three; all of them have one such
-    /// crease. None: no assignment folds a vertex with these sector angles.
+    /// Creases that can differ in sign from the other three, as one must in every assignment. If
+    /// empty, no assignment folds a vertex with these sector angles.
     std::vector<int> odd;
-    /// The one whose other sign alone would let the vertex and those next to it fold; or -1.
+    /// The crease whose opposite sign alone would let the vertex and its neighbours fold, or -1.
     int wrong;
   };
   std::optional<Creases> creases{};
 
-  /// The way of folding whose loops are open by far the least next to flat, where the assignment
-  /// has one: that of a sheet near this one, maybe (nearest_base.hpp).
+  /// The assignment's folding whose loops are by far the least open next to flat, if there is one.
+  /// It may be that of a nearby sheet (nearest_base.hpp).
   std::optional<BaseFolding> unclosed{};
 };
 
-/// Follows the folding from the pilot over all interior vertices (of degree four each) and checks
-/// that every crease gets the same angle from both of its ends, from flat to the end. `assignment`
-/// per edge as seen from +z, 0 where it is not known (edges of holes): completed if there is one
-/// way only.
+/// Follows the folding from the pilot over all interior vertices (all of degree four) and checks
+/// that both ends of every crease give it the same angle, from flat to the end. `assignment` is per
+/// edge as seen from +z, 0 where unknown (edges of holes); it is completed if that can be done in
+/// one way only.
 std::variant<BaseFolding, NoBaseFolding> fold_sequentially(const CreasePattern& sheet,
                                                            const std::vector<int>& assignment,
                                                            int pilot_edge);

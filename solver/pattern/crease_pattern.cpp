@@ -9,14 +9,15 @@
 namespace misalign::solver {
 namespace {
 
-// Twice the signed area of the corner at `b` on the way a -> b -> c; positive when it turns left.
+// Twice the signed area of the corner a -> b -> c; positive when it turns left.
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   const Eigen::Vector2d in = b - a, out = c - b;
   return in.x() * out.y() - in.y() * out.x();
 }
 
-// Whether every corner turns left wherever each movable vertex sits in a square of half side `a`.
-// The turn is linear in each coordinate, so its least value is taken at corners of the squares.
+// Returns whether every corner turns left wherever each movable vertex lies in a square of half
+// side `a`. The turn is linear in each coordinate, so its least value is taken at corners of the
+// squares.
 bool stays_convex(const CreasePattern& sheet, const std::vector<bool>& movable, double a) {
   for (const auto& facet : sheet.facets) {
     for (int corner = 0; corner < 4; ++corner) {
@@ -40,17 +41,17 @@ bool stays_convex(const CreasePattern& sheet, const std::vector<bool>& movable, 
 }  // namespace
 
 std::vector<Edge> edges_of(const std::vector<std::array<int, 4>>& facets) {
-  std::map<std::pair<int, int>, Edge> found;
+  std::map<std::pair<int, int>, Edge> by_ends;
   for (int f = 0; f < static_cast<int>(facets.size()); ++f) {
     for (int k = 0; k < 4; ++k) {
       const int from = facets[f][k], to = facets[f][(k + 1) % 4];
       const int a = std::min(from, to), b = std::max(from, to);
-      Edge& edge = found.try_emplace({a, b}, Edge{a, b, -1, -1}).first->second;
+      Edge& edge = by_ends.try_emplace({a, b}, Edge{a, b, -1, -1}).first->second;
       (from == a ? edge.left : edge.right) = f;
     }
   }
   std::vector<Edge> edges;
-  for (const auto& [key, edge] : found) edges.push_back(edge);
+  for (const auto& [key, edge] : by_ends) edges.push_back(edge);
   return edges;
 }
 
@@ -77,7 +78,7 @@ std::vector<int> facets_around(const CreasePattern& sheet, int vertex) {
   std::vector<int> ring;
   for (int f = first; f >= 0 && f < sheet.facet_count();) {
     ring.push_back(f);
-    // The edge by which a counter-clockwise facet enters the vertex is the one to cross next.
+    // The next edge to cross is that by which a counter-clockwise facet enters the vertex.
     assert(corner_of(f) < 4);  // else its edges lead past the vertex
     const int before = sheet.facets[f][(corner_of(f) + 3) % 4];
     const Edge& edge = sheet.edges[find_edge(sheet, before, vertex)];

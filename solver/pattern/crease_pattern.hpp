@@ -1,5 +1,5 @@
-// A quadrilateral mesh drawn on the flat sheet. Vertices and facets are integers from here on;
-// labels (A1, A2, ...) exist for people only.
+// Describes a quadrilateral mesh on the flat sheet. Vertices and facets are integers; labels (A1,
+// A2, ...) exist for people only.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,7 +24,7 @@ struct CreasePattern {
   std::vector<std::array<int, 4>> facets;  ///< corners counter-clockwise seen from +z
   std::vector<std::array<int, 2>> places;  ///< row and column of each facet
   std::vector<Edge> edges;                 ///< sorted by (a, b)
-  double panel_width_mm;                   ///< the length that closure and bands are measured in
+  double panel_width_mm;                   ///< the unit of closure errors and bands
 
   int vertex_count() const { return static_cast<int>(vertices_mm.cols()); }
   int facet_count() const { return static_cast<int>(facets.size()); }

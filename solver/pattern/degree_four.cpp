@@ -7,8 +7,8 @@
 namespace misalign::solver {
 namespace {
 
-// Sines of sums of sectors below this are zero: creases that are one straight line, along which
-// another crease stays flat, but for what is left of coordinates as they are written.
+// Smallest nonzero sine of a sum of sectors. Below it two creases are one straight line, apart from
+// the rounding of written coordinates, and another crease stays flat.
 constexpr double kCollinear = kFlatFoldable_rad;
 
 // An angle as its cosine and sine.
@@ -41,8 +41,8 @@ DegreeFourVertex::DegreeFourVertex(const std::array<Eigen::Vector2d, 4>& u, int 
   };
   second_ = adjacent(a, b, d);
   fourth_ = adjacent(d, c, a);
-  // Folded alike, creases 1 and 3 leave the other two flat where they are one line themselves;
-  // folded unlike, they have to stay flat where the other two are one.
+  // If creases 1 and 3 fold alike and are one line, the other two stay flat; if they fold unlike
+  // and the other two are one line, they stay flat themselves.
   if (std::abs(minus_root ? (a + d).s : (a + b).s) < kCollinear) return;
   const auto initial_sign = [&](const Adjacent& p) { return -sign_of(minus_root ? p.p02 : p.p20); };
   signs_ = {initial_sign(second_), opposite_sign, initial_sign(fourth_)};
@@ -52,15 +52,15 @@ DegreeFourVertex::DegreeFourVertex(const std::array<Eigen::Vector2d, 4>& u, int 
 // sin c sin d sin b sin d and never zero: each way of folding keeps its root from vertex to vertex,
 // and where creases 1 and 3 are one line it is seen to be the upper one that folds them unlike.
 //
-// Of the two roots each in the form that does not cancel; the denominator is positive next to flat,
-// and reaches zero where the crease does 180 degrees. Without p22, at vertices that fold flat, the
-// cosine is a factor of all terms, taken out so that 180 degrees is no zero over zero.
+// Each root has the form that does not cancel. The denominator is positive next to flat and reaches
+// zero when the crease reaches 180 degrees. At flat-foldable vertices p22 is zero and the cosine is
+// a factor of all terms; it is taken out, so that 180 degrees is not zero over zero.
 std::optional<HalfAngle<double>> DegreeFourVertex::Adjacent::follow(const HalfAngle<double>& first,
                                                                     double closed_rad) const {
   const double cosine = p22 == 0 ? 1 : first.c, factor = p22 == 0 ? first.c : 1;
   const double leading = p02 * cosine * cosine + p22 * first.s * first.s;
   const double square = p11 * p11 * cosine * cosine - p20 * leading;
-  // The cosine's square of the opposite crease, times what it is when flat.
+  // Squared cosine of the opposite crease, times its flat value.
   if (square < -closed_rad * closed_rad * (p11 * p11 - p20 * p02)) return std::nullopt;
   const double q = p11 * cosine + std::sqrt(std::max(square, 0.0));
   const double denominator = factor * (minus_root ? leading * sign_of(p02) : q);

@@ -9,17 +9,19 @@ namespace misalign::solver {
 
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0); }
+  explicit DisjointSets(std::size_t count) : set_of_(count) {
+    std::iota(set_of_.begin(), set_of_.end(), 0);
+  }
   /// False if they were together before.
-  bool tie(int one, int other) {
-    const int from = of_[other], to = of_[one];
+  bool tie(int member, int other) {
+    const int from = set_of_[other], to = set_of_[member];
     if (from == to) return false;
-    std::replace(of_.begin(), of_.end(), from, to);
+    std::replace(set_of_.begin(), set_of_.end(), from, to);
     return true;
   }
 
  private:
-  std::vector<int> of_;
+  std::vector<int> set_of_;
 };
 
 }  // namespace misalign::solver

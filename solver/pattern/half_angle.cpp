@@ -21,7 +21,7 @@ double taylor_cosine(double x) {
   return sum;
 }
 
-// Of 0 to tan(pi / 8): the first omitted term is below 1e-18.
+// The arc tangent on [0, tan(pi / 8)]: the first omitted term is below 1e-18.
 double taylor_arctangent(double x) {
   const double x2 = x * x, x4 = x2 * x2;
   double even = 0, odd = 0;  // side by side
@@ -32,7 +32,7 @@ double taylor_arctangent(double x) {
   return x * (even - x2 * odd);
 }
 
-// What kPi / 2 lacks of a right angle.
+// The right angle less kPi / 2.
 constexpr double kRestOfRightAngle = 6.123233995736766e-17;
 
 }  // namespace

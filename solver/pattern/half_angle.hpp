@@ -1,4 +1,4 @@
-// A fold angle kept as the cosine and sine of its half: the unit quaternion of a rotation about a
+// Keeps a fold angle as the cosine and sine of its half: the unit quaternion of a rotation about a
 // known axis. It has no branch cut on (-360, 360) degrees, |rho| > 180 shows as c < 0, and turning
 // it by a Newton step needs no sine or cosine of the C library, whose last bits differ by
 // processor.
@@ -38,7 +38,7 @@ HalfAngle<double> half_angle_of_deg(double angle_deg);
 /// The same of an angle in radians, in [-2 pi, 2 pi].
 HalfAngle<double> half_angle_of_rad(double angle_rad);
 
-/// The angle in (-2 pi, 2 pi], written out too: the same bits everywhere, within 4 ulp.
+/// The angle in (-2 pi, 2 pi], by a series too: the same bits everywhere, within 4 ulp.
 double angle_rad(const HalfAngle<double>& h);
 
 /// Half angle from tan(rho / 2) = numerator / denominator; the denominator may be zero.

@@ -23,7 +23,7 @@ HoleMotion::HoleMotion(const BaseHole& hole, const HoleEdges& edges)
       a_ratio_(hole.a_ratio),
       b_ratio_(hole.b_ratio),
       mixed_ratio_(hole.mixed_ratio) {
-  // The edge along b turns a, and the other way round.
+  // The edge along b turns a; the edge along a turns b.
   const double p = b_ratio_, q = a_ratio_, pq = p * q;
   const auto add = [&](std::size_t k, double term) {
     slope_[k] += term;
@@ -66,7 +66,7 @@ double HoleMotion::length_mm(int diagonal, const HalfAngle<double>& pilot) const
 }
 
 // d(p . q)/dT = -2 s^2 (c0 + c1 T + c2 T^2) / ((1 + pT)(1 + qT))^2, and dT = (sin / cos^3) d pilot;
-// all of it times powers of the cosine, so that 180 degrees is an angle like any other.
+// both sides are multiplied by powers of the cosine, so that nothing is infinite at 180 degrees.
 double HoleMotion::slope_mm(int diagonal, const HalfAngle<double>& pilot) const {
   const double cc = pilot.c * pilot.c, ss = pilot.s * pilot.s;
   const double of_both = (cc + b_ratio_ * ss) * (cc + a_ratio_ * ss);
@@ -81,7 +81,7 @@ std::array<double, 2> HoleMotion::turns() const {
   const auto& [c0, c1, c2] = slope_;
   const double under_root = c1 * c1 - 4 * c0 * c2;
   if (!(under_root > 0)) return {kNone, kNone};
-  // The larger root first: no difference of nearly equal numbers.
+  // The larger root comes first, which avoids a difference of nearly equal numbers.
   const double half = -0.5 * (c1 + std::copysign(std::sqrt(under_root), c1));
   std::array<double, 2> turns = {half / c2, c0 / half};
   for (double& turn : turns) {
@@ -105,7 +105,8 @@ int HoleMotion::direction() const {
   };
   const int at_flat = sign(0);
   if (at_flat == 0 || sign(2) != at_flat) return 0;
-  // A quadratic with ends of one sign has no root on T > 0 if its middle has it too, or is small.
+  // A quadratic whose outer coefficients have one sign has no root on T > 0 if its middle
+  // coefficient has the same sign or is small.
   const double rounding = kSlopeRounding * (size_[1] * size_[1] + 4 * size_[0] * size_[2]);
   const bool clear =
       sign(1) == at_flat || slope_[1] * slope_[1] + rounding < 4 * slope_[0] * slope_[2];

@@ -1,5 +1,5 @@
-// The Miura-ori of the paper (section 4, figure 12) at any size, its columns and rows of any width
-// and height.
+// Makes the Miura-ori of the paper (section 4, figure 12) with columns of any width and rows of any
+// height.
 #pragma once
 
 #include <vector>

@@ -10,32 +10,33 @@
 namespace misalign::solver {
 namespace {
 
-// Sheets with shifts of a quarter of a panel close in seven steps, 40 x 40 panels in eleven. Sheets
-// that do not fold flat have equations that depend on one another, which leave a tail of slow
-// steps.
+// Sheets with shifts of a quarter of a panel close in seven steps, 40 x 40 panels in eleven. The
+// equations of sheets that are not flat-foldable depend on one another, and the last steps are
+// slow.
 constexpr int kMostShortestSteps = 16, kMostFromMesh = 10;
-// What damping leaves of steps from the mesh; steps from where the sheet is take off the rest.
+// Residual that damping leaves of steps from the mesh; steps from the sheet's place remove the
+// rest.
 constexpr double kNearlyClosed = 1e-6;
 constexpr double kClosed = 1e-12;
-// A part of the largest diagonal entry; independent equations have squared singular values above
-// 1e-3 of it.
+// Damping as a share of the largest diagonal entry; independent equations have squared singular
+// values above 1e-3 of it.
 constexpr double kDamping = 1e-8;
-// Panel widths: central differences of it are off by 1e-10.
+// Step of central differences in panel widths; their error is 1e-10.
 constexpr double kDifference = 1e-5;
 
-// Loops are to close at these shares of the way that the mesh folds: one is enough where vertices
-// fold flat, for ratios of tangents are constant there.
+// Shares of the mesh's fold range at which loops must close. One is enough for flat-foldable
+// vertices, whose ratios of tangents are constant.
 constexpr double kNextToFlat[] = {0.005};
 constexpr double kAllTheWay[] = {0.1, 0.3, 0.5, 0.7, 0.85, 0.95};
 
 constexpr double kPlacesPerMm = 1e9;
 
 enum class Vertices { fold_flat, fold };
-enum class From { mesh, here };  // from where the next step is the shortest
+enum class From { mesh, current };  // the place to which the step keeps nearest
 
-// What flat vertices satisfy if the sheet folds rigidly: at every vertex that is to fold flat,
-// opposite sectors of 180 degrees; round every facet of inner corners one angle, from each corner
-// to the next and back.
+// Equations of a rigidly folding sheet in its flat vertices: opposite sectors add up to 180 degrees
+// at every vertex that must be flat-foldable, and fold angles close round every facet of inner
+// corners.
 class BaseEquations {
  public:
   BaseEquations(const CreasePattern& sheet, const BaseFolding& unclosed, Vertices vertices)
@@ -58,9 +59,9 @@ class BaseEquations {
     for (const Part& part : parts_) rows_ += rows_of(part);
   }
 
-  // Moves the vertices (panel widths) to the place nearest to the mesh, or to where they are, that
-  // satisfies the equations to first order; says how far off they were. No number where the mesh
-  // does not fold that far.
+  // Moves the vertices (panel widths) to the nearest place, to the mesh or to where they are, that
+  // satisfies the equations to first order. Returns the error before; not a number if the mesh does
+  // not fold that far.
   double step(FlatVertices& at, From from) const {
     Eigen::VectorXd residual(rows_);
     std::vector<Eigen::Triplet<double>> entries;
@@ -91,7 +92,7 @@ class BaseEquations {
  private:
   static constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-  // A vertex, by its step, or a facet.
+  // A vertex (given by its step) or a facet.
   struct Part {
     int step, facet;
   };
@@ -99,7 +100,7 @@ class BaseEquations {
     return part.facet < 0 ? 1 : static_cast<int>(angles_.size());
   }
 
-  // Unit directions of a vertex' creases, from number `first` on.
+  // Unit directions of a vertex' creases, starting with number `first`.
   std::array<Eigen::Vector2d, 4> directions(const BaseFolding::Step& step, int first,
                                             const FlatVertices& at) const {
     std::array<Eigen::Vector2d, 4> directions;
@@ -124,7 +125,7 @@ class BaseEquations {
       return;
     }
     const auto& corners = sheet_.facets[part.facet];
-    const auto side = [&](int k) {  // the one that ends in this corner
+    const auto side = [&](int k) {  // the edge that ends in this corner
       return find_edge(sheet_, corners[(k + 3) % 4], corners[k % 4]);
     };
     for (const std::vector<HalfAngle<double>>& angles : angles_) {
@@ -148,7 +149,7 @@ class BaseEquations {
 
   void differentiate(const Part& part, const FlatVertices& at, int row,
                      std::vector<Eigen::Triplet<double>>& entries) const {
-    std::vector<int> moved;  // the vertices in question and those next to them
+    std::vector<int> moved;  // the equation's vertices and their neighbours
     const auto add = [&](const BaseFolding::Step& step) {
       for (const int e : step.edges) {
         moved.push_back(sheet_.edges[e].a);
@@ -184,7 +185,8 @@ class BaseEquations {
   const std::vector<BaseFolding::Step>& steps_;
   std::vector<int> step_of_;  // per vertex; -1 on the perimeter
   std::vector<Part> parts_;
-  std::vector<std::vector<HalfAngle<double>>> angles_;  // where loops close, per edge
+  std::vector<std::vector<HalfAngle<double>>>
+      angles_;  // fold angles at which loops close, per edge
   int rows_ = 0;
 };
 
@@ -198,7 +200,7 @@ std::optional<NearestBase> base_near(const CreasePattern& sheet, const BaseFoldi
   double open_by = 1;
   for (int k = 0; k < kMostShortestSteps && open_by > kClosed; ++k) {
     const bool is_far = open_by > kNearlyClosed && k < kMostFromMesh;
-    open_by = equations.step(at, is_far ? From::mesh : From::here);
+    open_by = equations.step(at, is_far ? From::mesh : From::current);
     if (std::isnan(open_by) || !(off_mm(at * sheet.panel_width_mm) <= farthest_mm) ||
         !nonconvex_facets(sheet, at).empty()) {
       return std::nullopt;

@@ -10,13 +10,13 @@ namespace misalign::solver {
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct NullSpace {
-  std::vector<int> free;  ///< unknowns that may be chosen, in ascending order
-  RowMatrix basis;        ///< unknowns x free: what each unknown becomes when one of these is 1
+  std::vector<int> free;  ///< free unknowns, ascending
+  RowMatrix basis;        ///< unknowns x free: each unknown's value when one free unknown is 1
 };
 
-/// Solutions of `equations` (rows x unknowns) times x = 0. Unknowns are eliminated in `order`, each
-/// by the row in which it is largest, the first of equal ones, so that the free ones come late in
-/// it. Entries of no more than `least_pivot` are zero.
+/// Solutions x of `equations` (rows x unknowns) times x = 0. Unknowns are eliminated in `order`,
+/// each by the (first) row in which it is largest, so that free unknowns come late in `order`.
+/// Entries up to `least_pivot` count as zero.
 NullSpace null_space(RowMatrix equations, const std::vector<int>& order, double least_pivot);
 
 /// matrix x vector, each row summed from its first column on: the same bits on every machine.

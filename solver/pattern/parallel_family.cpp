@@ -8,14 +8,14 @@
 namespace misalign::solver {
 namespace {
 
-// Where the base's path is looked at, as a share of its range.
+// Shares of the base's fold range at which its path is tested.
 constexpr std::array kSharesOfPath = {0.02, 0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9, 0.99};
-// Conditions have entries of about 1; what elimination leaves of a zero is far below.
+// Conditions have entries of about 1; elimination leaves far smaller zeros.
 constexpr double kLeastPivot = 1e-9;
 // Mixed ratios are read where T is 1.
 constexpr double kUnitPilot_deg = 90;
 
-// Fold angles of a hole's four edges, each as seen with the hole on its left.
+// Fold angles of a hole's four edges, each seen with the hole on its left.
 std::array<HalfAngle<double>, 4> edge_angles(const CreasePattern& sheet, int hole,
                                              const BaseFolding& folding,
                                              const std::vector<HalfAngle<double>>& angles) {
@@ -30,11 +30,11 @@ std::array<HalfAngle<double>, 4> edge_angles(const CreasePattern& sheet, int hol
   return around;
 }
 
-// The opposite of an angle, for edges that are walked the other way round.
+// The negative of an angle, for edges that are traversed backwards.
 HalfAngle<double> opposite(const HalfAngle<double>& angle) { return {angle.c, -angle.s}; }
 
-double apart_rad(const HalfAngle<double>& one, const HalfAngle<double>& other) {
-  return 2 * std::abs(half_sine_between(one, other));
+double apart_rad(const HalfAngle<double>& angle, const HalfAngle<double>& other) {
+  return 2 * std::abs(half_sine_between(angle, other));
 }
 
 BaseHole shape_of(const CreasePattern& sheet, int facet) {
@@ -55,7 +55,7 @@ BaseHole shape_of(const CreasePattern& sheet, int facet) {
   return hole;
 }
 
-// What has to hold on the path, tested there; ratios are filled in.
+// Tests the conditions on a hole along the path and fills in its ratios.
 std::optional<NoParallelFamily> fold_hole(const PerforatedSheet& base, BaseHole& hole,
                                           double& misfit_rad) {
   using Cause = NoParallelFamily::Cause;
@@ -213,8 +213,8 @@ std::variant<ParallelFamily, NoParallelFamily> ParallelFamily::of(const Perforat
               family.holes_[static_cast<std::size_t>(h / 2)])[static_cast<std::size_t>(h % 2)]);
     equations(rows + h, shifts + h) = -1;
   }
-  // Shifts first, so that the holes' numbers stay free where they can; of these the last ones
-  // first.
+  // Shifts are eliminated first, so that delta and epsilon stay free where possible; the last holes
+  // come before the first.
   std::vector<int> order;
   for (int c = 0; c < shifts; ++c) order.push_back(c);
   for (int h = holes - 1; h >= 0; --h) order.push_back(shifts + h);
@@ -255,7 +255,7 @@ Eigen::VectorXd ParallelFamily::hole_changes_mm(const Eigen::VectorXd& coordinat
 
 std::optional<Eigen::VectorXd> ParallelFamily::whole_steps_mm() const {
   constexpr int kMostParts = 12;
-  constexpr double kWhole = 1e-9;  // far above what elimination leaves, far below a part
+  constexpr double kWhole = 1e-9;  // far above elimination's rounding, far below a fraction
   Eigen::VectorXd steps_mm(dimension());
   for (Eigen::Index k = 0; k < steps_mm.size(); ++k) {
     const Eigen::VectorXd parts = basis_.col(k);
@@ -272,22 +272,6 @@ std::optional<Eigen::VectorXd> ParallelFamily::whole_steps_mm() const {
     steps_mm(k) = count / least;
   }
   return steps_mm;
-}
-
-Eigen::VectorXd ParallelFamily::coordinates_of(const Eigen::Matrix2Xd& shifts_mm) const {
-  Eigen::VectorXd values(dimension());
-  for (int k = 0; k < dimension(); ++k) {
-    const ParallelCoordinate& coordinate = coordinates_[static_cast<std::size_t>(k)];
-    if (coordinate.kind == ParallelCoordinate::Kind::shape) {
-      values(k) = shifts_mm(coordinate.axis, coordinate.vertex);
-      continue;
-    }
-    const HoleEdges change =
-        hole_edges(holes_[static_cast<std::size_t>(coordinate.hole)], shifts_mm);
-    values(k) =
-        coordinate.kind == ParallelCoordinate::Kind::delta ? change.delta_mm : change.epsilon_mm;
-  }
-  return values;
 }
 
 std::vector<HoleMotion> ParallelFamily::motions(const Eigen::Matrix2Xd& shifts_mm) const {

@@ -1,7 +1,7 @@
-// Sheets by parallel redrawing: every crease keeps the direction that it has on the flat base, and
-// opposite edges of every hole change by the same vector. Where panels on opposite sides of each
-// hole turn alike on the base's path, such a sheet folds by the base's own fold angles, exactly and
-// at any size of shifts. README.md has the theorem and its proof.
+// Makes sheets by parallel redrawing: every crease keeps its direction on the flat base, and
+// opposite edges of every hole change by the same vector. If panels on opposite sides of each hole
+// turn alike on the base's path, such a sheet folds by the base's fold angles, exactly and at any
+// size of shifts. README.md has the theorem and its proof.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ inline constexpr double kTurnsAlike_rad = 1e-5;
 /// Opposite edges of a hole on the base agree to this part of the panel width, for the same reason.
 inline constexpr double kParallelogram_widths = 1e-5;
 
-/// Why a base with these holes has no such family.
+/// Reason for which a base with these holes has no parallel family.
 struct NoParallelFamily {
   enum class Cause {
     no_parallelogram,  ///< opposite edges of the hole differ, by `off` mm
@@ -34,48 +34,46 @@ struct NoParallelFamily {
   std::string why(const CreasePattern& sheet) const;
 };
 
-/// The base's holes, and how the panels round them turn on its path; or why there is no family.
-/// `misfit_rad` becomes the largest angle by which what must agree there was seen to differ.
+/// Returns the base's holes with the rotation of their panels on its path, or the reason for which
+/// there is no family. `misfit_rad` becomes the largest difference of fold angles that must agree.
 std::variant<std::vector<BaseHole>, NoParallelFamily> base_holes(const PerforatedSheet& base,
                                                                  double& misfit_rad);
 
-/// What a coordinate is, in mm.
+/// Meaning of a coordinate, in mm.
 struct ParallelCoordinate {
   enum class Kind { delta, epsilon, shape } kind;
-  int hole;    ///< index into holes(), or -1 of a shape
-  int vertex;  ///< of a shape: the vertex whose shift along `axis` it is, the others being zero
+  int hole;    ///< index into holes(), -1 for a shape
+  int vertex;  ///< shape: the vertex whose shift along `axis` this is, if all other coordinates are
+               ///< zero
   int axis;
 };
 
 class ParallelFamily {
  public:
-  /// Shifts of `vertices` alone (ascending). Where these are all of the sheet, its first stays
-  /// where it is.
+  /// Only `vertices` (ascending) are shifted. If these are all, the sheet's first vertex is held.
   static std::variant<ParallelFamily, NoParallelFamily> of(const PerforatedSheet& base,
                                                            std::vector<int> vertices);
 
   const std::vector<BaseHole>& holes() const { return holes_; }
   const std::vector<int>& vertices() const { return vertices_; }
-  /// delta and epsilon of holes in order, but for those that follow from others; then shapes.
+  /// delta and epsilon of holes in order, except those that follow from others; then shapes.
   const std::vector<ParallelCoordinate>& coordinates() const { return coordinates_; }
   int dimension() const { return static_cast<int>(coordinates_.size()); }
   /// x and y of each of `vertices` by coordinate: 2 vertices x coordinates.
   const RowMatrix& basis() const { return basis_; }
   /// delta and epsilon of each hole by coordinate: 2 holes x coordinates.
   const RowMatrix& hole_basis() const { return hole_basis_; }
-  /// What each coordinate is to be a whole multiple of, mm, for all shifts to be whole millimetres;
-  /// nothing where one shifts vertices by parts that have no such step.
+  /// Steps of the coordinates, mm, of which whole multiples make all shifts whole millimetres; none
+  /// if a coordinate has no such step.
   std::optional<Eigen::VectorXd> whole_steps_mm() const;
-  /// The largest angle by which what must agree on the base's path was seen to differ.
+  /// Largest difference of fold angles that must agree on the base's path.
   double misfit_rad() const { return misfit_rad_; }
 
   /// One column per vertex of the sheet.
   Eigen::Matrix2Xd shifts_mm(const Eigen::VectorXd& coordinates_mm) const;
   /// delta and epsilon of each hole in turn, mm.
   Eigen::VectorXd hole_changes_mm(const Eigen::VectorXd& coordinates_mm) const;
-  /// The member's coordinates, read off these shifts: exact for a member.
-  Eigen::VectorXd coordinates_of(const Eigen::Matrix2Xd& shifts_mm) const;
-  /// How the holes of a sheet with these shifts change.
+  /// Motions of the holes of a sheet with these shifts.
   std::vector<HoleMotion> motions(const Eigen::Matrix2Xd& shifts_mm) const;
 
  private:
@@ -87,18 +85,18 @@ class ParallelFamily {
   double misfit_rad_ = 0;
 };
 
-/// Where shifts break the conditions most.
+/// The largest violation of the family's conditions by shifts.
 struct ParallelMisfit {
-  /// How far a crease's end lies beside its direction, or opposite edges of a hole change apart: in
-  /// the family 0 but for rounding.
+  /// Distance of a crease's end from its direction, or difference of the changes of a hole's
+  /// opposite edges; 0 up to rounding in the family.
   double mm = 0;
-  std::vector<int> vertices{};  ///< of that crease, or round that hole
+  std::vector<int> vertices{};  ///< vertices of that crease or hole
 };
 
 ParallelMisfit parallel_misfit(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm);
 
-/// Shifts within this of the family are a member's, written down: 3e-15 mm of rounding in
-/// coordinates of some 10 mm, and as much as a few hundred of them add up to.
+/// Shifts within this of the family are those of a member: rounding leaves 3e-15 mm in coordinates
+/// of some 10 mm, and a few hundred of these add up.
 inline constexpr double kMemberWithin_mm = 1e-10;
 
 }  // namespace misalign::solver

@@ -6,10 +6,11 @@
 namespace misalign::solver {
 namespace {
 
-// Steps of the search for perforations, each over all inner facets: seconds on the largest sheets.
+// Largest number of steps in the search for perforations, each over all inner facets: seconds on
+// the largest sheets.
 constexpr int kMostSteps = 200'000;
 
-// Takes inner facets one after the other, with and without each.
+// Enumerates sets of inner facets, with and without each facet in turn.
 class SeparateFacets {
  public:
   SeparateFacets(const CreasePattern& sheet, int count, std::size_t most)
@@ -29,19 +30,19 @@ class SeparateFacets {
 
   std::optional<std::vector<std::vector<int>>> all() {
     if (count_ >= 0) extend(0);
-    if (found_.size() > most_ || steps_ > kMostSteps) return std::nullopt;
-    return std::move(found_);
+    if (sets_.size() > most_ || steps_ > kMostSteps) return std::nullopt;
+    return std::move(sets_);
   }
 
  private:
   void extend(int next) {
     if (static_cast<int>(chosen_.size()) == count_) {
-      found_.push_back(chosen_);
+      sets_.push_back(chosen_);
       return;
     }
     const int missing = count_ - static_cast<int>(chosen_.size());
     for (; next < static_cast<int>(inner_.size()); ++next) {
-      if (found_.size() > most_ || ++steps_ > kMostSteps || most_from(next) < missing) return;
+      if (sets_.size() > most_ || ++steps_ > kMostSteps || most_from(next) < missing) return;
       if (blocked_[next] > 0) continue;
       chosen_.push_back(inner_[next]);
       for (const int k : neighbours_[next]) ++blocked_[k];
@@ -51,8 +52,8 @@ class SeparateFacets {
     }
   }
 
-  // A bound of how many can still be taken: one of each two neighbours, every facet in one pair at
-  // most.
+  // Upper bound of the facets still to be chosen: one of each pair of neighbours, every facet in at
+  // most one pair.
   int most_from(int next) {
     paired_.assign(inner_.size(), false);
     int most = 0;
@@ -71,11 +72,11 @@ class SeparateFacets {
   const std::vector<int> inner_;
   const int count_;
   const std::size_t most_;
-  std::vector<std::vector<int>> neighbours_;  // by number of an inner facet, as below
+  std::vector<std::vector<int>> neighbours_;  // index: number of an inner facet, as below
   std::vector<int> blocked_;                  // chosen neighbours
   std::vector<bool> paired_;
   std::vector<int> chosen_;
-  std::vector<std::vector<int>> found_;
+  std::vector<std::vector<int>> sets_;
   int steps_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Perforations: which facets are holes, and how many degrees of freedom that leaves by counting.
+// Chooses the facets that are holes and counts the degrees of freedom that they leave.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,7 @@ std::vector<int> inner_facets(const CreasePattern& sheet);
 /// Inner facets whose row + column is odd (remainder 1) or even (0), ascending.
 std::vector<int> checkerboard(const CreasePattern& sheet, int remainder);
 
-/// What is wrong with these holes, a sentence each; empty when all are inner facets and none shares
-/// an edge with another.
+/// Errors in these holes, a sentence each; empty if all are inner facets and no two share an edge.
 std::vector<std::string> hole_faults(const CreasePattern& sheet, const std::vector<int>& holes);
 
 /// The first crease between two kept facets, in the order of edges: A2-A9 of the paper's sheet.
@@ -35,11 +34,11 @@ int default_pilot(const CreasePattern& sheet, const std::vector<int>& holes);
 /// the diagonals of each kept facet.
 int counted_mobility(const CreasePattern& sheet, const std::vector<int>& holes);
 
-/// How many holes make a sheet count to one degree of freedom; -1 if no number does.
+/// Number of holes that leaves one degree of freedom by counting, or -1.
 int holes_that_count_to_one(const CreasePattern& sheet);
 
 /// All sets of `count` inner facets of which no two share an edge: each ascending, in lexicographic
-/// order. None if there are more than `most`, or the search for them is longer than a few seconds.
+/// order. None if there are more than `most`, or if the search takes longer than a few seconds.
 std::optional<std::vector<std::vector<int>>> separate_facets(const CreasePattern& sheet, int count,
                                                              std::size_t most);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSamePlace_widths = 1e-9;
 
-// Where each vertex goes; nothing if one goes where there is none.
+// Image of each vertex; none if an image is no vertex.
 std::optional<std::vector<int>> mapped_vertices(const CreasePattern& sheet,
                                                 const Eigen::Matrix2d& turn) {
   const Eigen::Vector2d centre = sheet.vertices_mm.rowwise().mean();
@@ -47,7 +47,7 @@ bool maps_facets(const PerforatedSheet& base, const std::vector<int>& to) {
 
 bool maps_creases(const PerforatedSheet& base, const std::vector<int>& to) {
   const std::vector<int>& assignment = base.folding.assignment();
-  int change = 0;  // of all signs: kept or turned round
+  int change = 0;  // +1 if all signs are kept, -1 if all change
   for (std::size_t e = 0; e < base.sheet.edges.size(); ++e) {
     const Edge& edge = base.sheet.edges[e];
     const int other = find_edge(base.sheet, to[static_cast<std::size_t>(edge.a)],
@@ -83,7 +83,7 @@ std::vector<ShiftSymmetry> shift_symmetries(const PerforatedSheet& base,
       const auto at = std::lower_bound(shifted.begin(), shifted.end(),
                                        (*to)[static_cast<std::size_t>(shifted[k])]);
       const auto j = static_cast<std::size_t>(at - shifted.begin());
-      assert(j < shifted.size());  // the image of the shifted vertices is themselves
+      assert(j < shifted.size());  // shifted vertices map to shifted vertices
       for (std::size_t axis = 0; axis < 2; ++axis) {
         symmetry.from[2 * j + axis] = static_cast<int>(2 * k + (swaps ? 1 - axis : axis));
         symmetry.negated[2 * j + axis] = (axis == 0 ? first : second) < 0;

@@ -1,4 +1,4 @@
-// The sheet's symmetries, as what they do to the shifts of its vertices.
+// Finds the sheet's symmetries as mappings of its vertex shifts.
 #pragma once
 
 #include <vector>
@@ -14,10 +14,10 @@ struct ShiftSymmetry {
   std::vector<char> negated;
 };
 
-/// Those of the turns and reflections that keep the axes: vertices, facets and holes go to
-/// vertices, facets and holes, shifted vertices to shifted ones, and mountains and valleys stay or
-/// all change places. Without the identity; with each its inverse. None where springs end beside
-/// the vertices: which panel has them at a ball joint goes by a sense of turning.
+/// Rotations and reflections that keep the axes and map vertices, shifted vertices, facets and
+/// holes to their like; mountains and valleys stay, or all are exchanged. The identity is left out;
+/// each has its inverse in the list. Empty if springs end beside the vertices: a sense of turning
+/// decides which panel carries them at a ball joint.
 std::vector<ShiftSymmetry> shift_symmetries(const PerforatedSheet& base,
                                             const std::vector<int>& shifted);
 

@@ -1,5 +1,5 @@
-// The study of backlash: how often a sheet still moves one way, each time with every joint settled
-// somewhere else in its play.
+// The study of backlash: how often a sheet still moves in one way, in trials with every joint
+// settled anew in its play.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace misalign::solver {
 
-/// "flat", ...: as in files.
+/// Name in files: "flat", ...
 const char* name_of(BacklashTrial::BranchEnd end);
 
-/// What was found of one sheet.
+/// Backlash of one sheet.
 struct Backlash {
   double backlash_mm;
-  double from_deg, own_deg;           ///< the range that is asked about: own_deg is D
-  std::vector<BacklashTrial> trials;  ///< in order, with this backlash
+  double from_deg, own_deg;           ///< range of angles studied: own_deg is D
+  std::vector<BacklashTrial> trials;  ///< trials with this backlash, in order
   double panel_width_mm;
   /// The largest backlash with which at least kWantedShare of the same trials move one way, scaled;
-  /// undecided ones do not count. 0: not even with the least; most_mm: with the most, too.
+  /// undecided ones do not count. 0: fewer with least_mm already; most_mm: enough with that, too.
   double largest_mm, least_mm, most_mm;
   std::uint64_t with_largest;  ///< trials that move one way with it
 
@@ -28,15 +28,15 @@ struct Backlash {
   /// Trials that move one way from from_deg up to this angle.
   std::uint64_t one_way_to(double pilot_deg) const;
 
-  /// Of the trials that know one, ascending: where the branch is lost, where the stretch begins and
-  /// ends, and what is left over round whole vertices, in backlashes.
+  /// Values of the trials that have one, ascending: the end of the branch, both ends of the range
+  /// in one way, and the gap round whole vertices, in backlashes.
   std::vector<double> lost_deg() const;
   std::vector<double> one_way_from_deg() const;
   std::vector<double> one_way_to_deg() const;
   std::vector<double> left_over() const;
 };
 
-/// What this share of values in ascending order stays at or below, at least one.
+/// Quantile of values in ascending order, of which there is at least one.
 double quantile(const std::vector<double>& values, double share);
 
 }  // namespace misalign::solver

@@ -12,14 +12,14 @@
 namespace misalign::solver {
 namespace {
 
-// Of the first correction from the sheet's own state: all of it together, as a share of the pilot's
-// angle. What is farther is found by letting the play grow.
+// Largest first correction from the state of the sheet without play, all steps together, as a share
+// of the pilot's angle. Farther states are found by growing the play.
 constexpr double kLongestLooseShare = 0.1;
 
-// The play grows by no less than this share of it at a time.
+// Least growth of the play in one step, as a share of it.
 constexpr double kLeastGrowth = 1.0 / 256;
 
-// Near flat all branches are close: steps along the arc stay below a degree of all joints together.
+// All branches are close near flat: steps along the arc stay below a degree of all joints together.
 constexpr double kLongestArc_rad = 0.02;
 
 CloseSteps::Options step_options() {
@@ -32,8 +32,8 @@ CloseSteps::Options step_options() {
 }  // namespace
 
 struct BacklashFollower::Followers {
-  // Loop closure of a sheet whose joints have play, in the fixed order. The geometry that the
-  // follower carries, of the same sheet as designed, is not looked at.
+  // Loop closure of a sheet whose joints have play, in the fixed order. The geometry in the
+  // follower, that of the sheet as designed, is ignored.
   class Closure {
    public:
     // All must outlive this object; the sheet may change between paths.
@@ -53,7 +53,7 @@ struct BacklashFollower::Followers {
     const LooseSheet<double>& sheet_;
   };
 
-  // The same as equations for a DenseClosure.
+  // Loop closure as equations for a DenseClosure.
   class Equations {
    public:
     // Both must outlive this object.
@@ -82,7 +82,7 @@ struct BacklashFollower::Followers {
   PathFollower<double, CloseSteps, DenseClosure<Equations>> dense;
 };
 
-// One path, up or down, and what is seen on it.
+// One path, up or down, and its results.
 class BacklashFollower::Branch {
  public:
   Branch(const BacklashFollower& follower, const PathPlan& plan, bool is_up, bool only_whether)
@@ -94,7 +94,7 @@ class BacklashFollower::Branch {
         lengths_(mechanism_.diagonals.size()),
         half_sines_(mechanism_.creases.size()) {}
 
-  // By the sheet's follower, sparse or dense.
+  // Follows the branch with this follower, sparse or dense.
   template <class Follower>
   void follow(Follower& follower) {
     state_ = [&]() -> const FoldState<double>& { return follower.last_state(0); };
@@ -106,7 +106,7 @@ class BacklashFollower::Branch {
     follower.follow({&follower_.loose_, &follower_.start_, &plan_}, *this);
   }
 
-  // For the follower.
+  // Called by the follower.
   void ended(const PathResult& path, int) {
     path_ = path;
     if (!is_up_ && path.end == PathEnd::fold_limit) find_flip_before_turn();
@@ -132,7 +132,7 @@ class BacklashFollower::Branch {
     return is_up_ || !only_whether_ || pilot_deg > from_deg + kSameAngle_deg;
   }
 
-  // What ends the range that moves one way; the path itself, if nothing else does.
+  // Fault that ends the range in one way; the fold limit of the path, if nothing else does.
   Fault fault() const {
     const bool falls_short = is_up_ || last_deg_ > follower_.options_.from_deg + kSameAngle_deg;
     return fault_ == Fault::none && path_.end == PathEnd::fold_limit && falls_short
@@ -143,7 +143,7 @@ class BacklashFollower::Branch {
   double gap() const { return gap_; }
   const PathResult& path() const { return path_; }
   const FoldState<double>& first() const { return first_; }
-  // On the way down: how the branch ends, and where.
+  // End of the branch on the way down, and its angle.
   BacklashTrial::BranchEnd branch_end() const {
     switch (path_.end) {
       case PathEnd::end_reached:
@@ -163,7 +163,7 @@ class BacklashFollower::Branch {
   }
 
  private:
-  // On the way down the pilot's entry is another angle, and its own is positive.
+  // The pilot's entry is another angle on the way down; the pilot itself is positive.
   Fault check_creases(double pilot_deg) {
     Fault fault = Fault::none;
     double flipped_deg = -1;
@@ -182,8 +182,8 @@ class BacklashFollower::Branch {
     return fault;
   }
 
-  // Whether a crease has passed 0 since the last station, and where. Next to a limit point creases
-  // are linear in the root of the pilot's distance from it, where the last state believed lies.
+  // Finds where a crease has passed 0 since the last station. Near a limit point, where the last
+  // accepted state lies, creases are linear in the root of the pilot's distance from it.
   void find_flip_before_turn() {
     const double limit_deg = follower_.sheet_.start_deg - path_.fold_limit_deg;
     for (int i = 0; i < static_cast<int>(mechanism_.creases.size()); ++i) {
@@ -213,7 +213,7 @@ class BacklashFollower::Branch {
   const Mechanism& mechanism_;
   const PathPlan& plan_;
   const bool is_up_, only_whether_;
-  std::function<const FoldState<double>&()> state_;  // the last one that was believed
+  std::function<const FoldState<double>&()> state_;  // last accepted state
   int stations_ = 0;
   Fault fault_ = Fault::none;
   double one_way_deg_ = 0, last_deg_ = 0, flipped_deg_ = 0, gap_ = 0;
@@ -235,22 +235,22 @@ BacklashFollower::BacklashFollower(const Model& model, const BacklashStart& shee
 
 BacklashFollower::~BacklashFollower() = default;
 
-// In the fixed order, or where that is lost densely.
+// Follows in the fixed order, or where that is lost with dense matrices.
 PathResult BacklashFollower::follow(Branch& branch) {
   branch.follow(followers_->sparse);
   if (branch.path().lost()) branch.follow(followers_->dense);
   return branch.path();
 }
 
-// From the sheet's own state with the pilot held, the play growing.
+// Grows the play from the state of the sheet without play, the pilot held.
 void BacklashFollower::find_start(const JointOffsets& offsets, double scale) {
-  PathPlan one;
-  one.stations.push_back(up_.stations.front());
+  PathPlan plan;
+  plan.stations.push_back(up_.stations.front());
   double share = 0, growth = 0.5;
   while (share < 1 && growth >= kLeastGrowth) {
     const double next = std::min(1.0, share + growth);
     loosen(model_.mechanism(), sheet_.geometry, offsets, next * scale, loose_);
-    Branch branch(*this, one, true, true);
+    Branch branch(*this, plan, true, true);
     if (follow(branch).lost()) {
       growth *= 0.5;
       continue;

@@ -1,7 +1,7 @@
-// Backlash: whether a sheet still moves one way when its joints have play. Every joint has settled
+// Judges whether a sheet still moves in one way when its joints have play. Every joint has settled
 // somewhere within its play and stays there (LooseSheet); the path is followed from the middle of
-// the range that is asked about, up and down, and further down until it is lost: flat is no state
-// of such a sheet.
+// the range of angles, up and down, and further down until the branch ends: flat is no state of
+// such a sheet.
 #pragma once
 
 #include <memory>
@@ -17,34 +17,35 @@ namespace misalign::solver {
 struct BacklashTrial {
   /// The end of the way down.
   enum class BranchEnd {
-    flat,          ///< it does not: the pilot comes to 0 with every crease on its side
+    flat,          ///< no end: the pilot reaches 0 with every crease on its side
     turns,         ///< the pilot reaches a limit point, from which it opens again
     other_branch,  ///< a crease passes 0, from mountain to valley or back
-    not_known      ///< a numerical failure: it was followed so far
+    not_known      ///< a numerical failure: the end of what was followed
   };
 
   bool is_known = true;  ///< false: a numerical failure
-  /// The range round the start in which every sample is in order: the path exists, no crease
-  /// passes 180 degrees, each keeps its sign and each diagonal goes on as the sheet's own does.
-  /// from_deg to D at the widest; as far as it was followed.
+  /// The range round the start in which every sample is in order: the path exists, no crease passes
+  /// 180 degrees, each keeps its sign and each diagonal changes in the same direction as without
+  /// play. At most from_deg to D, and as far as it was followed.
   double one_way_from_deg = 0, one_way_to_deg = 0;
-  Fault fault = Fault::none;  ///< what ends it within from_deg to D; above, if both ends do
-  double lost_deg = 0;        ///< where the branch ends on the way down; only if asked for
+  Fault fault =
+      Fault::none;      ///< reason of its end within from_deg to D; the upper one, if there are two
+  double lost_deg = 0;  ///< end of the branch on the way down; only if requested
   BranchEnd lost = BranchEnd::not_known;
-  double gap_widths = 0;  ///< the largest vertex_gap at a sample of it; only if asked for
+  double gap_widths = 0;  ///< the largest vertex_gap at its samples; only if requested
 
   bool moves_one_way() const { return is_known && fault == Fault::none; }
 };
 
-/// Judges one sheet with its joints here and there. Owns its memory.
+/// Judges one sheet with its joints settled anywhere. Owns its memory.
 class BacklashFollower {
  public:
   /// Both must outlive this object; D of the sheet is above from_deg.
   BacklashFollower(const Model& model, const BacklashStart& sheet, const BacklashOptions& options);
   ~BacklashFollower();
 
-  /// With `scale` (panel widths per unit) of these offsets. `only_whether`: stops where it is known
-  /// that the sheet does not move one way, and goes no further down than from_deg.
+  /// Follows a trial with these offsets times `scale` (panel widths per unit). `only_whether`: ends
+  /// where the sheet is known not to move in one way, and goes no further down than from_deg.
   BacklashTrial trial(const JointOffsets& offsets, double scale, bool only_whether);
 
  private:

@@ -9,10 +9,10 @@
 namespace misalign::solver {
 namespace {
 
-// Stations are no farther apart than this, as on a sheet's own path (PathPlanOptions).
+// Largest distance of stations, as on a path without play (PathPlanOptions).
 const double kLongestStep_deg = PathPlanOptions{}.longest_step_deg;
 
-// One more angle to judge, and solver steps on the way there.
+// Adds an angle to judge, and solver steps up to it.
 void add_station(PathPlan& plan, double pilot_deg) {
   const double from_deg = plan.stations.empty() ? pilot_deg : plan.stations.back().pilot_deg;
   const int steps =

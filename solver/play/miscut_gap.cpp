@@ -12,11 +12,11 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// A vertex at which a joint holds two panels together; -1 in the place of the one that is at rest.
+// A vertex at which a joint holds two panels together; column -1 is the panel at rest.
 struct HeldPoint {
   int vertex;
   int facets[2];
-  Index columns[2];  // of their six unknowns
+  Index columns[2];  // first of their six unknowns
 };
 
 std::vector<HeldPoint> points_of(const Sheet& sheet) {
@@ -27,8 +27,8 @@ std::vector<HeldPoint> points_of(const Sheet& sheet) {
     return panel == 0 ? -1 : 6 * (panel - 1);
   };
   std::vector<HeldPoint> points;
-  const auto add = [&](int vertex, int one, int other) {
-    points.push_back({vertex, {one, other}, {column(one), column(other)}});
+  const auto add = [&](int vertex, int from_facet, int to_facet) {
+    points.push_back({vertex, {from_facet, to_facet}, {column(from_facet), column(to_facet)}});
   };
   for (const Crease& crease : sheet.mechanism().creases) {
     for (const int end : {crease.a, crease.b}) add(end, crease.left, crease.right);
@@ -39,14 +39,14 @@ std::vector<HeldPoint> points_of(const Sheet& sheet) {
   return points;
 }
 
-// Of a spin the velocity at this place.
+// Matrix from a spin to the velocity at this place.
 Matrix3d moved_by_spin(const Vec3<double>& at) {
   Matrix3d matrix;
   matrix << 0, at.z, -at.y, -at.z, 0, at.x, at.y, -at.x, 0;
   return matrix;
 }
 
-// Per copy the largest distance that is left of three rows a point.
+// Largest distance in each copy; points have three rows each.
 Eigen::VectorXd largest_mm(const Eigen::MatrixXd& left_mm) {
   assert(left_mm.rows() % 3 == 0);
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(left_mm.cols());
@@ -115,7 +115,7 @@ MiscutGap find_miscut_gaps(const Sheet& sheet, const std::vector<Eigen::Matrix2X
             apart * errors_mm[static_cast<std::size_t>(copy)].col(point.vertex);
       }
     }
-    // The sheet's own motion opens nothing: that direction is left as it comes.
+    // The sheet's folding motion opens no joint: its amount is arbitrary.
     const Eigen::LDLT<Eigen::MatrixXd> normal(moves.transpose() * moves);
     const Eigen::MatrixXd put = normal.solve(moves.transpose() * open_mm);
     study.open_mm.col(k) = largest_mm(open_mm - moves * put);

@@ -1,6 +1,6 @@
-// The study of gaps: how far the joints of miscut copies stay open where a sheet has more equations
-// than unknowns. Its panels are rigid and folded as the sheet's own; each is put where all joints
-// together are open least, by the sum of squares, to first order in the miscuts.
+// The study of gaps: the openings left in the joints of miscut copies where a sheet is
+// overconstrained. Panels are rigid and folded as in the sheet; their places minimise the sum of
+// squared openings, to first order in the miscuts.
 #pragma once
 
 #include <vector>
@@ -11,19 +11,19 @@ namespace misalign::solver {
 
 struct MiscutGap {
   double amplitude_mm = 0;
-  std::vector<double> pilot_deg;  ///< where copies were measured
-  /// Copies x angles: the joint that is farthest open, a crease at the end where it is. With a
-  /// play of that radius, or panels that bend by so much, the copy folds.
+  std::vector<double> pilot_deg;  ///< angles at which copies were measured
+  /// Copies x angles: the largest opening of a joint, at either end of a crease. The copy folds
+  /// with play of that radius, or panels that bend by that distance.
   Eigen::MatrixXd open_mm;
 
-  /// At most so much in this share of the copies, at the k-th angle.
+  /// Quantile of the opening over copies, at the k-th angle.
   double quantile_mm(double share, Eigen::Index k) const;
   /// The angle at which the median is largest.
   Eigen::Index worst_angle() const;
 };
 
-/// At the rows of the sheet's history; errors are a column per vertex and copy, mm. Of a sheet with
-/// as many unknowns as equations joints close to first order: 0 but for rounding.
+/// Finds gaps at rows of the sheet's history; errors have a column per vertex and copy, mm. Joints
+/// of a sheet with as many unknowns as equations close to first order: 0 except for rounding.
 MiscutGap find_miscut_gaps(const Sheet& sheet, const std::vector<Eigen::Matrix2Xd>& errors_mm,
                            const std::vector<Eigen::Index>& rows);
 

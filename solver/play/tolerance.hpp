@@ -1,5 +1,4 @@
-// The study of tolerance: how many copies of a sheet still deploy, every vertex cut a little off
-// its place.
+// The study of tolerance: the share of miscut copies of a sheet that still deploy.
 #pragma once
 
 #include <cstdint>
@@ -13,45 +12,45 @@ namespace misalign::solver {
 /// Verdicts on miscut copies, counted.
 struct MiscutCopies {
   std::uint64_t trials = 0;
-  std::uint64_t undecided = 0;           ///< numerical failures: neither yes nor no
-  std::vector<std::uint64_t> of_sample;  ///< the decided ones, counted by their D
+  std::uint64_t undecided = 0;           ///< numerical failures
+  std::vector<std::uint64_t> of_sample;  ///< decided copies, counted by D
 
   void add(const Verdict& verdict);
   void add(const MiscutCopies& others);
   std::uint64_t decided() const { return trials - undecided; }
-  /// The decided ones that deploy from this sample, or from a later one.
+  /// Number of decided copies that deploy from this sample, or from a later one.
   std::uint64_t from(int sample) const;
-  /// The D that this share of the decided ones stays at or below, at least one: 0.5 is the median.
+  /// Quantile of D over the decided copies, of which there is at least one: 0.5 is the median.
   int quantile(double share) const;
-  /// Mean of D over the decided ones.
+  /// Mean of D over the decided copies.
   double mean_sample() const;
 };
 
 struct Tolerance {
   struct Vertex {
     int vertex;
-    MiscutCopies copies;  ///< in which this vertex alone is off its place
+    MiscutCopies copies;  ///< copies with only this vertex miscut
   };
 
   double amplitude_mm;
   double sample_deg, threshold_deg;
   int threshold_sample;
-  int own_sample;  ///< D of the sheet itself
+  int own_sample;  ///< D of the uncut sheet
   MiscutCopies copies;
-  std::vector<Vertex> vertices;  ///< the most harmful first; none if not asked for
+  std::vector<Vertex> vertices;  ///< the most harmful first; empty unless requested
 
-  /// Copies that deploy from the campaign's threshold.
+  /// Number of copies that deploy from the campaign's threshold.
   std::uint64_t survivors() const { return copies.from(threshold_sample); }
   double mean_loss_deg(const MiscutCopies& some) const {
     return (own_sample - some.mean_sample()) * sample_deg;
   }
 };
 
-/// The least share, the largest, and some between, of which studies say what they stay at or below.
+/// Quantiles that studies show.
 inline constexpr double kShownShares[] = {0, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
 
-/// Errors must be smaller than this, mm: from there on a facet of the sheet with these shifts (one
-/// column per vertex) can lose its convexity.
+/// Errors must be smaller than this, mm: with larger ones a facet of the sheet with these shifts
+/// (one column per vertex) can lose its convexity.
 double largest_miscut_mm(const CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm);
 
 }  // namespace misalign::solver

@@ -26,7 +26,7 @@ void put(std::string& bytes, const PathInterval& interval) {
   put(bytes, interval.to_deg);
   put(bytes, static_cast<float>(interval.box));
   put_bits<std::uint32_t>(bytes, interval.graded ? 1 : 0);
-  // Tangents of a quarter of the angle: by arithmetic that is the same everywhere.
+  // Tangents of a quarter of the angle, by arithmetic that is the same on every machine.
   for (const HalfAngle<double>& h : interval.middle.creases) {
     put(bytes, static_cast<float>(h.s / (1 + h.c)));
   }
@@ -36,7 +36,7 @@ void put(std::string& bytes, const PathInterval& interval) {
   }
 }
 
-// Takes numbers off the front; a sheet's certificate has a known length, so that none is missing.
+// Reads numbers in turn; a sheet's certificate has a known length, so that none is missing.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
@@ -59,7 +59,7 @@ class Reader {
   std::string_view bytes_;
 };
 
-/// Of a quarter of 180 degrees the tangent is 1; a crease that is over-folded may be a little more.
+/// Largest tangent of a quarter angle: 1 at 180 degrees, slightly more for an over-folded crease.
 constexpr double kLargestTangent = 1.01;
 constexpr std::size_t kHeadBytes = 4 * 4 + 4 + 4 + 8;
 
@@ -67,7 +67,7 @@ std::size_t interval_bytes(const Mechanism& mechanism) {
   return 8 + 4 + 4 + 4 * mechanism.creases.size() + 12 * mechanism.balls.size();
 }
 
-// Whether it is an interval from `from_deg` on.
+// Reads an interval from `from_deg`; returns whether it is valid.
 bool read(const Mechanism& mechanism, Reader& reader, double from_deg, PathInterval& interval) {
   interval.from_deg = from_deg;
   interval.to_deg = reader.real();
@@ -165,10 +165,6 @@ std::optional<Certificate> decode(const Mechanism& mechanism, std::string_view b
     }
   }
   return certificate;
-}
-
-Certificate as_kept(const Mechanism& mechanism, const Certificate& certificate) {
-  return *decode(mechanism, encode(mechanism, certificate));
 }
 
 }  // namespace misalign::solver

@@ -7,11 +7,11 @@
 namespace misalign::solver {
 namespace {
 
-// Rates of change, panel widths per radian: what the function's may be off by where it is least,
-// and what solved ones are worth.
+// Errors of rates of change, panel widths per radian: of the function's least rate, and of solved
+// rates.
 constexpr double kSameSlope = 1e-6, kSlopeError = 1e-9;
 
-// In the diagonals' directions, which the lengths at D say.
+// Least slope in the diagonals' directions, which follow from the lengths at D.
 double least_of(const std::vector<double>& slopes, const PathRecord& record) {
   const std::size_t count = slopes.size();
   assert(count == record.flat.size() && record.lengths.size() >= count);
@@ -50,7 +50,8 @@ bool FoundSlopes::put_into(PathRecord& record, const std::vector<double>& at_d,
   record.extremes.reverses_deg = reversal_.reversal().pilot_deg;
   if (sets_out_back()) return true;
   const double off = kSlopeError + reversal_.slope_error();
-  const bool is_first = least_of(at_reversal, record) >= -off;  // no other one has turned before
+  const bool is_first =
+      least_of(at_reversal, record) >= -off;  // no other diagonal has reversed before
   return reversal_.is_sure() && is_first;
 }
 

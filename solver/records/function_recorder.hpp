@@ -1,5 +1,5 @@
-// Records paths by a follower of any width: as functions, then the states that their records
-// request, those of as many sheets as there are lanes side by side.
+// Records paths by a follower of any width: as functions, then by the states that their records
+// request, for one sheet in each lane.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace misalign::solver {
 template <class T>
 class FunctionRecorder {
  public:
-  /// All must outlive this object; the close follower has the last degrees of some paths, the
-  /// recorder paths that are not sure as functions.
+  /// All must outlive this object. The close follower follows the last degrees of some paths, the
+  /// recorder paths that are uncertain as functions.
   FunctionRecorder(const Model& model, PathFollower<T, LongSteps>& follower,
                    PathFollower<T>& close_follower, Recorder<T>& recorder)
       : model_(model),
@@ -45,7 +45,7 @@ class FunctionRecorder {
  private:
   static constexpr int kMostReversalRounds = 5;
 
-  // Completes as many of the incomplete sheets as there are lanes, or those that are left.
+  // Completes the incomplete sheets from `first` on, one in each lane.
   void complete_from(std::size_t first, const SheetBlock& block,
                      std::vector<UnfinishedRecord>& records) {
     measure_.put(block, incomplete_, first);
@@ -75,7 +75,8 @@ class FunctionRecorder {
     }
   }
 
-  // The states of the first reversals again, until they are there; so many lanes have one.
+  // Solves the states of the first reversals until they converge; only the first `lanes` lanes have
+  // a sheet.
   void find_reversals(const std::array<UnfinishedRecord*, kLanes<T>>& made, int lanes) {
     for (int round = 0; round < kMostReversalRounds; ++round) {
       bool any = false;
@@ -96,9 +97,8 @@ class FunctionRecorder {
     }
   }
 
-  // Two corrections with the pilot held, or four where it may be next to a limit point, whatever
-  // the neighbours need; and what is requested of the state that they reach. For slopes three: what
-  // they do not close is for the close steps.
+  // Makes two corrections with the pilot held, three for slopes, four where it may be next to a
+  // limit point, and finds the requested results. States that stay open are left to close steps.
   MISALIGN_FLATTEN void solve(int purpose) {
     const bool for_lengths = purpose == static_cast<int>(Purpose::before_least_step) ||
                              purpose == static_cast<int>(Purpose::after_least_step);

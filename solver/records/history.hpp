@@ -1,4 +1,4 @@
-// Everything about one path, its verdict too.
+// Holds all results of one path, with its verdict.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,25 +12,25 @@
 
 namespace misalign::solver {
 
-/// One row or entry per station that was solved; verdicts look at those with sample > 0.
+/// One row or entry per solved station; verdicts use those with sample > 0.
 struct FoldingHistory {
   Verdict verdict;
   PathResult path;
   Between between;
-  std::optional<PathExtremes> extremes;  ///< where they were looked for, all but bumps
+  std::optional<PathExtremes> extremes;  ///< if requested, without bumps
   std::vector<double> flat_mm;           ///< per diagonal
   std::vector<Station> stations;
   Eigen::MatrixXd length_mm;         ///< stations x diagonals
-  Eigen::MatrixXd slope_mm_per_deg;  ///< the same: their rates of change
+  Eigen::MatrixXd slope_mm_per_deg;  ///< stations x diagonals: rates of change
   Eigen::MatrixXd fold_angle_deg;    ///< stations x creases
   std::vector<double> open_by;       ///< largest closure entry: radians, panel widths
   std::vector<double> singular_value_min;
   std::vector<double> isometry_error_mm;         ///< see FoldedShape
-  std::vector<FoldState<double>> margin_states;  ///< at the model's margin_samples
-  std::optional<double> miscut_margin_mm;        ///< once the path has reached all of those
+  std::vector<FoldState<double>> margin_states;  ///< states at the model's margin_samples
+  std::optional<double> miscut_margin_mm;        ///< if the path has reached all of these
 };
 
-/// Called at each station of a path, in order, with what was found there.
+/// Called at each station of a path, in order, with its results.
 using StationVisitor = std::function<void(const Station&, const PathPoint&)>;
 
 }  // namespace misalign::solver

@@ -139,7 +139,7 @@ void HistoryObserver::ended(PathResult path, int lane) {
   if (fallback_.under_way() && !fallback_.counts(sheet, history.verdict)) {
     const FoldingHistory& before = histories_[sheet];
     if (!before.path.lost()) return;
-    history.verdict = before.verdict;  // of what was seen before
+    history.verdict = before.verdict;  // the earlier verdict stands
   }
   histories_[sheet] = std::move(history);
 }

@@ -1,5 +1,4 @@
-// Full paths of the sheets that are worth it, seen past faults: a history in the making for each
-// lane.
+// Observes full paths beyond faults and makes a history in each lane.
 #pragma once
 
 #include <memory>
@@ -14,8 +13,8 @@
 
 namespace misalign::solver {
 
-/// Followed by a DenseFallback, it is an observer by itself and takes all but the state from dense
-/// matrices; a follower of lanes is seen by a Recorder, which looks at all lanes together.
+/// A DenseFallback's follower observes with it directly, and it takes all but the state from dense
+/// matrices; a follower of lanes is observed by a Recorder, for all lanes together.
 class HistoryObserver final : public QueueObserver {
  public:
   /// All must outlive this object.
@@ -24,19 +23,19 @@ class HistoryObserver final : public QueueObserver {
   ~HistoryObserver() override;
 
   void begin(const SheetBlock& block);
-  /// Only these sheets of the block, and their extremes as well.
+  /// Restricts it to these sheets of the block, and requests their extremes.
   void measure_only(const std::vector<int>& sheets);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
-  /// point() from its state alone, by dense factors.
+  /// Completes point() from its state, by dense factors.
   bool see(const Station& station, int lane);
-  /// The next station of this lane's path, as point() has it; past faults too.
+  /// Judges and keeps the next station of this lane's path in point(), also beyond faults.
   void evaluate(const Station& station, int lane, const SolveQuality& quality);
-  /// The same, but that no judge sees it.
+  /// Keeps a station without judging it.
   void keep(const Station& station, int lane, const SolveQuality& quality);
   void ended(PathResult path, int lane);
-  /// Once every path has ended: those that are for dense matrices, by dense matrices from the last
-  /// station on that they reached.
+  /// Follows the paths that are for dense matrices from their last station, once every path has
+  /// ended.
   void fall_back();
 
   std::vector<FoldingHistory>& histories() { return histories_; }
@@ -46,9 +45,9 @@ class HistoryObserver final : public QueueObserver {
     CloseJudge judge;
     FoldingHistory history{};
     std::vector<double> lengths_mm{}, slopes_mm_per_deg{}, angles_deg{};  // station by station
-    FoldState<double> last{};                                             // at the last of them
+    FoldState<double> last{};  // state at the last station
   };
-  // Of a sheet that is for dense matrices, as the first pass left it.
+  // A sheet for dense matrices, as the first pass left it.
   struct Unfinished {
     int sheet;
     std::unique_ptr<Lane> lane;
@@ -59,7 +58,7 @@ class HistoryObserver final : public QueueObserver {
   }
 
   void begin_sheet(PathStart& start, int lane) override;
-  // A sheet that was not finished takes its lane back, and begins where it was.
+  // Restores the lane of an unfinished sheet, which begins at its last station.
   bool goes_on(PathStart& start, int lane);
 
   const StationVisitor* visit_;

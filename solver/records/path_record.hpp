@@ -1,4 +1,4 @@
-// The record of one path: what metrics need to know of it.
+// Defines the record of one path, from which metrics follow.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@ struct PathRecord {
   Verdict verdict;
   PathResult path;
   std::vector<double> flat;  ///< lengths of the diagonals, panel widths
-  /// The same at the samples up to D: sample by sample.
+  /// Lengths at the samples up to D, sample by sample.
   std::vector<double> lengths;
   PathExtremes extremes;
-  /// Up to D, of the states that were solved for the purpose: see the metrics of these names.
+  /// Metrics of these names over the states that were solved for them, up to D.
   double singular_value_min = std::numeric_limits<double>::infinity();
   double residual_max = 0, isometry_error = 0;  ///< panel widths
   std::optional<double> miscut_margin_mm;
 };
 
-/// The same of a path whose every sample was solved. Bumps are those of its cubics; without
-/// extremes it has no reversal, and the cubics' least slope.
+/// Makes the record of a path whose every sample was solved. Bumps are those of its cubics; without
+/// extremes there is no reversal, and the least slope is the cubics'.
 PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism);
 
 }  // namespace misalign::solver

@@ -7,13 +7,13 @@
 namespace misalign::solver {
 namespace {
 
-// Close steps take over here at the latest.
+// Last pilot angle at which close steps take over.
 constexpr double kLastHandedOver_deg = 178;
 
-// Segments of fewer samples are short.
+// Samples below which a segment is short.
 constexpr int kShortSegment_samples = 4;
 
-// States are foretold between the last nodes; before them they would be extrapolated.
+// Returns whether a station lies between the last nodes, so that its state is not extrapolated.
 bool reaches_back_to(const Station& station, const PathFunction& function) {
   const int oldest = std::min(function.kept(), kStateNodes) - 1;
   return station.pilot_deg * kRadPerDeg >= function.pilot(function.at(oldest));
@@ -25,7 +25,7 @@ RecordObserver::RecordObserver(const Model& model, const QueueLanes& lanes)
     : QueueObserver(model, lanes),
       lanes_(lanes.count, Lane{FunctionJudge(model.mechanism(), model.criterion()),
                                ExtremeFinder(model.mechanism().diagonal_count())}),
-      here_(model.mechanism()),
+      estimate_(model.mechanism()),
       near_(flat_state<double>(model.mechanism())) {
   for (const Station& station : model.path().stations) {
     if (station.sample > 0) samples_.push_back(&station);
@@ -43,44 +43,45 @@ void RecordObserver::begin(const SheetBlock& block) {
 }
 
 void RecordObserver::begin_sheet(PathStart& start, int lane) {
-  Lane& one = lanes_[lane];
-  one.judge.begin(*start.plan, flat_);
-  one.function = nullptr;
-  one.record = {};
-  one.record.record.flat = flat_;
-  one.record.requested.begin(model_);
-  one.next = 0;
-  one.fault_seen = false;
-  one.least_step = std::numeric_limits<double>::infinity();
-  one.finder.begin(flat_);
+  Lane& observed = lanes_[lane];
+  observed.judge.begin(*start.plan, flat_);
+  observed.function = nullptr;
+  observed.record = {};
+  observed.record.record.flat = flat_;
+  observed.record.requested.begin(model_);
+  observed.next = 0;
+  observed.fault_seen = false;
+  observed.least_step = std::numeric_limits<double>::infinity();
+  observed.finder.begin(flat_);
 }
 
 ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
   near_states_.clear();
-  Lane& one = lanes_[lane];
-  one.function = &function;
+  Lane& observed = lanes_[lane];
+  observed.function = &function;
   const double end_deg = function.pilot(function.end()) / kRadPerDeg + 1e-9;
-  if (one.fault_seen) {
-    evaluate_up_to(end_deg, function, one);
+  if (observed.fault_seen) {
+    evaluate_up_to(end_deg, function, observed);
     return ObserverResult::go_on;
   }
-  const ObserverResult seen = one.judge.see(function);
+  const ObserverResult seen = observed.judge.see(function);
   if (seen == ObserverResult::unsure || seen == ObserverResult::lost) return seen;
-  const int in_order = one.judge.samples_in_order();
-  one.fault_seen = seen == ObserverResult::enough;
-  if (one.fault_seen && (in_order == 0 || in_order < model_.threshold_sample())) return seen;
-  evaluate_up_to(end_deg, function, one);
-  const Judge& judge = one.judge.judge();
+  const int in_order = observed.judge.samples_in_order();
+  observed.fault_seen = seen == ObserverResult::enough;
+  if (observed.fault_seen && (in_order == 0 || in_order < model_.threshold_sample())) return seen;
+  evaluate_up_to(end_deg, function, observed);
+  const Judge& judge = observed.judge.judge();
   if (const int d = judge.between().bump_where; d >= 0) {
-    one.finder.note_bump(
+    observed.finder.note_bump(
         d, goes_back_from_deg(function, d, judge.direction(d), station_of(in_order).pilot_deg,
                               station_of(in_order + 1).pilot_deg));
   }
   const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
-  // The last nodes may not reach back to D any more after short segments: D is noted on the way.
+  // D is requested early in short segments, since the last nodes may not reach back to it later.
   const double segment_deg = end_deg - function.pilot(function.from()) / kRadPerDeg;
   const bool is_short = segment_deg < kShortSegment_samples * samples_.front()->pilot_deg;
-  if ((one.fault_seen || is_last || is_short) && in_order > 0) request_d(in_order, function, one);
+  if ((observed.fault_seen || is_last || is_short) && in_order > 0)
+    request_d(in_order, function, observed);
   return ObserverResult::go_on;
 }
 
@@ -95,7 +96,7 @@ void RecordObserver::request_d(int sample, const PathFunction& function, Lane& l
   if (at_d.sample != sample) request(Purpose::at_d, station_of(sample), function, lane);
 }
 
-// Samples up to the segment's end; beyond D only for the first reversal.
+// Evaluates samples up to the segment's end; beyond D only for the first reversal.
 void RecordObserver::evaluate_up_to(double end_deg, const PathFunction& function, Lane& lane) {
   const int in_order = lane.judge.samples_in_order();
   const std::vector<int>& margin = model_.margin_samples();
@@ -106,10 +107,10 @@ void RecordObserver::evaluate_up_to(double end_deg, const PathFunction& function
     const bool is_in_order = station.sample <= in_order;
     if (!is_in_order && (!lane.fault_seen || lane.has_reversed())) break;
     const double x = function.locate(station.pilot_deg * kRadPerDeg);
-    function.look(x, here_);
+    function.look(x, estimate_);
     if (is_in_order) {
-      std::copy_n(lane.judge.lengths_at(station.sample), here_.lengths.size(),
-                  here_.lengths.begin());
+      std::copy_n(lane.judge.lengths_at(station.sample), estimate_.lengths.size(),
+                  estimate_.lengths.begin());
       const auto at = std::lower_bound(margin.begin(), margin.end(), station.sample);
       if (at != margin.end() && *at == station.sample) {
         request(static_cast<int>(at - margin.begin()), station, function, lane);
@@ -119,7 +120,7 @@ void RecordObserver::evaluate_up_to(double end_deg, const PathFunction& function
       note_least_step(station, lane);
     }
     const bool had_reversed = lane.has_reversed();
-    lane.finder.see(station.pilot_deg, is_in_order, x, here_, lane.judge.judge(), function);
+    lane.finder.see(station.pilot_deg, is_in_order, x, estimate_, lane.judge.judge(), function);
     const Reversal& reversal = lane.finder.first_reversal();
     if (had_reversed || !lane.has_reversed() || reversal.pilot_deg == 0) continue;
     request(Purpose::reversal, reversal.pilot_deg, reversal.x, lane);
@@ -135,8 +136,8 @@ void RecordObserver::evaluate_up_to(double end_deg, const PathFunction& function
 
 void RecordObserver::note_least_step(const Station& station, Lane& lane) {
   if (station.pilot_deg < kInactiveFrom_deg) return;
-  for (std::size_t d = 0; d < here_.lengths.size(); ++d) {
-    const double step = std::abs(here_.lengths[d] - lane.finder.lengths()[d]);
+  for (std::size_t d = 0; d < estimate_.lengths.size(); ++d) {
+    const double step = std::abs(estimate_.lengths[d] - lane.finder.lengths()[d]);
     if (step >= lane.least_step) continue;
     lane.least_step = step;
     lane.record.least_step_sample = station.sample;
@@ -163,30 +164,31 @@ void RecordObserver::ended(PathResult path, int lane) {
   near_states_.clear();
   effort_.add(path);
   if (!queue_.has_ended(path, lane)) return;
-  Lane& one = lanes_[lane];
+  Lane& observed = lanes_[lane];
   const int sheet = queue_.of_lane(lane);
   UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
-  const std::optional<Verdict> verdict = one.judge.conclude(path);
-  made = std::move(one.record);
+  const std::optional<Verdict> verdict = observed.judge.conclude(path);
+  made = std::move(observed.record);
   made.is_sure = verdict.has_value();
   if (!verdict) return;
   PathRecord& record = made.record;
   record.verdict = *verdict;
   record.path = path;
-  record.extremes = one.finder.extremes();
-  if (model_.bumps() == BumpRule::exact && one.judge.judge().between().bump_where < 0)
+  record.extremes = observed.finder.extremes();
+  if (model_.bumps() == BumpRule::exact && observed.judge.judge().between().bump_where < 0)
     record.extremes.drop_bump();
-  made.slopes.begin(one.finder);
+  made.slopes.begin(observed.finder);
   const int in_order = verdict->deploys_from_sample;
   made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();
   if (!made.is_accepted) return;
-  const double* const lengths = one.judge.lengths_at(1);
+  const double* const lengths = observed.judge.lengths_at(1);
   record.lengths.assign(lengths, lengths + static_cast<std::size_t>(in_order) * flat_.size());
   made.requested.fill();
-  if (path.lost()) go_on_later(path, sheet, *one.function);
+  if (path.lost()) go_on_later(path, sheet, *observed.function);
 }
 
-// A reversal must have been found before, or is looked for in close steps.
+// Lets a lost path continue in close steps after its verdict, if its reversal is known; else the
+// whole path is for close steps.
 void RecordObserver::go_on_later(const PathResult& path, int sheet, const PathFunction& function) {
   UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
   const auto& stations = model_.path().stations;

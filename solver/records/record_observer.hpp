@@ -1,5 +1,5 @@
-// Observes paths that are functions, one in each lane: what their records say, and the states to be
-// solved exactly.
+// Observes paths that are functions, one in each lane: makes their records, and requests the states
+// to be solved exactly.
 #pragma once
 
 #include <deque>
@@ -19,14 +19,15 @@ class RecordObserver final : public QueueObserver {
   RecordObserver(const Model& model, const QueueLanes& lanes);
   ~RecordObserver() override;
 
-  /// One for each sheet of the block, to be changed as they are completed. The close follower has
+  /// Returns one record for each sheet of the block, to be completed. The close follower follows
   /// the last degrees of some paths.
   template <class T>
   std::vector<UnfinishedRecord>& follow(const SheetBlock& block,
                                         PathFollower<T, LongSteps>& follower,
                                         PathFollower<T>& close_follower) {
     begin(block);
-    if (model_.bumps() == BumpRule::by_cubic) return records_;  // of solved samples: none is sure
+    if (model_.bumps() == BumpRule::by_cubic)
+      return records_;  // cubics need solved samples: no record is certain
     follower.run(queue_, *this);
     queue_.begin_from(ends_);
     Ends ends{*this};
@@ -37,8 +38,7 @@ class RecordObserver final : public QueueObserver {
   // The follower calls these.
   ObserverResult see(const PathFunction& function, int lane);
   void ended(PathResult path, int lane);
-  /// The states that were requested of the path that was just seen, and where it goes on if it is
-  /// unfinished.
+  /// States requested on the path just seen, and the one from which an unfinished path continues.
   const std::vector<NearState>& near_states() const { return near_states_; }
 
  private:
@@ -46,15 +46,15 @@ class RecordObserver final : public QueueObserver {
     FunctionJudge judge;
     ExtremeFinder finder;
     UnfinishedRecord record{};
-    const PathFunction* function = nullptr;  // once it was seen
+    const PathFunction* function = nullptr;  // set by see()
     std::size_t next = 0;                    // station
     bool fault_seen = false;
     double least_step = 0;
 
     bool has_reversed() const { return finder.first_reversal().diagonal >= 0; }
   };
-  // Paths whose nodes ended after the verdict, but before the path did: in close steps, from the
-  // last station before.
+  // Observes paths whose nodes end after the verdict but before the path: they continue in close
+  // steps from the last station.
   struct Ends {
     RecordObserver& records;
 
@@ -74,14 +74,14 @@ class RecordObserver final : public QueueObserver {
   void request(Purpose purpose, double pilot_deg, double x, Lane& lane);
   const Station& station_of(int sample) const { return *samples_[sample - 1]; }
 
-  std::vector<const Station*> samples_;  // of the model's path
+  std::vector<const Station*> samples_;  // samples of the model's path
   std::vector<Lane> lanes_;
   std::vector<UnfinishedRecord> records_;
   std::vector<QueuedStart> ends_;
-  std::deque<FoldState<double>> ends_near_;  // their states, which stay where they are
+  std::deque<FoldState<double>> ends_near_;  // their states, at stable addresses
   std::vector<NearState> near_states_;
-  PathFunction::Estimate here_;
-  const FoldState<double> near_;  // of the size that a state has
+  PathFunction::Estimate estimate_;
+  const FoldState<double> near_;  // a state of the right size
 };
 
 }  // namespace misalign::solver

@@ -1,5 +1,5 @@
-// Whole histories from a path follower of any width: lanes are looked at together at their
-// stations, and then how far off the sheets may be cut.
+// Records whole histories from a path follower of any width: measures lanes together at their
+// stations, then finds the sheets' miscut margins.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace misalign::solver {
 
-/// Lanes arrive at their stations one by one: each one's state and factors are kept until it
-/// arrives again or its path ends, and then all that are kept are looked at in one go; with dense
-/// factors where the kept ones are worth nothing.
+/// Lanes arrive at their stations one by one: the state and factors of each are kept until it
+/// arrives again or its path ends; then all kept states are measured at once, with dense factors
+/// where the kept ones are too inaccurate.
 template <class T>
 class Recorder {
  public:
@@ -26,8 +26,8 @@ class Recorder {
     observer_.begin(block);
     return record_waiting(block);
   }
-  /// The same without what says how good they are: residuals, singular values and isometry errors
-  /// are 0. In two thirds of the time.
+  /// Records without quality, in two thirds of the time: residuals, singular values and isometry
+  /// errors are 0.
   std::vector<FoldingHistory>& record_lengths(const SheetBlock& block) {
     looks_at_quality_ = false;
     record(block);
@@ -43,7 +43,7 @@ class Recorder {
 
   const Effort& effort() const { return observer_.effort(); }
 
-  // For the follower.
+  // Called by the follower.
   void begin_path(PathStart& start, int lane) {
     measure_.restart(lane);
     observer_.begin_path(start, lane);
@@ -105,7 +105,7 @@ class Recorder {
     waits_ = T(0);
   }
 
-  // Of as many sheets as there are lanes, or those that are left.
+  // Finds the margins of the sheets from `first` on, one in each lane.
   void find_margins(const SheetBlock& block, std::size_t first) {
     std::vector<FoldingHistory>& histories = observer_.histories();
     measure_.put(block, with_margin_, first);
@@ -126,8 +126,8 @@ class Recorder {
   PathFollower<T>& follower_;
   HistoryObserver observer_;
   bool looks_at_quality_ = true;
-  T waits_ = T(0);           // 1: the lane's kept state has not been looked at
-  StateMeasure<T> measure_;  // of the kept states
+  T waits_ = T(0);           // 1: the lane's kept state has not been measured
+  StateMeasure<T> measure_;  // measures the kept states
   std::array<Station, kLanes<T>> stations_{};
   std::vector<int> with_margin_;
 };

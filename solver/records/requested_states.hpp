@@ -1,5 +1,5 @@
-// Lists the states of a path that its record needs exactly: near which and with which pilot each is
-// to be solved.
+// Lists the states of a path that its record needs exactly, each with a near state and a pilot
+// angle.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace misalign::solver {
 
-/// A state of a path that is to be solved: near it, with the pilot at this angle.
+/// A state to be solved: close to `near`, with the pilot at this angle.
 struct RequestedState {
   int sample = 0;  ///< 0: none
   double pilot_deg = 0;
@@ -23,8 +23,8 @@ struct SolvedState {
   std::vector<double> lengths, slopes;  ///< panel widths, per radian of pilot
 };
 
-/// Room for what is found at the requested states of one path in each lane. It is made and unmade
-/// elsewhere than in lanes, whose instructions not every machine has.
+/// Results at the requested states of one path in each lane. They are constructed and destroyed
+/// outside of lanes' code, whose instructions not every machine has.
 class SolvedStates {
  public:
   SolvedStates(const Model& model, int lanes);
@@ -50,10 +50,10 @@ enum class Purpose {
 };
 inline constexpr int kPurposes = 8;
 
-/// Those of one path: first of the model's margin_samples, then of each Purpose in order.
+/// Requested states of one path: at the model's margin_samples, then for each Purpose in order.
 class RequestedStates {
  public:
-  /// None yet. `model` must outlive this object.
+  /// Empties the list. `model` must outlive this object.
   void begin(const Model& model);
 
   int count() const { return static_cast<int>(states_.size()); }
@@ -62,13 +62,14 @@ class RequestedStates {
   const RequestedState& of(Purpose purpose) const { return (*this)[index_of(purpose)]; }
   const std::vector<int>& margin_samples() const { return model_->margin_samples(); }
 
-  /// Requests the k-th state, at a sample if it is not 0; returns where the one near it belongs.
+  /// Requests the k-th state, at `sample` if that is not 0; returns the place for the state near
+  /// it.
   FoldState<double>& request(int k, int sample, double pilot_deg);
-  /// Requests the state once more, with its pilot here.
+  /// Requests the state again, with the pilot at `pilot_deg`.
   void move_pilot(Purpose purpose, double pilot_deg);
-  /// The state that was requested at D is now the one before it, and the other way round.
+  /// Exchanges the states at D and before D.
   void swap_d_with_before();
-  /// States never requested are filled with the one at D.
+  /// Fills states that were not requested with that at D.
   void fill();
 
  private:

@@ -1,6 +1,5 @@
-// Measures solved states of as many sheets as there are lanes side by side, from factors of their
-// Jacobians: how well they are solved, the diagonals' lengths and rates of change, and how far off
-// the sheets may be cut.
+// Measures the solved states of one sheet in each lane from factors of their Jacobians: quality,
+// the diagonals' lengths and rates of change, and miscut margins.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +15,10 @@
 
 namespace misalign::solver {
 
-/// How well a state was solved, and can be.
+/// Quality of a solved state.
 struct SolveQuality {
   double open_by;             ///< largest closure entry: radians, panel widths
-  double singular_value_min;  ///< of the square Jacobian
+  double singular_value_min;  ///< the square Jacobian's
   double isometry_error;      ///< panel widths
 };
 
@@ -43,7 +42,7 @@ class StateMeasure {
         slopes_(lengths_),
         margin_(mechanism_) {}
 
-  /// The sheets from sheets[first] on; lanes that are left have the last one.
+  /// Puts the sheets from sheets[first] on into lanes; spare lanes have the last one.
   void put(const SheetBlock& block, const std::vector<int>& sheets, std::size_t first) {
     for (int i = 0; i < kLanes<T>; ++i) {
       sheet_of_lane_[i] = sheets[std::min(first + static_cast<std::size_t>(i), sheets.size() - 1)];
@@ -54,18 +53,18 @@ class StateMeasure {
   const SheetGeometry<T>& geometry() const { return geometry_; }
 
   FoldState<T>& state() { return state_; }
-  /// Of the state's Jacobian: taken over from who solved it, or made here.
+  /// Factors of the state's Jacobian: copied from its solver, or made by factorize().
   SparseLu<T>& factors() { return factors_; }
   void factorize() {
     evaluate(mechanism_, geometry_, state_, residual_.data(), factors_.entries());
     factors_.factorize();
   }
-  /// Corrects the state with its pilot held, by its own factors or those that there are.
+  /// Corrects the state with its pilot held, by new factors or the present ones.
   void correct(bool new_factors) {
     correct_held(mechanism_, geometry_, new_factors, factors_, residual_, work_, rates_, state_);
   }
 
-  /// A lane's least singular value is looked for from nothing.
+  /// Restarts the search for a lane's least singular value.
   void restart(int lane) { smallest_.restart(lane); }
   void find_closure(const SheetGeometry<T>& geometry) {
     open_by_ = evaluate(mechanism_, geometry, state_, residual_.data(), nullptr);
@@ -75,7 +74,7 @@ class StateMeasure {
     model_.shape().place(geometry, state_, points_);
     isometry_error_ = model_.shape().isometry_error(geometry, points_);
   }
-  /// As find_closure and find_condition have them.
+  /// Results of find_closure and find_condition.
   SolveQuality quality(int i) const {
     return {lane(open_by_, i), lane(singular_value_, i), lane(isometry_error_, i)};
   }
@@ -86,7 +85,7 @@ class StateMeasure {
     folded_lengths_and_slopes(mechanism_, geometry, state_, rates_.data(), lengths_.data(),
                               slopes_.data(), residual_.data());
   }
-  /// Once find_slopes has found them: as of a PathPoint.
+  /// Misfit after find_slopes, as in PathPoint.
   T misfit() const {
     T most(0);
     for (const T& rest : residual_) most = larger(most, magnitude(rest));

@@ -1,15 +1,15 @@
-// By how much diagonals become longer or shorter.
+// Finds the strokes of diagonals.
 #pragma once
 
 #include "solver/records/history.hpp"
 
 namespace misalign::solver {
 
-/// What every diagonal changes by at least where no miscut is named: laser cutters are off by more,
-/// so that a shorter stroke is no motion of the sheet that is built.
+/// Default least stroke of every diagonal: laser cutters have larger errors, so that a shorter
+/// stroke is no motion of the built sheet.
 inline constexpr double kLeastStroke_mm = 0.01;
 
-/// Of each diagonal, how far its length is at most from that at flat, in the first rows.
+/// Largest change of each diagonal from its flat length, in the first `rows` rows.
 inline std::vector<double> strokes_mm(const FoldingHistory& history, Eigen::Index rows) {
   std::vector<double> strokes_mm;
   for (std::size_t d = 0; d < history.flat_mm.size(); ++d) {

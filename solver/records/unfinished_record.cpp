@@ -7,14 +7,15 @@
 namespace misalign::solver {
 namespace {
 
-// The least singular value between two evaluated states was never seen below this share of the
-// smaller of theirs, where it does not go on falling beyond them.
+// Lower bound of the singular value between two evaluated states, as a share of the smaller of
+// theirs, unless it continues to fall beyond them; none lower was seen.
 constexpr double kLeastBetween = 0.5;
 
-// Errors of functions are below this by far; other branches are farther away.
+// Largest difference from the function's lengths: functions' errors are far smaller, other branches
+// farther away.
 constexpr double kSameLength_widths = 1e-5;
 
-// True where a solved state is the one that the function has there.
+// Returns whether a solved state is that of the function.
 bool is_the_same(const PathRecord& record, const RequestedState& requested,
                  const SolvedState& solved) {
   if (!(solved.quality.open_by <= Newton::Options{}.closure_tolerance)) return false;
@@ -28,7 +29,7 @@ bool is_the_same(const PathRecord& record, const RequestedState& requested,
   return true;
 }
 
-// True where the least of these singular values, up to D, is the path's.
+// Returns whether the least of these singular values is the path's up to D.
 bool ends_are_least(const std::vector<double>& values, int in_order) {
   if (in_order <= 4) return true;  // all were evaluated
   const std::size_t last = values.size() - 1;
@@ -36,10 +37,10 @@ bool ends_are_least(const std::vector<double>& values, int in_order) {
   const bool falls_to_first = values[0] <= values[1],
              falls_to_last = values[last] <= values[last - 1];
   for (std::size_t k = 1; k + 2 <= last; ++k) {
-    const double here = values[k], next = values[k + 1];
-    if (kLeastBetween * std::min(here, next) >= least) continue;
-    const bool leads_to_first = k == 1 && falls_to_first && here <= next;
-    const bool leads_to_last = k + 2 == last && falls_to_last && next <= here;
+    const double value = values[k], next = values[k + 1];
+    if (kLeastBetween * std::min(value, next) >= least) continue;
+    const bool leads_to_first = k == 1 && falls_to_first && value <= next;
+    const bool leads_to_last = k + 2 == last && falls_to_last && next <= value;
     if (!leads_to_first && !leads_to_last) return false;
   }
   return least <= values[1] && least <= values[last - 1];
@@ -58,7 +59,7 @@ void complete(UnfinishedRecord& made, const std::vector<SolvedState>& solved,
         made.is_sure && is_the_same(record, made.requested[static_cast<int>(k)], solved[k]);
   }
   if (!made.is_sure) return;
-  const auto of = [&](Purpose purpose) -> const SolvedState& {
+  const auto solved_for = [&](Purpose purpose) -> const SolvedState& {
     return solved[static_cast<std::size_t>(made.requested.index_of(purpose))];
   };
   const auto put_lengths = [&](int sample, const SolvedState& state) {
@@ -67,18 +68,20 @@ void complete(UnfinishedRecord& made, const std::vector<SolvedState>& solved,
                                            static_cast<std::ptrdiff_t>(state.lengths.size()));
   };
   const int in_order = record.verdict.deploys_from_sample;
-  put_lengths(std::max(in_order - 1, 1), of(Purpose::before_d));
-  put_lengths(in_order, of(Purpose::at_d));
+  put_lengths(std::max(in_order - 1, 1), solved_for(Purpose::before_d));
+  put_lengths(in_order, solved_for(Purpose::at_d));
   if (made.least_step_sample > 0) {
-    put_lengths(std::max(made.least_step_sample - 1, 1), of(Purpose::before_least_step));
-    put_lengths(made.least_step_sample, of(Purpose::after_least_step));
+    put_lengths(std::max(made.least_step_sample - 1, 1), solved_for(Purpose::before_least_step));
+    put_lengths(made.least_step_sample, solved_for(Purpose::after_least_step));
   }
   const auto judged = static_cast<std::size_t>(made.requested.index_of(Purpose::least_slope));
   for (std::size_t k = 0; k < judged; ++k) {
     record.residual_max = std::max(record.residual_max, solved[k].quality.open_by);
     record.isometry_error = std::max(record.isometry_error, solved[k].quality.isometry_error);
   }
-  const auto singular_of = [&](Purpose purpose) { return of(purpose).quality.singular_value_min; };
+  const auto singular_of = [&](Purpose purpose) {
+    return solved_for(purpose).quality.singular_value_min;
+  };
   std::vector<double> values = {singular_of(Purpose::first), singular_of(Purpose::second)};
   const std::vector<int>& margin_samples = made.requested.margin_samples();
   for (std::size_t k = 0; k < margin_samples.size(); ++k) {
@@ -88,10 +91,10 @@ void complete(UnfinishedRecord& made, const std::vector<SolvedState>& solved,
   }
   for (const Purpose last : {Purpose::before_d, Purpose::at_d}) values.push_back(singular_of(last));
   record.singular_value_min = *std::min_element(values.begin(), values.end());
-  made.is_sure =
-      made.slopes.put_into(record, of(Purpose::at_d).slopes, of(Purpose::least_slope).slopes,
-                           of(Purpose::reversal).slopes) &&
-      std::isfinite(record.singular_value_min) && ends_are_least(values, in_order);
+  made.is_sure = made.slopes.put_into(record, solved_for(Purpose::at_d).slopes,
+                                      solved_for(Purpose::least_slope).slopes,
+                                      solved_for(Purpose::reversal).slopes) &&
+                 std::isfinite(record.singular_value_min) && ends_are_least(values, in_order);
 }
 
 void find_incomplete(const std::vector<UnfinishedRecord>& records, std::vector<int>& sheets) {

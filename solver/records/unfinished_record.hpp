@@ -1,4 +1,4 @@
-// Completes the record of a path: what its function says, with the states that were solved exactly.
+// Completes the record of a path's function by states that were solved exactly.
 #pragma once
 
 #include <optional>
@@ -10,26 +10,26 @@
 
 namespace misalign::solver {
 
-/// The record of a path as its function has it.
+/// The record of a path by its function.
 struct UnfinishedRecord {
-  bool is_sure = false;      ///< otherwise it is for the close steps
-  bool is_accepted = false;  ///< it deploys from the threshold: the record is to be complete
+  bool is_sure = false;      ///< false: it is left to close steps
+  bool is_accepted = false;  ///< it deploys from the threshold, so that the record is completed
   PathRecord record;
   RequestedStates requested;
   FoundSlopes slopes;
   int least_step_sample = 0;
 };
 
-/// Puts what was found at each of its requested states into the record of an accepted path, which
-/// is not sure any more where that is not what the function has there.
+/// Puts the results at the requested states into the record of an accepted path, which becomes
+/// unsure if they are not those of the function.
 void complete(UnfinishedRecord& made, const std::vector<SolvedState>& solved,
               std::optional<double> miscut_margin_mm);
 
-/// Those of a block that are to be completed, and those that are for the close steps.
+/// Sheets of a block to be completed, and sheets for close steps.
 void find_incomplete(const std::vector<UnfinishedRecord>& records, std::vector<int>& sheets);
 void find_unsure(const std::vector<UnfinishedRecord>& records, std::vector<int>& sheets);
 
-/// Moves the records of a block into `merged`, those of unsure ones from their histories.
+/// Moves the records of a block into `merged`, those of unsure sheets from their histories.
 void merge(std::vector<UnfinishedRecord>& records, const std::vector<FoldingHistory>& histories,
            const Mechanism& mechanism, std::vector<PathRecord>& merged);
 

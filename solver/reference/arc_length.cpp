@@ -11,7 +11,7 @@ constexpr double kLongestStep_rad = 0.1, kShortestStep_rad = 1e-9;
 constexpr int kMaxSteps = 5000, kMaxCorrections = 8;
 // 15 degrees between the tangents of neighbouring points.
 constexpr double kLeastTangentCosine = 0.966;
-// The pilot's largest value is known to within 6e-8 degrees; 0.001 is asked for.
+// The pilot's largest value is exact to 6e-8 degrees; 0.001 is required.
 constexpr double kTurnTolerance_rad = 1e-9;
 
 }  // namespace
@@ -76,10 +76,9 @@ ArcLength::Result ArcLength::walk(const SheetGeometry<double>& geometry,
   return {End::stalled, 0, kMaxSteps};
 }
 
-// From `from` by `ds` along tangent_ to the next point of the same curve, in trial_ with its
+// Steps from `from` by `ds` along tangent_ to the next point of the same curve, trial_, with its
 // tangent in next_tangent_; false if the step was too long. The bordered determinant keeps its sign
-// along one curve, also round a turn: where another branch passes close by, a change tells that it
-// went across.
+// along one curve, also round a turn: a change tells that the step crossed to another branch.
 bool ArcLength::step(const SheetGeometry<double>& geometry, const FoldState<double>& from,
                      double ds) {
   trial_ = from;

@@ -1,6 +1,6 @@
 // Pseudo-arclength continuation (Keller; Allgower & Georg, Introduction to Numerical Continuation
-// Methods, ch. 6): where holding the pilot fails, walk along the curve itself, so that a turning
-// point of the pilot is told from a solver that lost its way.
+// Methods, ch. 6): where holding the pilot fails, it walks along the curve itself, which tells a
+// turning point of the pilot from a solver that lost its path.
 #pragma once
 
 #include "solver/linear/newton.hpp"

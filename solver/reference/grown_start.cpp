@@ -8,11 +8,11 @@
 namespace misalign::solver {
 namespace {
 
-// Of the shifts.
+// Steps, as shares of the shifts.
 constexpr double kLongestStep = 1.0 / 512, kShortestStep = 1e-8;
 
-// Of the pilot's own half angle: what no crease turns by in a step on its own branch. And what the
-// shortest step turns none by at a limit point, where states change like the root of it.
+// Turns of a crease, over the pilot's half angle: none is as large in a step on one branch, nor in
+// the shortest step at a limit point, where states change like the root of the step.
 constexpr double kLongestTurn = 0.2, kTurnOfCrossing = 1e-6;
 
 }  // namespace

@@ -45,8 +45,8 @@ bool PathTracker::advance_to(const SheetGeometry<double>& geometry, const Statio
   return true;
 }
 
-// Newton with the pilot held, from the solution before; refused where it left this half of the
-// curve.
+// Corrects the solution before by Newton's method with the pilot held; refuses one that left this
+// half of the curve.
 bool PathTracker::step_to(const SheetGeometry<double>& geometry, const Station& station) {
   trial_ = state_;
   trial_.creases[pilot_] = station.pilot;

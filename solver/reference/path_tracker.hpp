@@ -1,5 +1,5 @@
-// The folding path of one sheet as the paper's section 4 has it: the pilot held at one station
-// after another, each solved from the one before, the first from the base folding.
+// Follows the folding path of one sheet as in the paper's section 4: the pilot is held at one
+// station after another, each solved from the one before, the first from the base folding.
 #pragma once
 
 #include "solver/continuation/path.hpp"
@@ -11,7 +11,7 @@ class PathTracker {
  public:
   explicit PathTracker(const Mechanism& mechanism);
 
-  /// Calls `visit(station, state)` at each station to be seen, until it answers false or the path
+  /// Calls `visit(station, state)` at each station to be seen, until it returns false or the path
   /// ends. Allocates nothing.
   template <class Visitor>
   PathResult follow(const SheetGeometry<double>& geometry, const PathPlan& plan, Visitor&& visit) {
@@ -35,7 +35,7 @@ class PathTracker {
   Newton newton_;
   ArcLength arc_length_;
   int pilot_;
-  int forward_sign_ = 0;  // of the Jacobian's determinant, from the first station on
+  int forward_sign_ = 0;  // sign of the Jacobian's determinant, from the first station on
   FoldState<double> state_, trial_;
   PathResult result_{};
 };

@@ -7,8 +7,8 @@
 namespace misalign::solver {
 namespace {
 
-// Cubics between are off by its fourth power / 384: 2e-14 for a fourth derivative of one panel
-// width per rad^4.
+// Cubics between stations have an error of its fourth power / 384: 2e-14 for a fourth derivative of
+// one panel width per rad^4.
 constexpr double kLookBetween_deg = 0.1;
 
 }  // namespace
@@ -75,7 +75,7 @@ bool Reference::see_exactly(const Station& station) {
   return true;
 }
 
-// Of the diagonals that go back by the band or more, the one that does the most; -1: none does.
+// Returns the diagonal that turns back most, by the band or more; -1: none.
 int Reference::longest_retreat() const {
   int where = -1;
   double longest = 0;

@@ -11,15 +11,13 @@
 
 namespace misalign::solver {
 
-/// The stations of a plan for a Reference: where it looks for bumps exactly, every tenth of a
-/// degree at least.
+/// Plan of a Reference: its stations are at most a tenth of a degree apart where bumps are exact.
 PathPlanOptions reference_path(PathPlanOptions path, double longest_step_deg, BumpRule bumps);
 
 class Reference {
  public:
-  /// Both must outlive this object, which allocates nothing once it has judged a sheet.
-  /// Bumps that are looked for exactly: by cubics between the plan's stations, which are to be
-  /// visited closely.
+  /// Both must outlive this object, which allocates nothing once it has judged a sheet. Exact bumps
+  /// are found by cubics between the plan's stations, which must be close.
   Reference(const Mechanism& mechanism, const PathPlan& plan, const Criterion& criterion = {});
 
   Verdict judge(const FlatVertices& vertices_mm);
@@ -38,13 +36,13 @@ class Reference {
   const Criterion criterion_;
   Judge judge_;
   SheetGeometry<double> geometry_;
-  DenseState dense_state_;  // for slopes, which bumps and stops are seen by
+  DenseState dense_state_;  // for slopes, which show bumps and stops
   PathPoint point_;
   struct Visited {
     double pilot_deg;
     PathPoint point;
   };
-  std::vector<Visited> visited_;  // from the last sample on, where bumps are looked for exactly
+  std::vector<Visited> visited_;  // from the last sample on, for exact bumps
   PathResult path_{};
 };
 

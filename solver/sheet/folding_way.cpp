@@ -83,14 +83,14 @@ SmoothTable FoldingWay::table_of_joints() const {
       for (const double entry : {q.w, q.x, q.y, q.z}) *value++ = entry;
     }
     if (odd_lengths() == 0) continue;
-    auto here = values.col(k).head(diagonals()), odd = values.col(k).tail(diagonals());
+    auto lengths = values.col(k).head(diagonals()), odd = values.col(k).tail(diagonals());
     folded_lengths(*mechanism_, geometry_, mirrored(state), value);
-    odd = 0.5 * (here - mechanism_->panel_width_mm * odd.eval());
-    here -= odd;
+    odd = 0.5 * (lengths - mechanism_->panel_width_mm * odd.eval());
+    lengths -= odd;
   }
   std::vector<Parity> parities(static_cast<std::size_t>(diagonals()), Parity::even);
   parities.resize(static_cast<std::size_t>(diagonals() + creases()), Parity::odd);
-  // The mirror image of a rotation in the sheet's plane: axes in the plane turn round.
+  // The mirror image of a rotation in the sheet's plane reverses axes in the plane.
   for (Index ball = 0; ball < balls(); ++ball) {
     parities.insert(parities.end(), {Parity::even, Parity::odd, Parity::odd, Parity::even});
   }

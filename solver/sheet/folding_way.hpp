@@ -1,11 +1,10 @@
-// The folding path of one sheet as a function of one coordinate, from flat to its end: what moves,
-// rests or touches on the way is asked of it at any place, not only at samples.
+// The folding path of one sheet as a function of one coordinate, from flat to its end. Studies
+// evaluate it at any angle, not only at samples.
 //
 // The coordinate x is the pilot's fold angle where the path ends at a given angle. Where it ends at
-// a fold limit it is that with pilot = limit * sin x: the pilot stands still at the limit, and
-// everything that is smooth along the path is smooth in x there too. Fold angles are odd in x,
-// lengths even (but those of springs off the mid-plane): on the other side of flat lies the mirror
-// image.
+// a fold limit, pilot = limit * sin x: the pilot stands still at the limit, but everything that is
+// smooth along the path is smooth in x there too. Fold angles are odd in x, lengths even (except
+// those of springs off the mid-plane): the mirror image lies on the other side of flat.
 #pragma once
 
 #include <optional>
@@ -15,10 +14,10 @@
 
 namespace misalign::solver {
 
-/// A state that was solved, and how it goes on.
+/// A solved state and its rates.
 struct WayStation {
   FoldState<double> state;
-  std::vector<double> rates;  ///< of every unknown, rad per unit of x
+  std::vector<double> rates;  ///< one per unknown, rad per unit of x
 };
 
 /// Pilot angle and coordinate.
@@ -32,15 +31,15 @@ struct WayCoordinate {
 
 class FoldingWay {
  public:
-  /// As solve_way finds it: the k-th station at (k + 1/2) `step`, at least SmoothTable::kPoints of
-  /// them. `mechanism` must outlive this object.
+  /// The k-th station lies at (k + 1/2) `step`; there are at least SmoothTable::kPoints. See
+  /// solve_way. `mechanism` must outlive this object.
   FoldingWay(const Mechanism& mechanism, const FlatVertices& drawn_mm,
              const WayCoordinate& coordinate, double step, double end,
              std::vector<WayStation> stations);
 
   const Mechanism& mechanism() const { return *mechanism_; }
-  /// The flat sheet in the frame of its geometry and of every pose, A1 at the origin; and where a
-  /// point of that lies on the sheet as it was drawn.
+  /// The flat sheet in the frame of its geometry and of every pose, A1 at the origin; and the place
+  /// of one of its points on the sheet as drawn.
   const FlatVertices& from_a1_mm() const { return from_a1_mm_; }
   Eigen::Vector2d drawn_mm(const Eigen::Vector2d& from_a1_mm) const { return a1_mm_ + from_a1_mm; }
   const SheetGeometry<double>& geometry() const { return geometry_; }
@@ -55,22 +54,22 @@ class FoldingWay {
   std::optional<double> over_folded_deg() const;
   double pilot_deg(double x) const { return coordinate_.pilot_rad(x) / kRadPerDeg; }
   double pilot_rate(double x) const { return coordinate_.pilot_rate(x); }
-  /// Of a pilot angle from -end_deg() to end_deg().
+  /// Takes pilot angles from -end_deg() to end_deg().
   double x_of(double pilot_deg) const { return coordinate_.x_of(pilot_deg * kRadPerDeg); }
 
-  /// Of the diagonals: lengths (mm) flat and at x, and rates per unit of x.
+  /// Lengths (mm) of the diagonals, flat and at x, and rates per unit of x.
   const Eigen::VectorXd& flat_mm() const { return flat_mm_; }
   void find_lengths(double x, Eigen::VectorXd& lengths_mm, Eigen::VectorXd& rates_mm) const;
-  /// Of the creases: fold angles (rad), and rates per unit of x.
+  /// Fold angles of the creases (rad), and rates per unit of x.
   void find_creases(double x, Eigen::VectorXd& angles_rad, Eigen::VectorXd& rates) const;
-  /// How fast each ball joint turns, rad per unit of x; not negative.
+  /// Angular speed of each ball joint, rad per unit of x; not negative.
   void find_balls(double x, Eigen::VectorXd& speeds) const;
   /// The rate of every unknown, rad per unit of x.
   void find_rates(double x, Eigen::VectorXd& rates) const;
-  /// How far the joints are turned at x; `state` has its size already.
+  /// Turns of all joints at x; `state` has its size already.
   void find_state(double x, FoldState<double>& state) const;
 
-  /// What is known at the stations, a row each, as functions of x.
+  /// Makes functions of x from values at the stations, a row each.
   SmoothTable table(const Eigen::MatrixXd& at_stations,
                     std::vector<SmoothTable::Parity> parities) const {
     return {at_stations, std::move(parities), step_};
@@ -91,13 +90,13 @@ class FoldingWay {
   double step_, end_;
   std::vector<WayStation> stations_;
   Eigen::VectorXd flat_mm_;
-  // Lengths (mm), fold angles (rad), quaternions of the ball joints; of lengths that are not even
-  // in x then the part that is odd.
+  // Lengths (mm), fold angles (rad), quaternions of the ball joints; then, of lengths that are not
+  // even in x, the odd part.
   SmoothTable joints_;
   mutable Eigen::VectorXd quaternions_, quaternion_rates_, odd_, odd_rates_;
 };
 
-/// With these the polynomials between the stations are off by 1e-11 panel widths or radians at most
+/// This many stations keep the polynomials' error below 1e-11 panel widths or radians
 /// (tests/solver/sheet/folding_way_test.cpp).
 inline constexpr int kWayStations = 60;
 

@@ -22,7 +22,7 @@ class FollowedPaths : public PathSource {
   std::optional<PathRecord> record(const FlatVertices& vertices_mm) override {
     ++followed_.as_functions;
     PathRecord record = std::move(functions_.record(SheetBlock(vertices_mm)).front());
-    states_.clear();  // of a path that had to be followed closely: nobody asks for them
+    states_.clear();  // those of a path that had to be followed closely are not used
     assert(record.flat.size() == model_.mechanism().diagonals.size());
     return record;
   }
@@ -58,7 +58,7 @@ class FollowedPaths : public PathSource {
   const Model& model_;
   PathFollower<double, LongSteps> follower_;
   PathFollower<double> close_follower_;
-  std::vector<WayStation> states_;  // of the path that is recorded
+  std::vector<WayStation> states_;  // along the path that is recorded
   const StationVisitor keep_ = [this](const Station&, const PathPoint& point) {
     states_.push_back({point.state, point.rates});
   };

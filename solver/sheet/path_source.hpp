@@ -1,4 +1,4 @@
-// Where the paths of a model's sheets come from.
+// Finds the paths of a model's sheets.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace misalign::solver {
 
-/// Finds the paths of a model's sheets, for one thread.
+/// A source belongs to one thread.
 class PathSource {
  public:
   virtual ~PathSource() = default;
@@ -28,7 +28,7 @@ class PathSource {
   /// Closes a state of a way once more, its pilot held; returns whether it is closed.
   virtual bool close(const SheetGeometry<double>& geometry, FoldState<double>& state) = 0;
 
-  /// How many paths were followed so far, in long steps and in close ones.
+  /// Numbers of paths followed so far, in long steps and in close ones.
   struct Followed {
     int as_functions = 0, closely = 0;
   };

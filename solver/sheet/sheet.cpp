@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Index;
 
-// Where all is folded flat the equations are singular, and angles known to the root of the closure
-// tolerance: 6e-5 degrees.
+// The equations are singular where all is folded flat: angles are known to the root of the closure
+// tolerance there, 6e-5 degrees.
 constexpr double kShownOverFold_deg = 1e-3;
 
 Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices& flat_mm) {
@@ -80,7 +80,7 @@ const FoldingHistory& Sheet::history() const {
   return *history_;
 }
 
-// As the path has them as a function, where that was measured.
+// Extremes come from the path as a function, where that was measured.
 PathExtremes Sheet::extremes_of(const FoldingHistory& history) const {
   const bool deploys = history.verdict.deploys_from_sample > 0;
   if (deploys && !record().lengths.empty()) return record().extremes;
@@ -131,12 +131,12 @@ const std::vector<double>& Sheet::span_slope_mm_per_deg() const {
 
 const FoldingWay* Sheet::way(int stations) const {
   assert(stations >= SmoothTable::kPoints);
-  auto found = ways_.find(stations);
-  if (found == ways_.end()) {
-    found = ways_.emplace(stations, solver_.paths_->way(vertices_mm_, outline_, stations)).first;
+  auto way = ways_.find(stations);
+  if (way == ways_.end()) {
+    way = ways_.emplace(stations, solver_.paths_->way(vertices_mm_, outline_, stations)).first;
   }
-  assert(!found->second || std::ssize(found->second->stations()) <= stations);
-  return found->second ? &*found->second : nullptr;
+  assert(!way->second || std::ssize(way->second->stations()) <= stations);
+  return way->second ? &*way->second : nullptr;
 }
 
 const Sheet::Pose& Sheet::at(double pilot_deg) const {

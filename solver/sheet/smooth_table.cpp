@@ -41,7 +41,7 @@ SmoothTable::SmoothTable(const Eigen::MatrixXd& values, std::vector<Parity> pari
   }
   Eigen::Matrix<double, Eigen::Dynamic, kPoints> known(values.rows(), kPoints);
   for (Index segment = 0; segment <= places; ++segment) {
-    // Place k is k + 1/2 steps from flat, place -k - 1 as far on the other side.
+    // Place k is k + 1/2 steps from flat; place -k - 1 is as far on the other side.
     const Index first = std::min(segment - kPoints / 2, places - kPoints);
     for (Index k = 0; k < kPoints; ++k) {
       const Index place = first + k;

@@ -1,4 +1,4 @@
-// Smooth functions known at equidistant places, as piecewise polynomials.
+// Interpolates smooth functions, known at equidistant places, by piecewise polynomials.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@ namespace misalign::solver {
 
 /// Each is even or odd about 0, so that there is no end there. Between two places it is the
 /// polynomial through the eight places around (those next to the end: through the last eight), so
-/// that it and its derivative are off by about step^8 and step^7 of its eighth derivative.
+/// that its error and its derivative's are about step^8 and step^7 times the eighth derivative.
 class SmoothTable {
  public:
   static constexpr int kPoints = 8;
@@ -18,7 +18,7 @@ class SmoothTable {
   /// kPoints of them.
   SmoothTable(const Eigen::MatrixXd& values, std::vector<Parity> parities, double step);
 
-  /// How many places there are, and half a step beyond the last one: as far as may be asked.
+  /// Number of places; end of the domain, half a step beyond the last.
   Eigen::Index places() const { return static_cast<Eigen::Index>(segments_.size()) - 1; }
   double end() const { return step_ * static_cast<double>(places()); }
   Eigen::Index functions() const { return static_cast<Eigen::Index>(parities_.size()); }

@@ -9,7 +9,7 @@
 namespace misalign::solver {
 namespace {
 
-// The state with which the stations begin is made from the one here.
+// Angle of the state from which that of the first station is made.
 constexpr double kFirst_deg = 2;
 
 // A state near flat with every joint turned `share` times as far: near the path's own there, since
@@ -24,7 +24,7 @@ FoldState<double> in_proportion(const FoldState<double>& state, double share) {
   return other;
 }
 
-// From either follower.
+// Outlines a path with either follower.
 class PathOutliner {
  public:
   PathOutliner(const Model& model, const FlatVertices& vertices_mm,
@@ -45,7 +45,7 @@ class PathOutliner {
     return outline_;
   }
 
-  // For the followers.
+  // Called by the followers.
   ObserverResult see(const PathFunction& function, int) {
     near_states_.clear();
     if (!outline_.has_near() && function.pilot(function.end()) > kFirst_deg * kRadPerDeg) {
@@ -92,12 +92,13 @@ class StationKeeper {
     return std::move(stations_);
   }
 
-  // For the follower.
+  // Called by the follower.
   bool see(const Station&, int) {
-    WayStation& here = stations_.emplace_back(WayStation{follower_.state(), residual_});
-    correct_held(mechanism_, *start_.geometry, true, factors_, residual_, work_, turn_, here.state);
+    WayStation& station = stations_.emplace_back(WayStation{follower_.state(), residual_});
+    correct_held(mechanism_, *start_.geometry, true, factors_, residual_, work_, turn_,
+                 station.state);
     factors_.null_vector(-factors_.pilot_coefficient() / factors_.partner_coefficient(), 1.0,
-                         work_.data(), here.rates.data());
+                         work_.data(), station.rates.data());
     return true;
   }
   void ended(const PathResult&, int) {}

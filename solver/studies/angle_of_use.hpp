@@ -1,4 +1,5 @@
-// The pilot angle from which a sheet is used: between it and flat all has to hold that is asked.
+// Angle of use: the pilot angle from which a sheet is used. All requirements hold between it and
+// flat.
 #pragma once
 
 #include "solver/continuation/path.hpp"
@@ -7,11 +8,11 @@
 
 namespace misalign::solver {
 
-/// Of an angle beyond D of the sheet of this name.
+/// Fault of an angle of use beyond D.
 inline OptionFault beyond_d_fault(const std::string& name, double from_deg, double d_deg) {
   if (!(d_deg > 0)) {
-    return OptionFault{"from_deg", shown("%.10g", from_deg),
-                       name + " deploys from no angle (its D is 0)", "take a sheet that deploys"};
+    return OptionFault{"from_deg", shown("%.10g", from_deg), name + " does not deploy (D = 0)",
+                       "take a sheet that deploys"};
   }
   return OptionFault{
       "from_deg", shown("%.10g", from_deg),
@@ -19,7 +20,7 @@ inline OptionFault beyond_d_fault(const std::string& name, double from_deg, doub
       "name D or a smaller angle"};
 }
 
-/// A sheet's own D, unless a smaller angle is said: fault (from_deg) where a larger one is.
+/// Fault (from_deg) of an angle of use that exceeds the sheet's D.
 inline std::optional<OptionFault> beyond_d(const Sheet& sheet, double from_deg) {
   const double d_deg = sheet.deploys_from_deg();
   if (from_deg <= d_deg + kSameAngle_deg) return {};

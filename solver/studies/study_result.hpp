@@ -10,7 +10,7 @@
 
 namespace misalign::solver {
 
-/// Reasons of the sheet or of the build, whatever the options.
+/// Reasons in the sheet or the build, whatever the options.
 enum class NoResult {
   path_lost,          ///< no folding path was found: a numerical failure
   not_in_this_build,  ///< the library that integrates motions is missing
@@ -44,11 +44,11 @@ class StudyResult {
     assert(!*this);
     return *std::get_if<Obstacle>(&outcome_);
   }
-  /// Null where it has a value, or none for a reason.
+  /// Returns the fault; null where there is a value or a reason.
   const OptionFault* fault() const {
     return *this ? nullptr : std::get_if<OptionFault>(&obstacle());
   }
-  /// None where it has a value, or an option does not fit.
+  /// Returns the reason; none where there is a value or a fault.
   std::optional<NoResult> reason() const {
     if (*this || fault()) return {};
     return std::get<NoResult>(obstacle());

@@ -43,8 +43,8 @@ const FaultEntry& entry_of(Fault fault) {
 }
 
 bool may_be_one_fault(std::string_view name, std::string_view other) {
-  const auto is_between = [](std::string_view one) {
-    return one == fault_name(Fault::reverses_between) || one == fault_name(Fault::bump);
+  const auto is_between = [](std::string_view fault) {
+    return fault == fault_name(Fault::reverses_between) || fault == fault_name(Fault::bump);
   };
   return name == other || (is_between(name) && is_between(other));
 }

@@ -1,4 +1,4 @@
-// The faults that can end the deployable range, and one table of what is said of each.
+// Lists the faults that can end the deployable range, with one table of their names and meanings.
 #pragma once
 
 #include <span>
@@ -6,14 +6,14 @@
 
 namespace misalign::solver {
 
-/// What ends the deployable range; where several meet at a sample the first of these is reported.
-/// Numbers are kept from version to version: who uses Python may have stored them.
+/// A fault that ends the deployable range; of several at one sample the first in this list is
+/// reported. Numbers are kept between versions, since users of Python may have stored them.
 ///
-/// Two are asked for by a BumpRule: before the next sample, which itself is in order, a diagonal
-/// goes back by kBumpBand_widths or more. If it still goes back at that sample it has turned round
-/// (reverses_between), which the next sample shows, but for the few that turn again before that; if
-/// it goes on again there, no sample shows that it ever went back (bump). Of several diagonals the
-/// one that goes back the most decides.
+/// Two depend on a BumpRule: a diagonal goes back by kBumpBand_widths or more before the next
+/// sample, which itself is in order. If it still goes back at that sample it has reversed
+/// (reverses_between), which the sample after shows unless it turns again before; if it goes on
+/// there, no sample shows the retreat (bump). Of several diagonals that with the largest retreat
+/// decides.
 enum class Fault {
   none,                ///< deploys from the end of the path
   fold_limit,          ///< the pilot turns before the next sample
@@ -21,7 +21,7 @@ enum class Fault {
   assignment_flipped,  ///< a crease without its base mountain-valley sign
   not_monotone,        ///< a diagonal steps back against its direction by kStepBand_widths or more
   bump,                ///< a diagonal goes back and on again before the next sample
-  soft_stop,           ///< the stop that was asked for on the way is softer than was asked for
+  soft_stop,           ///< the stop is softer than the criterion demands
   inactive_diagonal,   ///< D >= kInactiveFrom_deg, yet a diagonal varied by less than
                        ///< kInactiveBand_widths up to it; then D = 0
   undecided,           ///< a numerical failure (PathEnd says which): never a "no"
@@ -29,25 +29,25 @@ enum class Fault {
 };
 
 struct FaultEntry {
-  /// The part that shows the fault, one crease or one diagonal: what Verdict::where numbers.
+  /// The kind of part that shows the fault, numbered by Verdict::where.
   enum class ShownBy { nothing, crease, diagonal };
 
   Fault fault;
-  const char* name;     ///< in catalogues and JSON
-  const char* label;    ///< in a legend
-  const char* meaning;  ///< what happened, in words that go on from "first fault: "
+  const char* name;     ///< name in catalogues and JSON
+  const char* label;    ///< label in legends
+  const char* meaning;  ///< description that follows "first fault: "
   ShownBy shown_by;
 };
 
-/// Every fault once, as a legend lists them: the commonest first. Each has a colour of its name in
-/// the style of the report's page.
+/// Every fault in the order of a legend, the commonest first. The report page's style names a
+/// colour for each.
 std::span<const FaultEntry> fault_table();
 
 const FaultEntry& entry_of(Fault fault);
 inline const char* fault_name(Fault fault) { return entry_of(fault).name; }
 
-/// Whether two stored names may be of one verdict: the same, or both of what happens between two
-/// samples, for which there was one name up to version 1.0.0.
+/// Returns whether two stored names may belong to one verdict: if equal, or if both happen between
+/// samples, which had one name up to version 1.0.0.
 bool may_be_one_fault(std::string_view name, std::string_view other);
 
 }  // namespace misalign::solver

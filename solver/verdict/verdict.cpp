@@ -43,7 +43,7 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
     }
     between_ = between;
     if (criterion_.bumps == BumpRule::exact)
-      between_.bump_where = -1;  // none: it would have ended D
+      between_.bump_where = -1;  // no bump, since it would have ended D
     last_slopes_ = *slopes;
     last_pilot_rate_ = pilot_rate;
   }
@@ -128,7 +128,7 @@ LeastPart Judge::missed_part(const FoldState<double>* state, const std::vector<d
     }
     return part;
   }
-  // Where turns between samples are faults their places count from D on, not from half before it.
+  // If turns between samples are faults, parts count from D, not from half a sample before.
   const double earlier = criterion_.bumps == BumpRule::ignored ? 0 : 0.5;
   for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
     const double step = lengths[i] - last_[i];
@@ -140,7 +140,7 @@ LeastPart Judge::missed_part(const FoldState<double>* state, const std::vector<d
   return part;
 }
 
-// Samples are multiples of it.
+// Distance of samples.
 double Judge::sample_rad() const {
   return last_pilot_deg_ * kRadPerDeg / std::max(samples_in_order_, 1);
 }
@@ -207,7 +207,7 @@ double Judge::least_span() const {
   return least;
 }
 
-// Inactivity comes first: what drives nothing deploys from nothing, wherever its path is lost.
+// Inactivity comes first: a sheet with an inactive diagonal has D = 0, wherever its path is lost.
 Verdict Judge::conclude(const PathResult& path) const {
   for (int i = 0; last_pilot_deg_ >= kInactiveFrom_deg && i < mechanism_.diagonal_count(); ++i) {
     if (most_[i] - least_[i] < kInactiveBand_widths) {

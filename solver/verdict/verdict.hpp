@@ -1,4 +1,4 @@
-// The verdict on one folding path, from its samples alone (the paper's criterion, made exact).
+// Judges one folding path by its samples alone (the paper's criterion, made exact).
 #pragma once
 
 #include <limits>
@@ -17,8 +17,8 @@ namespace misalign::solver {
 inline constexpr double kStepBand_widths = 1e-12;
 /// A diagonal that varies by less than this up to D drives nothing (8e-7 mm).
 inline constexpr double kInactiveBand_widths = 1e-8;
-/// Inactivity is judged for D from here on: elongations grow like rho^2, and closer to flat every
-/// diagonal has hardly moved. The same angle from which slope_min is taken.
+/// Least D for which inactivity is judged: elongations grow like rho^2, and closer to flat every
+/// diagonal has hardly moved. slope_min starts at the same angle.
 inline constexpr double kInactiveFrom_deg = 5;
 /// A fold angle beyond +-180 degrees by more than this means that panels passed through each other.
 inline constexpr double kOverFoldBand_deg = 1e-6;
@@ -26,86 +26,86 @@ inline constexpr double kOverFoldBand_deg = 1e-6;
 inline constexpr double kLeastCosine = -0.5 * kOverFoldBand_deg * kRadPerDeg;
 
 struct Verdict {
-  int deploys_from_sample = 0;  ///< D: every sample up to it is in order
+  int deploys_from_sample = 0;  ///< D: all samples up to it are in order
   Fault first_fault = Fault::none;
   int where = -1;  ///< crease (over_folded, assignment_flipped) or diagonal (the others)
   PathEnd path_end = PathEnd::end_reached;  ///< the cause, when undecided
-  /// Where scores are asked for: kScoresPerSample times the samples in order, unless a
-  /// diagonal is inactive, and the part by which the fault was missed.
+  /// If requested: kScoresPerSample times the samples in order, plus the part by which the fault
+  /// was missed, unless a diagonal is inactive.
   int score = kNoScore;
 
   /// The sample that shows the fault; 0 when there is none.
   int fault_sample() const { return first_fault == Fault::none ? 0 : deploys_from_sample + 1; }
 };
 
-/// What the cubics between the samples showed, up to D.
+/// Results of the cubics between the samples, up to D.
 struct Between {
   /// Least rate of change of any diagonal in its direction from kInactiveFrom_deg on, panel widths
   /// per radian; infinite if D lies below.
   double least_slope = std::numeric_limits<double>::infinity();
-  /// Where a diagonal goes back for the first time, and which: nothing (-1) up to D, or on the last
-  /// degrees before D a turn that the next sample shows, or a bump.
+  /// Angle of the first retreat and its diagonal: none (-1) up to D, or on the last degrees before
+  /// D a turn that the next sample shows, or a bump.
   double back_deg = 0;
   int back_where = -1;
-  /// The first bump: a diagonal goes back and on again between two samples, which both are in
-  /// order; where bumps are asked for, the one that is the fault.
+  /// The first bump: a diagonal goes back and on again between two samples that are both in order;
+  /// if bumps are faults, the bump that is the fault.
   double bump_deg = 0;
   int bump_where = -1;
 };
 
-/// Follows the samples of one path and keeps the first fault. Owns its memory; reused from draw to
-/// draw.
+/// Follows the samples of one path and keeps the first fault. It owns its memory and is reused for
+/// every draw.
 class Judge {
  public:
-  /// Bumps count by the cubics that it sees, or as its owner says (BumpRule::exact).
+  /// Bumps are judged by its own cubics, or by its owner (BumpRule::exact).
   explicit Judge(const Mechanism& mechanism, const Criterion& criterion = {});
 
   /// Starts a path whose diagonals have these flat lengths (panel widths).
   void begin(const std::vector<double>& flat_lengths);
-  /// The next sample in order; false once a fault is known. Nothing changes after that. Without a
-  /// state its creases are known to be in order. With the diagonals' slopes (panel widths per
-  /// radian of pilot), and the pilot's entry of the unit tangent, it looks between the samples as
-  /// well, and at the stop that is asked for.
+  /// Judges the next sample; returns false once a fault is known, after which nothing changes.
+  /// Without a state its creases are known to be in order. With the diagonals' slopes (panel widths
+  /// per radian of pilot) and the pilot's entry of the unit tangent, it also judges the interval
+  /// before the sample, and the stop.
   bool see(const Station& station, const FoldState<double>* state,
            const std::vector<double>& lengths, const std::vector<double>* slopes = nullptr,
            double pilot_rate = 1);
-  /// The same in two steps, for who looks between the samples first: whether the next sample itself
-  /// is in order, and that it counts.
+  /// `see` in two steps, for callers that judge between samples themselves: is_in_order() judges
+  /// the next sample, take() accepts it.
   bool is_in_order(const FoldState<double>* state, const std::vector<double>& lengths);
   void take(const Station& station, const std::vector<double>& lengths);
-  /// What was seen before the next sample: a bump, or that it cannot be known; or a soft stop.
+  /// Ends with a fault before the next sample: a bump, an undecided one, or a soft stop.
   void end(Fault fault, int where, double missed_part = 0) {
     fault_ = fault;
     where_ = where;
     missed_part_ = missed_part;
   }
-  /// A diagonal goes back before the next sample, at which it changes by `rate` (of any unit): ends
-  /// with the fault that this is. `from_deg`, where it begins, is for between() and the score.
+  /// Ends with the fault of a diagonal that goes back before the next sample, where its rate is
+  /// `rate` (in any unit). `from_deg`, the beginning, is for between() and the score.
   void end_between(int where, double rate, double from_deg = 0);
-  /// The next sample is to be looked at again, better known.
+  /// Drops the fault, so that the next sample is judged again with smaller errors.
   void reconsider() { end(Fault::none, -1); }
-  /// The part of a sample by which the next one, which is not in order, missed it (see score.hpp),
-  /// where each diagonal's steps to it and before it, and the creases' sines and cosines are known
-  /// to within these errors.
+  /// Part of a sample by which the next sample, which is not in order, missed its fault
+  /// (score.hpp). `step_errors` bound the diagonals' last two steps, `crease_error` the creases'
+  /// sines and cosines.
   LeastPart missed_part(const FoldState<double>* state, const std::vector<double>& lengths,
                         const std::vector<double>* step_errors = nullptr,
                         double crease_error = 0) const;
-  /// The same of a fault at this pilot angle between D and the next sample; 0 where no sample was
-  /// in order.
+  /// Part of a fault at this pilot angle between D and the next sample; 0 if no sample was in
+  /// order.
   LeastPart part_at(double pilot_deg, double error_rad = 0) const;
-  /// The same where the path ends in a fold limit before the next sample; 0 where it does not.
+  /// Part of a fold limit before the next sample; 0 if the path ends otherwise.
   LeastPart limit_part(const PathResult& path, double error_rad = 0) const;
-  /// The verdict, once the path has ended or `see` has said false.
+  /// The verdict, once the path has ended or `see` has returned false.
   Verdict conclude(const PathResult& path) const;
   const Between& between() const { return between_; }
-  /// The lengths at the last sample, better known.
+  /// Replaces the lengths at the last sample by more accurate ones.
   void correct_last(const std::vector<double>& lengths) { last_ = lengths; }
   Fault fault() const { return fault_; }
-  /// Whether this step is against the direction that the diagonal has set.
+  /// Returns whether this step is against the diagonal's direction.
   bool goes_back(int diagonal, double step) const { return direction_[diagonal] * step < 0; }
   int direction(int diagonal) const { return direction_[diagonal]; }
   int samples_in_order() const { return samples_in_order_; }
-  /// By how much the least active diagonal has varied; what is judged near flat counts as much.
+  /// Variation of the least active diagonal; infinite below kInactiveFrom_deg.
   double least_span() const;
 
  private:
@@ -123,7 +123,8 @@ class Judge {
   int where_ = -1;
   double missed_part_ = 0;
   std::vector<double> last_, before_last_, last_slopes_, least_, most_;
-  std::vector<double> back_since_deg_;  // of diagonals that go back at the last sample; else 0
+  std::vector<double>
+      back_since_deg_;  // per diagonal: beginning of its retreat at the last sample, else 0
   std::vector<int> direction_;
   Between between_;
 };

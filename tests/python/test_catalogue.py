@@ -118,7 +118,7 @@ class Catalogues(unittest.TestCase):
                 call()
             if replacement == "other.db":
                 self.assertNotEqual(anew.campaign.identity, catalogue.campaign.identity)
-                with self.assertRaisesRegex(misalign.Error, "another campaign than when it was pickled"):
+                with self.assertRaisesRegex(misalign.Error, "another campaign than at the time of the pickle"):
                     pickle.loads(pickled)
         self.assertEqual(pickle.loads(pickled).campaign.identity, catalogue.campaign.identity)
         # The same file with another content.

@@ -70,9 +70,9 @@ class Sentences(unittest.TestCase):
     def test_shifts(self):
         campaign = misalign.read(SMALL)
         good = np.zeros((5, 25, 2))
-        for bad, words in ((np.nan, "sheet 3 vertex A7 is shifted by .nan"), (np.inf, "not both numbers"),
-                           (90.0, r"sheet 3 the shifts turn the facet \[\d,\d\] into no convex"),
-                           (1e300, "no convex"), (-np.inf, "not both numbers")):
+        for bad, words in ((np.nan, "sheet 3 vertex A7 is shifted by .nan"), (np.inf, "not both finite"),
+                           (90.0, r"sheet 3 the shifts make the facet \[\d,\d\] nonconvex"),
+                           (1e300, "nonconvex"), (-np.inf, "not both finite")):
             for vertex in (6, 0):  # an inner one, and one of the perimeter
                 shifts_mm = good.copy()
                 shifts_mm[3, vertex, 0] = bad
@@ -92,8 +92,8 @@ class Sentences(unittest.TestCase):
     def test_thresholds(self):
         campaign = misalign.read(SMALL)
         shifts_mm = campaign.shifts(range(3))
-        for bad, words in ((0, "whole multiple"), (-10, "multiple"), (99.5, "try 100"), (181, "beyond the end"),
-                           (np.nan, "multiple"), (np.inf, "threshold_deg=inf"), (1e300, "beyond the end")):
+        for bad, words in ((0, "whole multiple"), (-10, "multiple"), (99.5, "try 100"), (181, "within the path"),
+                           (np.nan, "multiple"), (np.inf, "threshold_deg=inf"), (1e300, "within the path")):
             self.refused(2, words, misalign.judge, campaign, shifts_mm, bad)
         with self.assertRaises(TypeError):
             misalign.judge(campaign, shifts_mm, "150")
@@ -183,14 +183,14 @@ class Sentences(unittest.TestCase):
 
     def test_without_pandas(self):
         with mock.patch.dict(sys.modules, {"pandas": None}):
-            self.refused(1, "pandas is not there", misalign.Catalogue(CATALOGUE).candidates)
+            self.refused(1, "pandas is missing", misalign.Catalogue(CATALOGUE).candidates)
 
     def test_without_numpy(self):
         code = "import sys; sys.modules['numpy'] = None; import misalign"
         done = subprocess.run([sys.executable, "-c", code], env={**os.environ, "PYTHONPATH": str(PACKAGE)},
                               capture_output=True, text=True)
         self.assertNotEqual(done.returncode, 0)
-        self.assertRegex(done.stderr.splitlines()[-1], "^ImportError: misalign: NumPy is not there, .*; install it")
+        self.assertRegex(done.stderr.splitlines()[-1], "^ImportError: misalign: NumPy is missing, .*; install it")
 
     def test_errors_travel(self):
         error = misalign.Error("a sentence; do this", 3)

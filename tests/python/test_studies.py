@@ -63,7 +63,7 @@ class Studies(unittest.TestCase):
                                         subject_to=limits[1:])[1], program_json(
             "optimise", TABLE1, "--goal", "energy_n_mm", "--deploys-from", 150, "--stiffness", 10, "--stiffness-within", "5,20",
             "--subject-to", limits[1]))
-        with self.assertRaisesRegex(misalign.Error, "subject_to=stroke_max >= 1: stroke_max is to be small"):
+        with self.assertRaisesRegex(misalign.Error, "subject_to=stroke_max >= 1: stroke_max needs an upper bound"):
             sheet.optimise(subject_to=["stroke_max >= 1"])
         with self.assertRaisesRegex(misalign.Error, "most is no goal"):
             sheet.optimise("most")

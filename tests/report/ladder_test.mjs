@@ -100,7 +100,7 @@ async function goal_check(page, data, levels, status) {
         number_of(goal),
         number_of(await value_of(page, "Populations")) + Number(missing),
       );
-    } else assert.equal(words, /without end/.test(status) ? "the campaign may go on" : "complete");
+    } else assert.equal(words, /without end/.test(status) ? "campaign without end" : "complete");
     const all = data.state.draws_in_ledger / 1e10,
       beyond = all - (levels[0]?.populations_here ?? 0);
     assert.equal(await tile(page, "Beyond the goal").count(), beyond > 0 ? 1 : 0);
@@ -133,7 +133,7 @@ async function table_check(page, levels) {
           is_last || level.particles === 0 ? null : level.survivors / level.particles,
         ],
         [
-          "moves taken",
+          "moves accepted",
           number_of(cells[5]),
           is_first || level.tried === 0 ? null : level.taken / level.tried,
         ],
@@ -151,7 +151,7 @@ async function missed_check(page, levels) {
     const words = await page.locator("#ladder-words").textContent(),
       missed = levels[0].populations_here > 0 && levels.find(({ rate }) => rate === 0);
     if (!missed) return assert.doesNotMatch(words, /No population/);
-    assert.ok(words.includes(`has come to ${missed.deploys_from_deg}° or`), words);
+    assert.ok(words.includes(`has reached ${missed.deploys_from_deg}°.`), words);
   });
 }
 
@@ -230,10 +230,10 @@ async function saving_check(page, data, levels) {
 }
 
 async function sentence_check(page, status, levels) {
-  await check("why the rate is not to be believed yet is said as `status` says it", async () => {
+  await check("why the rate is not reliable yet is said as `status` says it", async () => {
     const says = by(page, "ladder-says"),
       lines = status.split("\n"),
-      reasons = lines.filter((line) => /not to be believed|an interval is shown/.test(line));
+      reasons = lines.filter((line) => /not reliable yet|an interval is shown/.test(line));
     assert.equal(await says.isVisible(), reasons.length > 0 && levels.length > 0);
     if (reasons.length === 0) return "nothing to say";
     const words = await says.textContent();

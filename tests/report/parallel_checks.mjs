@@ -97,11 +97,11 @@ async function front_check(page, { candidates: { columns } }) {
     }
     const said = await page.locator("#scatter-note").textContent();
     assert.ok(
-      said.includes(`On the line: ${front.toLocaleString("en-US")} than`),
+      said.includes(`Line: Pareto front of ${front.toLocaleString("en-US")} candidate`),
       `${front}: ${said}`,
     );
     await by(page, "scatter-front").uncheck();
-    assert.doesNotMatch(await page.locator("#scatter-note").textContent(), /On the line/);
+    assert.doesNotMatch(await page.locator("#scatter-note").textContent(), /Pareto front/);
     return `${front}`;
   });
 }

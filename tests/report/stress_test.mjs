@@ -61,7 +61,7 @@ async function colour_checks(page, data, { panels_mpa }) {
     hardest = panels_mpa.indexOf(most);
   await check("panels have the colours of the scale, by day and by night", async () => {
     await go(page, 0);
-    await page.getByText("From above", { exact: true }).click();
+    await page.getByText("Top view", { exact: true }).click();
     assert.equal(await by(page, "stress-button").getAttribute("aria-pressed"), "true");
     const scale = await by(page, "stress-scale").innerText();
     assert.ok(
@@ -90,9 +90,9 @@ async function colour_checks(page, data, { panels_mpa }) {
   });
   await check("the caption speaks of two tones only where there are two", async () => {
     const words = () => page.locator("#folding-caption").textContent();
-    assert.match(await words(), /^Coloured by stress/);
+    assert.match(await words(), /^Colour: largest stress/);
     await by(page, "stress-button").click();
-    assert.match(await words(), /^Two-toned/);
+    assert.match(await words(), /^Light: the side/);
     await by(page, "stress-button").click();
   });
   await check("the button takes the colours away and brings them back", async () => {
@@ -221,7 +221,7 @@ async function contact_checks(page, detail) {
     for (const id of ["histories", "moment"])
       assert.equal(
         await by(page, id)
-          .locator("svg text", { hasText: /^panels meet/ })
+          .locator("svg text", { hasText: /^contact / })
           .count(),
         1,
         id,
@@ -254,7 +254,7 @@ async function contact_checks(page, detail) {
     const is_beyond = pilot_deg[k] > detail.verdict.deploys_from_deg + 1e-9;
     assert.match(
       await by(page, "pilot-says").innerText(),
-      is_beyond ? /beyond D/ : /panels have met/,
+      is_beyond ? /beyond D/ : /panels in contact/,
     );
     if (await button.isVisible()) await button.click();
     assert.ok((await marked(k)).pixels > 50, "beside the stresses");

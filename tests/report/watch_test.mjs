@@ -67,7 +67,7 @@ async function hostile_checks() {
 async function problem_checks() {
   const { page, problems } = await open(false);
   await check("a sentence about a catalogue is a text, and says what is wrong", async () => {
-    await state_is(page, "cannot be read");
+    await state_is(page, "catalogue unreadable");
     const words = await page.locator("#broken").textContent();
     assert.ok(words.includes("<script>alert(1)") && words.includes("name"), words);
     assert.equal(await page.locator("main img").count(), 0);
@@ -125,7 +125,7 @@ async function folding_check(page) {
     await page.waitForFunction(() =>
       document
         .querySelector('[data-testid="compute-says"]')
-        .textContent.startsWith("Another campaign"),
+        .textContent.includes("another campaign"),
     );
     await page.unroute("**/sheet/*");
     assert.equal(await by(page, "folding").isVisible(), false);
@@ -175,7 +175,7 @@ async function campaign_checks() {
       accepted = await number_in(page, "Accepted");
     const then = await grown(page, "Draws", draws);
     await grown(page, "Accepted", accepted);
-    await grown(page, "Draws a second", 0);
+    await grown(page, "Draws per second", 0);
     return `${draws} to ${then}`;
   });
   await check("the best and the ladder of angles are shown, and the ladder moves", async () => {

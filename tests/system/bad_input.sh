@@ -56,7 +56,7 @@ CASES
 printf '{"name": %s%s}' "$(printf '[%.0s' {1..9999})" "$(printf ']%.0s' {1..9999})" > ../deep.json
 refused 3 "levels deep" config --check ../deep.json
 echo '{"seed": 1, "seed": 2}' > ../twice.json
-refused 3 "seed is there twice" config --check ../twice.json
+refused 3 "seed occurs twice" config --check ../twice.json
 
 # All faults at once.
 campaign 's/"seed": 1/"seed": -1/; s/"ternary"/"many"/; s/"amplitude_mm"/"amplitud_mm"/'

@@ -48,7 +48,7 @@ done
 for key in good candidates worst fault_samples 'checked[0].contact'; do
   [ "$(field verified.json "$key")" = "$(field verified-whole.json "$key")" ] || fail "verify: $key"
 done
-[ "$("$core" verify core.db | grep -c "panels were not looked at.*libfcl-dev")" = 1 ] || fail "verify says nothing of panels"
+[ "$("$core" verify core.db | grep -c "panels were not checked.*libfcl-dev")" = 1 ] || fail "verify says nothing of panels"
 pattern=$source_dir/search/patterns/table1.json
 "$core" verify "$pattern" --json > pattern.json || fail "verify of a pattern"
 [ "$(field pattern.json good)$(field pattern.json panels_checked)" = 10 ] || fail "verify of a pattern: panels_checked"

@@ -22,12 +22,12 @@ sed 's/"accept"/"search": {"method": "optimise", "from_deg": 36}, "accept"/' "$c
 search="--draws 100 --catalogue none.db"
 while IFS=: read -r words lack; do
   "$first" $words > out 2> err
-  [ $? = 1 ] && grep -q "$lack; cmake --build --preset release builds the whole one" err || fail "$words: $(cat err)"
+  [ $? = 1 ] && grep -q "$lack; cmake --build --preset release builds the whole program" err || fail "$words: $(cat err)"
   [ ! -e none.db ] && [ ! -s out ] || fail "$words: something is left"
 done << EOF
 search certified.json $search:certifies nothing
 search certified.json $search --ranks 2:certifies nothing
-search optimising.json $search:makes no sheet better
+search optimising.json $search:does not optimise
 query whole.db --front D,stroke_max:finds no front
 EOF
 "$first" fold "$source_dir/search/patterns/table1.json" > out 2> err

@@ -219,8 +219,8 @@ rm -rf exported
 [ -z "$(find exported -type f)" ] || fail "half of an export: $(ls -l exported)"
 printf '[%s0]' "$(many '[],' 3000000)" > large.json
 (ulimit -v 300000; "$program" fold large.json) > out 2> err
-[ $? = 1 ] && grep -q "too little memory" err || fail "ulimit -v: $(cat err)"
+[ $? = 1 ] && grep -q "memory has run out" err || fail "ulimit -v: $(cat err)"
 wide=$(many ', hex(zeroblob(30000000))' 20)  # each within the limit of a value
 (ulimit -v 500000; "$program" query good.db "SELECT 1$wide" --json) > out 2> err
-[ $? = 1 ] && grep -q "too little memory" err || fail "ulimit -v and a query: $(cat err)"
+[ $? = 1 ] && grep -q "memory has run out" err || fail "ulimit -v and a query: $(cat err)"
 finish

@@ -212,7 +212,7 @@ def odd_creases():
 odd_ones = list(odd_creases())
 odd = max(2 * math.sin(math.radians(fold / 2)) for at in used for letter in "MV" for edge, fold in folds(at, letter)
           if edge in odd_ones)
-(missed,) = re.findall(r"would not meet round [^:]+: by ([\d.]+) mm for each mm of thickness", page)
+(missed,) = re.findall(r"would leave a gap of ([\d.]+) mm per mm of thickness round", page)
 assert float(missed) > odd - 0.006, (missed, odd)
 assert "butted" not in page and "looks up" not in page
 END
@@ -258,7 +258,7 @@ done << 'END'
 --format dxf --kit --spring-at vertex|--spring-at has no meaning without --spring-bore
 --format dxf --kit --joint-bore 1 --spring-at panel|--spring-at has no meaning without --spring-bore
 --format dxf --spring-at panel|has no meaning without
---format dxf --kit --bed 130x130|does not fit, turned neither
+--format dxf --kit --bed 130x130|does not fit, turned or not
 --format dxf --kit --bed 120x500|too small for the title and a gauge
 --format dxf --kit --bed 600|is no width and height in mm
 --format dxf --guide|--guide has no meaning without --kit

@@ -15,12 +15,12 @@ rows=$(sql ten.db 'SELECT count(*) FROM fault_sample')
 [ "$rows" = 40 ] || fail "rows of the sample: $rows"
 half="half of the draws deploy from $(nth 20) deg"
 tenth="one in ten from $(nth 4) deg"
-deepest="the deepest seen $(nth 1) deg"
+deepest="the largest angle seen is $(nth 1) deg"
 "$program" status ten.db > status.txt 2> /dev/null || fail "status"
 "$program" query ten.db best > best.txt 2> /dev/null || fail "query best"
 for file in err status.txt best.txt; do
   for words in "below 7.5e-05 (3/n, 95 %)" "more than 13333 draws" "$half" "$tenth" "$deepest" "a guess" \
-               "accept.deploys_from_deg = " "amplitude_mm" "splitting climbs"; do
+               "accept.deploys_from_deg = " "amplitude_mm" "splitting finds"; do
     grep -qF "$words" "$file" || fail "$file does not say: $words"
   done
 done

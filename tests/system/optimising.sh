@@ -75,10 +75,10 @@ other=$(sql calm.db "WITH RECURSIVE n(k) AS (SELECT 0 UNION ALL SELECT k + 1 FRO
 "$program" replay calm.db "$other" > out && grep -q 'not accepted' out || fail "a draw that is rejected"
 "$program" status calm.db --json > state.json
 json_test state.json "abs(json_extract(j, '\$.ends.best') - $end_value) < 1e-12" || fail "status"
-"$program" status calm.db | grep -q 'critical_friction_n_mm_per_mm .* at best' || fail "status in words"
+"$program" status calm.db | grep -q 'best critical_friction_n_mm_per_mm .*, median' || fail "status in words"
 
 "$program" status calm.db --at 160 > out 2> err
-[ $? = 2 ] && grep -q 'made its draws better' err || fail "a rate of draws from their ends: $(cat err)"
+[ $? = 2 ] && grep -q 'optimises its draws' err || fail "a rate of draws from their ends: $(cat err)"
 
 # What was changed in the file is found.
 cp calm.db changed.db
@@ -140,7 +140,7 @@ done
 cmp -s replayed.json replayed--again.json || fail "made again it is another"
 "$program" replay found.db 1 > out 2> err
 [ $? = 2 ] && grep -q 'no candidate' err || fail "a number of no candidate: $(cat err)"
-"$program" status found.db | grep -q 'critical_friction_n_mm_per_mm .* at best' || fail "status in words"
+"$program" status found.db | grep -q 'best critical_friction_n_mm_per_mm .*, median' || fail "status in words"
 "$program" export found.db --best 1 --by end_value --output found-best | grep -q "$best" || fail "export"
 cp found.db changed.db
 sqlite3 changed.db "UPDATE ascent SET start_value = start_value * 0.9 WHERE draw = $best"
@@ -150,7 +150,7 @@ grep -q "draw $best: ascent.start_value" out || fail "it is not named: $(cat out
 # All that is wrong at once, and nothing is begun.
 campaign wrong.json '"maximise": "friction", "subject_to": ["stroke <= 0.1", "stroke_max >= 0.1"], "shifts": "ternarry"'
 "$program" search wrong.json --catalogue wrong.db > out 2> err
-[ $? = 3 ] && grep -q 'search.maximise' err && grep -q 'did you mean stroke_max' err && grep -q 'is to be small' err &&
+[ $? = 3 ] && grep -q 'search.maximise' err && grep -q 'did you mean stroke_max' err && grep -q 'needs an upper bound' err &&
   grep -q 'search.shifts' err || fail "faults: $(cat err)"
 [ ! -e wrong.db ] || fail "something was begun"
 campaign wrong.json '"maximise": "static_friction_n_mm_per_mm"'

@@ -59,14 +59,14 @@ of_draw stranger.json "$first" 0123456789abcdef
 altered fewer.json "json_remove(j, '\$.panels[27]')"
 altered twice.json "json_set(j, '\$.panels[27].panel', json('[0, 0]'))"
 sqlite3 :memory: "SELECT json_set(json(readfile('$table1')), '\$.displacements_mm.A10[0]', 0.123)" > table1.json
-refuse 3 "is of the pattern table1, and what is reported is the sheet in table1.json" table1.json --stress "$result"
-refuse 3 "is of draw $first of the campaign $identity, and what is reported is the sheet in" "$table1" --stress first.json
-refuse 3 "is of the pattern table1, and what is reported is the campaign $identity" few.db --stress "$result"
-refuse 3 "is of draw $first of the campaign 0123456789abcdef, and what is" few.db --stress stranger.json
-refuse 3 "is of draw $second, which is not among those that .*; add --draw $second" few.db --details 1 --stress second.json
-refuse 3 "has other panels than" "$table1" --stress fewer.json
-refuse 3 "has other panels than" "$table1" --stress twice.json
-refuse 2 "as another --stress is" few.db --stress first.json --stress first.json
+refuse 3 "is a result for the pattern table1, but the report is on the sheet in table1.json" table1.json --stress "$result"
+refuse 3 "is a result for draw $first of the campaign $identity, but the report is on the sheet in" "$table1" --stress first.json
+refuse 3 "is a result for the pattern table1, but the report is on the campaign $identity" few.db --stress "$result"
+refuse 3 "is a result for draw $first of the campaign 0123456789abcdef, but the report is" few.db --stress stranger.json
+refuse 3 "is a result for draw $second, which has no details .*; add --draw $second" few.db --details 1 --stress second.json
+refuse 3 "its panels are not those of its sheet" "$table1" --stress fewer.json
+refuse 3 "its panels are not those of its sheet" "$table1" --stress twice.json
+refuse 2 "like another --stress" few.db --stress first.json --stress first.json
 refuse 2 "is one sheet; give it once" "$table1" --stress "$result" --stress "$result"
 cp first.json kept.json
 "$program" report few.db --stress first.json --output first.json > /dev/null 2> err

@@ -43,7 +43,7 @@ for count in 0 -1 1.5 many 5000 ""; do refused 2 "neither all nor a whole number
 refused 2 "did you mean --ranks?" $campaign --rank 2
 mkdir nothing
 PATH=$PWD/nothing "$program" search $campaign --ranks 2 --catalogue none.db > out 2> err
-[ $? = 1 ] && [ "$(wc -l < err)" = 1 ] && grep -q "no mpirun in PATH" err || fail "without mpirun: $(cat err)"
+[ $? = 1 ] && [ "$(wc -l < err)" = 1 ] && grep -q "mpirun is not in PATH" err || fail "without mpirun: $(cat err)"
 printf '#!/bin/sh\nexit 213\n' > nothing/mpirun && chmod +x nothing/mpirun
 PATH=$PWD/nothing:$PATH "$program" search $campaign --ranks 2 --catalogue none.db > out 2> err
 [ $? = 1 ] && [ "$(wc -l < err)" = 1 ] && grep -q "could not start 2 ranks" err || fail "an mpirun that cannot: $(cat err)"
@@ -56,7 +56,7 @@ unset OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
 # One core of several: what would use all of them is said, and can be typed; nowhere else.
 "$program" search $campaign --catalogue "one core.db" --draws 200 > /dev/null 2> err || fail "one core"
 if [ "$(nproc)" -gt 1 ]; then
-  sed -n 's/^misalign: one core of [0-9]* at work; all of them: //p' err > command
+  sed -n 's/^misalign: using one core of [0-9]*; to use all: //p' err > command
   [ "$(wc -l < command)" = 1 ] || fail "one core: $(cat err)"
   sed 's/--draws 200/--draws 300/' command > more
   bash -e more > out 2>&1 || fail "$(cat more): $(cat out)"
@@ -133,7 +133,7 @@ worker=$(pgrep -n -f "^$program search .*--catalogue lost.db")
 kill -KILL "$worker"
 wait $search
 code=$?
-[ $code = 1 ] && [ "$(said | grep '^misalign: ')" = "$(grep '^misalign: a rank was ended from outside' err)" ] ||
+[ $code = 1 ] && [ "$(said | grep '^misalign: ')" = "$(grep '^misalign: a rank was killed from outside' err)" ] ||
   fail "a lost rank: exit $code: $(cat err)"
 { "$program" search $campaign --ranks 2 --catalogue lost.db --draws 1000000000 --progress none & } > /dev/null 2>&1
 search=$!

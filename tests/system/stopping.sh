@@ -92,7 +92,7 @@ sleep 0.7
 kill -TERM $search 2> /dev/null
 wait $search
 code=$?
-[ $code = 143 ] && grep -q "same command goes on" err || [ $code = 0 ] || fail "two TERMs: exit $code: $(cat err)"
+[ $code = 143 ] && grep -q "same command resumes" err || [ $code = 0 ] || fail "two TERMs: exit $code: $(cat err)"
 sound_so_far slow.db
 
 before=$(sql slow.db 'SELECT coalesce(sum(draws), 0) FROM unit')
@@ -163,7 +163,7 @@ search_as() { task "$@" > out 2> err; }
 for sizes in "SLURM_STEP_ID=0 SLURM_STEP_NUM_TASKS=4" "FLUX_JOB_SIZE=4 FLUX_TASK_RANK=1" "PMI_SIZE=4"; do
   # shellcheck disable=SC2086
   search_as $sizes "$program" search $campaign
-  [ $? = 2 ] && grep -q "has started 4 tasks (.*), and MPI says 1 rank" err || fail "$sizes: $(cat err)"
+  [ $? = 2 ] && grep -q "has started 4 tasks (.*), but MPI counts 1 rank" err || fail "$sizes: $(cat err)"
   [ ! -e task.db ] || fail "$sizes: a catalogue"
 done
 step=(SLURM_STEP_ID=0 SLURM_STEP_NUM_TASKS=4)

@@ -82,7 +82,7 @@ for n in 1 2; do
   begun cut-$n.db unit
   truncate -s 0 cut-$n.db-shm
   wait $search
-  stopped "an index cut short, $n ranks" "^misalign: a file that was in use lost a part .*the same command goes on"
+  stopped "an index cut short, $n ranks" "^misalign: a file in use was truncated .*the same command resumes"
   sound_so_far cut-$n.db
   "${alone[@]}" search $campaign --catalogue cut-$n.db --draws 10000 --progress none > /dev/null 2>&1 ||
     fail "after an index was cut short, $n ranks"

@@ -128,7 +128,7 @@ faked good linked
 
 # What is no number ends the motion; what was before it is the result, which a report takes.
 faked nan nan || fail "NaN: $(cat err)"
-grep -q "not deployed: after 0.0100 s .*; there ccx gave up" out || fail "NaN: $(cat out)"
+grep -q "not deployed: after 0.0100 s .*; ccx gave up there" out || fail "NaN: $(cat out)"
 in_result nan "j ->> 'outcome' = 'failed' AND json_array_length(j, '\$.motion.time_s') = 2"
 shown nan
 faked stars stars || fail "stars: $(cat err)"
@@ -155,7 +155,7 @@ stopped() {  # SIGNAL KIND OUTPUT
   wait $run
 }
 stopped TERM slow stopped || fail "stopped: $?, $(cat err)"
-grep -q "not deployed: after 0.0.* there it was stopped" out || fail "stopped: $(cat out)"
+grep -q "not deployed: after 0.0.*; stopped there" out || fail "stopped: $(cat out)"
 in_result stopped "j ->> 'outcome' = 'stopped' AND json_array_length(j, '\$.motion.time_s') > 2 AND
   j ->> '\$.largest_anywhere_mesh_dependent.stress_mpa' >= 12"
 shown stopped

@@ -149,7 +149,7 @@ for pipe in "" "trap '' PIPE;"; do
 done
 
 # What to type next can be typed.
-next_of() { sed -n 's/^misalign: next: //p' | sed "s|misalign |$program |g; s|CAMPAIGN.json|$campaign|; s| goes on\$||"; }
+next_of() { sed -n 's/^misalign: next: //p' | sed "s|misalign |$program |g; s|CAMPAIGN.json|$campaign|; s| resumes\$||"; }
 "$program" search $campaign --catalogue "next one.db" --draws 40 2>&1 > /dev/null | next_of > next
 [ "$(wc -l < next)" = 1 ] || fail "next: $(cat next)"
 bash -e next > out 2>&1 || fail "$(cat next): $(cat out)"

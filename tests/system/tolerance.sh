@@ -23,7 +23,7 @@ for jobs in 1 3; do
     cmp -s - all.json || fail "another answer with $jobs threads"
 done
 "$program" tolerance a.db "$draw" --amplitude 0.05 --trials 20 --vertices > text || fail "in words"
-tail -1 text | grep -q "^still from 150" || fail "the answer is not the last line"
+tail -1 text | grep -q "^yield from 150" || fail "the answer is not the last line"
 [ "$(grep -c '^A[0-9]' text)" = 25 ] || fail "the table"
 "$program" tolerance a.db "$draw" --amplitude 0.05 --trials 20 > text || fail "without vertices"
 grep -q '^A[0-9]' text && fail "vertices that nobody asked for"
@@ -39,7 +39,7 @@ grep -q '^A[0-9]' text && fail "vertices that nobody asked for"
 "$program" tolerance a.db "$draw" --backlash 0.01 --trials 40 --jobs 3 --json | cmp -s - loose.json ||
   fail "another backlash with 3 threads"
 "$program" tolerance a.db "$draw" --backlash 0.01 --trials 20 > text || fail "backlash in words"
-tail -1 text | grep -q "^95 % one way up to .* mm$" || fail "the largest backlash comes last: $(tail -1 text)"
+tail -1 text | grep -q "^95 % clearance .* mm$" || fail "the largest backlash comes last: $(tail -1 text)"
 "$program" tolerance a.db --best 2 --backlash 0.01 --backlash-from 30 --trials 10 > text || fail "of two"
 [ "$(grep -c '^draw ' text)" = 2 ] || fail "a line for each: $(cat text)"
 
@@ -85,7 +85,7 @@ there=$(sql busy.db 'SELECT draw FROM candidate LIMIT 1')
 "$program" tolerance busy.db "$there" --amplitude 0.05 --trials 20 > text 2> err || fail "in use"
 kill $searching
 wait $searching 2> /dev/null
-tail -1 text | grep -q "^still from 150" || fail "no answer while another one writes"
+tail -1 text | grep -q "^yield from 150" || fail "no answer while another one writes"
 [ "$(grep -c "not kept.*another search is writing" err)" = 1 ] || fail "why it is not kept: $(cat err)"
 
 # What takes the catalogue's place while copies are judged is said, and nothing else is put there.
@@ -102,7 +102,7 @@ for other in "" other.db; do
   [ -n "$other" ] && cp "$other" moved.db
   kill -CONT $judging
   wait $judging || fail "the catalogue is gone, and so is the answer"
-  tail -1 text | grep -q "^still from 150" || fail "no answer without the catalogue"
+  tail -1 text | grep -q "^yield from 150" || fail "no answer without the catalogue"
   [ "$(grep -c "not kept.*any more" err)" = 1 ] || fail "why it is not kept: $(cat err)"
   if [ -n "$other" ]; then
     [ "$(sql moved.db 'SELECT count(*) FROM yield')" = 0 ] || fail "kept in another catalogue"
@@ -141,18 +141,18 @@ awk "BEGIN { exit !($try < $below && $try > 0.85 * $below) }" || fail "--amplitu
 refused 2 "amplitude" a.db "$draw" --amplitude -1
 refused 2 "amplitude" a.db "$draw" --amplitude nan
 refused 2 "amplitude" a.db "$draw"
-refused 2 "against what" a.db "$draw"
+refused 2 "no error is named" a.db "$draw"
 refused 2 "excludes" a.db "$draw" --backlash 0.01 --amplitude 0.05
 refused 2 "excludes" a.db "$draw" --backlash 0.01 --vertices
 refused 2 "requires --backlash" a.db "$draw" --amplitude 0.05 --backlash-from 10
 refused 2 "is not a number" a.db "$draw" --backlash 0
 refused 2 "is not a number" a.db "$draw" --backlash nan
 refused 2 "must be below [78].* mm (a tenth of the shortest crease of draw $draw.*try 0.008$" a.db "$draw" --backlash 45
-refused 2 "must be below .* deg (from which draw $draw deploys" a.db "$draw" --backlash 0.01 --backlash-from 179
+refused 2 "must be below .* deg (D of draw $draw, " a.db "$draw" --backlash 0.01 --backlash-from 179
 refused 2 "is not a number" a.db "$draw" --backlash 0.01 --backlash-from 0
 refused 2 "at most 1000000 with --backlash" a.db "$draw" --backlash 0.01 --trials 2000000
 refused 2 "trials" a.db "$draw" --amplitude 0.05 --trials 0
-refused 2 "of which candidates" a.db --amplitude 0.05
+refused 2 "no candidates are chosen" a.db --amplitude 0.05
 refused 2 "no meaning without" a.db "$draw" --by stroke_min --amplitude 0.05
 refused 2 "excludes" a.db "$draw" --best 2 --amplitude 0.05
 refused 3 "no such file" nothing.db "$draw" --amplitude 0.05

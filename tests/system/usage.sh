@@ -23,7 +23,7 @@ status x.db --colour never|did you mean --color?
 --jsn|--jsn is no option;
 status|CATALOGUE is required; see misalign status --help
 query json.db bst|did you mean best?
-query json.db nonsense|nonsense is the name of none);
+query json.db nonsense|nonsense names no query);
 fold PATTERN more|fold takes no further argument, such as more
 frobnicate|frobnicate is no verb;
 help serch|serch is no verb (did you mean search?)

@@ -1,7 +1,7 @@
 # Each function of a sheet that `query --help` lists, in every place where it can stand; others are refused.
 . "$(dirname "$0")/lib.sh"
 "$program" search "$source_dir/search/campaigns/miura-4x4.json" --draws 60 --catalogue a.db > /dev/null 2>&1 || fail "search"
-names=$("$program" query --help | sed -n '/^Found as they are asked/,/^D is/p' | sed -n 's/^  \([a-z_]*\) .*/\1/p')
+names=$("$program" query --help | sed -n '/^Functions of any draw/,/^D is/p' | sed -n 's/^  \([a-z_]*\) .*/\1/p')
 [ "$(echo "$names" | wc -l)" -ge 7 ] || fail "the functions of query --help: $names"
 few="draw < 10"
 number=$(sql a.db "SELECT count(*) FROM candidates WHERE $few")

@@ -260,7 +260,7 @@ int statfs(const char* path, struct statfs* found) { (void)path; found->f_type =
 int statfs64(const char* path, struct statfs64* found) { (void)path; found->f_type = 0x6969; return 0; }
 END
 cc -D_GNU_SOURCE -shared -fPIC -o statfs.so statfs.c || fail "no statfs of our own"
-LD_PRELOAD=$PWD/statfs.so refused 2 "lies on storage that machines share (nfs" run.db
+LD_PRELOAD=$PWD/statfs.so refused 2 "is on shared storage (nfs" run.db
 "$program" search quick.json --catalogue net.db --storage network --draws 1000000000 --progress none > /dev/null 2>&1 &
 search=$!
 net_is_written() { [ -s net.db ] && [ -e net.db-journal ]; }

@@ -1,9 +1,9 @@
 """
-How many do with larger shifts
-==============================
+Acceptance against amplitude
+============================
 
-The same draws with larger and larger shifts: fewer sheets deploy from 150°, but their springs have more stroke. Where
-both are to be had is a matter of the springs and of the cutter.
+The same draws with ever larger shifts: fewer sheets deploy from 150°, but their springs have more stroke. The best
+amplitude depends on the springs and on the cutter.
 """
 
 import matplotlib.pyplot as plt
@@ -26,7 +26,7 @@ for amplitude_mm in amplitudes_mm:
 figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
 axes.plot(amplitudes_mm, 100 * np.array(shares), "o-", color="C0", label="share of draws that deploy from 150°")
 axes.plot(amplitudes_mm, 100 * np.array(strokes), "s-", color="C3", label="mean largest stroke at 150°")
-axes.axhline(8, color="#999999", linestyle=":", label="8 %: what Ti–Ni wires recover")
-axes.set(xscale="log", yscale="log", xlabel="amplitude of the shifts, mm (panels of 80 mm)", ylabel="%")
+axes.axhline(8, color="#999999", linestyle=":", label="8 %: recovered by Ti–Ni wires")
+axes.set(xscale="log", yscale="log", xlabel="amplitude of the shifts (mm; panels of 80 mm)", ylabel="share or stroke (%)")
 axes.legend()
 plt.show()

@@ -1,9 +1,9 @@
 """
-How many draws deploy from an angle
-===================================
+Acceptance against D
+====================
 
 Five thousand random sheets, each judged on its full path, on 4 × 4 and on 6 × 6 panels. The more holes, the more
-diagonals have to agree. Bands are Wilson's 95 % intervals.
+diagonals must be monotone. Bands are Wilson's 95 % intervals.
 """
 
 import matplotlib.pyplot as plt
@@ -21,7 +21,7 @@ for name, color in (("miura-4x4", "C0"), ("miura-6x6", "C1")):
     axes.fill_between(angles_deg, (middle - width) / (DRAWS + Z * Z), (middle + width) / (DRAWS + Z * Z), color=color,
                       alpha=0.2, linewidth=0)
     axes.plot(angles_deg[hits > 0], hits[hits > 0] / DRAWS, color=color, label=name)
-axes.set(yscale="log", ylim=(1e-4, 1.3), xlim=(0, 180), xlabel="deploys from at least, degrees", ylabel="share of draws")
+axes.set(yscale="log", ylim=(1e-4, 1.3), xlim=(0, 180), xlabel="least D (°)", ylabel="share of draws")
 axes.grid(color="#eeeeee")
 axes.legend()
 plt.show()

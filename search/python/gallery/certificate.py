@@ -1,10 +1,10 @@
 """
-The intervals of a proof
-========================
+The intervals of a certificate
+==============================
 
 A certificate is a chain of intervals of the pilot angle. In each a box round the path is proven to hold exactly one
-folded state at every angle. Intervals are long where the path is smooth, and get shorter and shorter towards the fold limit.
-Table 1's proof ends at 156.155°, where a diagonal turns back, a fifth of a degree before that limit.
+folded state at every angle. Intervals are long where the path is smooth, and ever shorter towards the fold limit.
+Table 1's certificate ends at 156.155°, where a diagonal reverses, a fifth of a degree before that limit.
 """
 
 import base64
@@ -29,7 +29,7 @@ for number, (to_deg, box) in enumerate(ends):
     from_deg = to_deg
 axes.axvline(said["certified_deg"], color="black", linestyle=":",
              label=f"{said['certified_deg']:.4f}°: {said['end']} of {said['where']}")
-axes.set(yscale="log", ylim=(0.05, 60), xlabel="pilot angle, degrees", ylabel="length of the interval, degrees",
+axes.set(yscale="log", ylim=(0.05, 60), xlabel="pilot angle (°)", ylabel="length of the interval (°)",
          title=f"Table 1: {intervals} intervals, from flat on")
 axes.legend(loc="upper left")
 plt.show()

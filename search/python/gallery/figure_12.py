@@ -2,8 +2,8 @@
 The sheet of Table 1
 ====================
 
-The paper's figure 12: the flat sheet with its holes, and a pair of diagonals in each. Blue ones grow while the sheet
-folds, red ones shrink. Arrows are the shifts of the vertices, fifty times longer than they are.
+The paper's figure 12: the flat sheet with its holes, and two diagonals in each. Blue ones lengthen while the sheet
+folds, red ones shorten. Arrows are the shifts of the vertices, magnified fifty times.
 """
 
 import matplotlib.pyplot as plt

@@ -1,9 +1,9 @@
 """
-Every diagonal on the way
-=========================
+Lengths of all diagonals
+========================
 
-The paper's figure 13: the length of each diagonal of Table 1, relative to flat, a panel for each hole. Each goes one
-way only. Curves end at the fold limit, 156.35°, where the sheet cannot go on.
+The paper's figure 13: the length of each diagonal of Table 1, relative to flat, with a plot for each hole. Each is
+monotone. Curves end at the fold limit, 156.35°.
 """
 
 import matplotlib.pyplot as plt
@@ -22,6 +22,6 @@ for hole, axes in enumerate(grid.flat):
     axes.legend(fontsize=7, loc="lower left")
     row, column = table1.places[table1.holes[hole]]
     axes.set_title(f"hole [{row}, {column}]", fontsize=9)
-figure.supxlabel("pilot angle, degrees")
+figure.supxlabel("pilot angle (°)")
 figure.supylabel("length relative to flat")
 plt.show()

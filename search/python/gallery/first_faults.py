@@ -1,9 +1,9 @@
 """
-What goes wrong, and where
-==========================
+First faults
+============
 
-The first fault of five thousand draws of 6 × 6 panels. Nearly always a diagonal turns back. Deep sheets end
-in another way: at a fold limit, or with a crease that is folded past 180°.
+The first fault of five thousand draws of 6 × 6 panels. Nearly always a diagonal reverses. Sheets with
+a large D have other faults: a fold limit, or a crease that is folded past 180°.
 """
 
 import matplotlib.pyplot as plt
@@ -17,6 +17,6 @@ figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
 seen = [fault for fault in range(len(misalign.faults)) if (verdicts.first_fault == fault).any()]
 axes.hist([verdicts.deploys_from_deg[verdicts.first_fault == fault] for fault in seen], bins=np.arange(0, 185, 5),
           stacked=True, label=[misalign.faults[fault] for fault in seen])
-axes.set(yscale="log", xlabel="deploys from, degrees", ylabel="draws, of 5000", xlim=(0, 180))
+axes.set(yscale="log", xlabel="D (°)", ylabel="draws (of 5000)", xlim=(0, 180))
 axes.legend()
 plt.show()

@@ -2,7 +2,7 @@
 The sheet at six angles
 =======================
 
-Vertices of the folded sheet come with every folding, so any plotting library can draw it.
+Every folding has the vertices of the folded sheet, so that any plotting library can draw it.
 """
 
 import matplotlib.pyplot as plt

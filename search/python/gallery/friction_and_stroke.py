@@ -2,9 +2,9 @@
 Friction against stroke
 =======================
 
-Each point is a sheet of 4 × 4 panels that deploys from 150°: how much friction in its creases its springs overcome,
-against the largest stroke that a spring has to bear. Strong sheets need strokes; but of two with the same stroke one
-may overcome ten times as much as the other, so ask.
+Each point is a sheet of 4 × 4 panels that deploys from 150°: its critical friction against the largest stroke of its
+springs. Strong sheets need large strokes, but of two sheets with the same stroke one may overcome ten times the
+friction of the other.
 """
 
 import subprocess
@@ -23,6 +23,6 @@ with tempfile.TemporaryDirectory() as folder:
 
 figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
 points = axes.scatter(100 * found.stroke_max, found.friction.astype(float), c=found.deploys_from_deg, s=10)
-axes.set(yscale="log", xlabel="largest stroke up to D, %", ylabel="critical friction from 36°, N mm per mm of crease")
-figure.colorbar(points, label="deploys from D, degrees")
+axes.set(yscale="log", xlabel="largest stroke up to D (%)", ylabel="critical friction from 36° (N mm/mm)")
+figure.colorbar(points, label="D (°)")
 plt.show()

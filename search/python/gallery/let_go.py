@@ -1,9 +1,9 @@
 """
-Energies of a sheet let go
-==========================
+Energies of a released sheet
+============================
 
-Table 1 from 36°: without friction all of the springs' energy becomes motion. With twice the critical friction the
-sheet stalls half-way.
+Table 1 released at 36°: without friction all of the springs' energy becomes kinetic. With twice the critical friction
+the sheet stalls half-way.
 """
 
 import json
@@ -14,7 +14,7 @@ import numpy as np
 
 
 def let_go(friction):
-    """What `misalign deploy` says, with so much friction in N mm for each mm of crease."""
+    """The JSON of `misalign deploy` with this friction, in N mm/mm."""
     return json.loads(subprocess.run(["misalign", "deploy", "search/patterns/table1.json", "--friction", str(friction),
                                       "--json"], capture_output=True, check=True).stdout)
 
@@ -25,9 +25,9 @@ for axes, friction in zip(grid, (0, 2 * critical)):
     motion = let_go(friction)
     springs, kinetic = np.array(motion["energy_n_mm"]), np.array(motion["kinetic_n_mm"])
     axes.stackplot(motion["time_s"], springs, kinetic, springs[0] - springs - kinetic,
-                   labels=("springs", "motion", "lost to friction"), colors=("C0", "C1", "#cccccc"))
-    axes.set(xlabel="time, s", title=f"friction {friction:.4f} N mm/mm: {motion['outcome']} "
+                   labels=("springs", "kinetic", "lost to friction"), colors=("C0", "C1", "#cccccc"))
+    axes.set(xlabel="time (s)", title=f"friction {friction:.4f} N mm/mm: {motion['outcome']} "
                                      f"at {abs(motion['end']['pilot_deg']):.1f}°")
-grid[0].set_ylabel("energy, N mm")
+grid[0].set_ylabel("energy (N mm)")
 grid[1].legend(loc="lower left")
 plt.show()

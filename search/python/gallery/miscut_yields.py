@@ -2,8 +2,8 @@
 Yields of miscut copies
 =======================
 
-The most tolerant of some eight hundred candidates, the best by angle, and one in the middle, each cut a hundred times with
-every vertex a little off. Tolerance is a matter of choice, not of luck.
+The most tolerant of some eight hundred candidates, the one with the largest D, and one in the middle, each with a hundred
+miscut copies. Choosing candidates by their tolerance pays.
 """
 
 import subprocess
@@ -26,6 +26,6 @@ with tempfile.TemporaryDirectory() as folder:
             counts = [catalogue.tolerance(int(draw), error_mm, trials=100) for error_mm in errors_mm]
             axes.plot(errors_mm, [100 * count["from_threshold"]["share"] for count in counts], "o-",
                       label=f"draw {draw}, {name}")
-axes.set(xlabel="largest error of a vertex, mm", ylabel="copies that deploy from 150°, %", ylim=(0, 104))
+axes.set(xlabel="largest cutting error of a vertex (mm)", ylabel="copies that deploy from 150° (%)", ylim=(0, 104))
 axes.legend()
 plt.show()

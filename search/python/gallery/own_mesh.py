@@ -1,9 +1,9 @@
 """
-Diagonals of a mesh of one's own
-================================
+Diagonals of a FOLD mesh
+========================
 
-Turned quadrilaterals, a mesh from a FOLD file that does not fold flat. Unshifted, its diagonals hardly move. Of two
-thousand random shifts we take the sheet that deploys from the largest angle, and look at what its diagonals do.
+Turned quadrilaterals, a mesh from a FOLD file that is not flat-foldable. Without shifts its diagonals hardly change.
+The figure shows the elongations of the sheet with the largest D among two thousand random draws.
 """
 
 import matplotlib.pyplot as plt
@@ -29,6 +29,6 @@ for number, label in enumerate(pattern.diagonal_labels):
     right.plot(folding.pilot_deg, elongation[:, number], color=f"C{number % 10}", linewidth=1)
 right.axvline(folding.deploys_from_deg, color="black", linestyle=":",
               label=f"draw {best} deploys from {folding.deploys_from_deg:g}°")
-right.set(xlabel="pilot angle, degrees", ylabel="elongation, %")
+right.set(xlabel="pilot angle (°)", ylabel="elongation (%)")
 right.legend()
 plt.show()

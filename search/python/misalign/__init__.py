@@ -1,7 +1,7 @@
-"""Finds origami that simple springs deploy: the solver and the catalogues of the program `misalign`.
+"""Finds origami that simple springs deploy, with the solver and catalogues of the program `misalign`.
 
-Results are bit for bit those of the program, from the same code. Campaigns are run by `misalign search`;
-this package reads what they found, and judges and folds any sheet.
+Results are bit for bit those of the program, from the same code. `misalign search` runs campaigns;
+this package reads their catalogues, and judges and folds any sheet.
 
 >>> import numpy as np
 >>> import misalign
@@ -14,15 +14,15 @@ this package reads what they found, and judges and folds any sheet.
 >>> misalign.judge(pattern, np.stack([pattern.shifts_mm, -pattern.shifts_mm]), threshold_deg=150).tolist()
 [True, False]
 
-Everywhere angles are in degrees and lengths in mm, as the last word of a name says. In shapes N counts
+Angles are in degrees and lengths in mm, as the ends of names say. In shapes N counts
 sheets, S stations (pilot angles), V vertices, F facets, C creases, G diagonals. D is an angle, as everywhere: `deploys_from_deg`.
 """
 
 try:
     import numpy as _numpy  # noqa: F401
 except ImportError as _error:
-    raise ImportError("misalign: NumPy is not there, which its arrays are made with (a package of its own); install "
-                      "it for this Python, such as python3-numpy of Debian") from _error
+    raise ImportError("misalign: NumPy is missing, which it needs for arrays (a separate package); install it for this "
+                      "Python, such as Debian's python3-numpy") from _error
 
 from misalign._campaign import Campaign
 from misalign._catalogue import Catalogue

@@ -1,4 +1,4 @@
-"""JSON of the program with arrays in the place of lists of numbers, and the other way round."""
+"""Converts the program's JSON to arrays instead of lists of numbers, and back."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from misalign._error import Error
 
 
 def _plain(value: Any) -> Any:
-    """What NumPy has for JSON's numbers, truth values and lists."""
+    """Converts NumPy's numbers, truth values and arrays for JSON."""
     if isinstance(value, (np.generic, np.ndarray)):
         return value.tolist()
-    raise Error(f"{value!r}: is a {type(value).__name__}, which a file cannot hold; give numbers, texts, lists and dicts", 2)
+    raise Error(f"{value!r}: is of the type {type(value).__name__}, which a file cannot hold; give numbers, texts, lists and dicts", 2)
 
 
 def text(said: Any) -> str:
-    """As JSON, with NumPy's numbers and arrays in it."""
+    """Writes JSON, also of NumPy's numbers and arrays."""
     try:
         return json.dumps(said, default=_plain, allow_nan=False)
-    except (TypeError, ValueError) as error:  # a key that is none, a circle, or no finite number
+    except (TypeError, ValueError) as error:  # a key that is no text, a cycle, or a number that is not finite
         raise Error(f"cannot be written as JSON: {error}; give finite numbers, and texts as keys", 2) from error
 
 
 def arrays(said: Any) -> Any:
-    """JSON with its lists of numbers as arrays, where null is NaN."""
+    """Converts lists of numbers in JSON to arrays, with NaN for null."""
     if isinstance(said, dict):
         return {name: arrays(value) for name, value in said.items()}
     if not isinstance(said, list):

@@ -13,17 +13,17 @@ from misalign._pattern import Pattern
 
 
 class Campaign:
-    """What a campaign file says: which sheets are drawn, and which are accepted. Made by `misalign.read`.
+    """The contents of a campaign file: which sheets are drawn, and which are accepted. Made by `misalign.read`.
 
     `name`, `identity`, `seed`
-    `pattern`        the correct sheet, sampled as the campaign's draws are
-    `threshold_deg`  D that an accepted draw reaches
-    `amplitude_mm`   the size of the shifts; `levels`: "ternary" (-a, 0, a) or "uniform" (on [-a, a])
-    `vertices`       those that are shifted
-    `is_splitting`   whether populations climb instead of plain draws
-    `configuration`  every key of the file, resolved
+    `pattern`        the sheet without shifts, with the campaign's sampling
+    `threshold_deg`  the D that a draw must reach to be accepted
+    `amplitude_mm`   amplitude a of the shifts; `levels`: "ternary" (-a, 0, a) or "uniform" (on [-a, a])
+    `vertices`       numbers of the shifted vertices
+    `is_splitting`   True for a splitting search
+    `configuration`  every key of the file, with defaults
 
-    A pickle or a copy holds all of it, and needs no file.
+    A pickle or a copy is complete, and needs no file.
 
     >>> campaign = misalign.read("search/campaigns/miura-4x4.json")
     >>> campaign.threshold_deg, campaign.amplitude_mm, campaign.levels
@@ -55,10 +55,10 @@ class Campaign:
         return type(self), (self._sheet,)
 
     def shifts(self, draws: npt.ArrayLike | range) -> npt.NDArray[np.float64]:
-        """The shifts of these draws, [N, V, 2] in mm: seed and number alone determine them.
+        """Returns the shifts of these draws, [N, V, 2] in mm: seed and number alone determine them.
 
-        `misalign.Error` (2) for what is no number of a draw, and of a splitting campaign, whose numbers
-        are none (`Catalogue.shifts` has its candidates').
+        `misalign.Error` (2) for a number that no draw has, and for a splitting campaign, whose numbers are no draws (use
+        `Catalogue.shifts`).
 
         >>> campaign = misalign.read("search/campaigns/miura-4x4.json")
         >>> shifts_mm = campaign.shifts(range(1000))

@@ -1,4 +1,4 @@
-"""Catalogues, which hold what a campaign found."""
+"""Catalogues, which hold the results of campaigns."""
 
 from __future__ import annotations
 
@@ -26,28 +26,28 @@ def _frame(columns: dict[str, Any]) -> pandas.DataFrame:
     try:
         import pandas
     except ImportError as error:
-        raise Error("pandas is not there, which tables are made with (a package of its own); install it, such as "
-                    "python3-pandas of Debian") from error
+        raise Error("pandas is missing, which tables need (a separate package); install it, such as Debian's "
+                    "python3-pandas") from error
     return pandas.DataFrame(columns)
 
 
 def _reopened(kind: type[Catalogue], path: str, identity: str) -> Catalogue:
     catalogue = kind(path)
     if catalogue.campaign.identity != identity:
-        raise Error(f"{path}: holds another campaign than when it was pickled (it was replaced); open it again with "
+        raise Error(f"{path}: holds another campaign than at the time of the pickle (it was replaced); open it again with "
                     "misalign.Catalogue", 5)
     return catalogue
 
 
 class Catalogue:
-    """What a campaign found, to read: nothing in it is changed, and a search may write meanwhile.
+    """A campaign's catalogue, read only; a search may write it meanwhile.
 
-    `path`      of the file
-    `campaign`  that it belongs to
+    `path`      path of the file
+    `campaign`  its `Campaign`
 
-    Every call opens the file anew and sees it at one moment; so threads and forks may share a catalogue. `close`,
-    or leaving a `with`, refuses further calls. `misalign.Error`: 3 no such file, none of this program, or
-    damaged; 5 of a newer schema, or another file than the one that was opened; 2 for what cannot be asked.
+    Every call opens the file again and reads it at one moment, so that threads and forks may share a catalogue. `close`,
+    or the end of a `with`, refuses further calls. `misalign.Error`: 3 if the file is missing, of another program, or
+    damaged; 5 if its schema is newer, or it is another file than the opened one; 2 for impossible requests.
 
     >>> with misalign.Catalogue("miura-4x4.db") as catalogue:
     ...     best = catalogue.candidates(limit=3)
@@ -86,16 +86,16 @@ class Catalogue:
 
     def candidates(self, where: str | None = None, by: str | None = None, limit: int | None = None,
                    columns: Iterable[str] = ()) -> pandas.DataFrame:
-        """The view `candidates`, with a row for each accepted draw, the best first.
+        """Returns the view `candidates`, with a row for each accepted draw, the best first.
 
         `where`    SQL condition on its columns, and on functions of sheets, such as "thickness_mm > 0.5"
-        `by`       column or function that says what is best, the largest first; else the order of the query `best`
-        `limit`    at most so many
-        `columns`  functions that the table has besides: "thickness_mm", or "thickness_mm(draw, 140)"
+        `by`       column or function to sort by, the largest first; otherwise the order of the query `best`
+        `limit`    largest number of rows
+        `columns`  further columns, from functions of sheets: "thickness_mm", or "thickness_mm(draw, 140)"
 
-        Functions are found on all cores, with the campaign's design (`misalign query --help` lists them).
+        Functions are computed on all cores, with the campaign's design (`misalign query --help` lists them).
 
-        Columns are those of `schema/catalogue.sql`; what is NULL is NaN.
+        Columns are those of `schema/catalogue.sql`; NULL becomes NaN.
 
         >>> catalogue = misalign.Catalogue("miura-4x4.db")
         >>> table = catalogue.candidates(where="stroke_max < 0.05", by="miscut_margin_mm", limit=10)
@@ -108,7 +108,7 @@ class Catalogue:
         return _frame(self._opened().candidates(where or "", by, limit, list(columns)))
 
     def query(self, name_or_sql: str = "best") -> pandas.DataFrame:
-        """Rows of a named query (`schema/queries/README.md`), or of any SELECT.
+        """Returns the rows of a named query (`schema/queries/README.md`), or of any SELECT.
 
         >>> catalogue = misalign.Catalogue("miura-4x4.db")
         >>> rows = catalogue.query("SELECT count(*) AS candidates FROM candidate")
@@ -118,7 +118,7 @@ class Catalogue:
         return _frame(self._opened().query(name_or_sql))
 
     def shifts(self, draws: npt.ArrayLike | range) -> npt.NDArray[np.float64]:
-        """The shifts of these draws, [N, V, 2] in mm; of a splitting campaign those of its candidates.
+        """Returns the shifts of these draws, [N, V, 2] in mm; in a splitting campaign of its candidates alone.
 
         >>> catalogue = misalign.Catalogue("miura-4x4.db")
         >>> draws = catalogue.candidates().draw
@@ -128,10 +128,10 @@ class Catalogue:
         return self._opened().shifts(draws)
 
     def histories(self, draws: npt.ArrayLike | range) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-        """Lengths of the diagonals along the paths of these draws, accepted or not.
+        """Returns lengths of the diagonals along the paths of these draws, accepted or not.
 
-        Two arrays: the stations [S] in degrees, which are the samples, and the lengths [N, S, G] in mm. Beyond
-        the end of a draw's path they are NaN. Some 10 kB a draw and a thousand draws a second.
+        Two arrays: the stations [S] in degrees, which are the samples, and the lengths [N, S, G] in mm, NaN beyond
+        the end of a path. A draw takes some 10 kB; a thousand draws take a second.
 
         >>> catalogue = misalign.Catalogue("miura-4x4.db")
         >>> stations_deg, length_mm = catalogue.histories([0, 1, 2])
@@ -142,7 +142,7 @@ class Catalogue:
         return self._opened().histories(draws)
 
     def replay(self, draw: int, stations: npt.ArrayLike | None = None) -> Folding:
-        """Any draw again, from its number: as `misalign replay`, with stations as `Pattern.fold` takes them.
+        """Folds any draw again from its number, like `misalign replay`, with the stations of `Pattern.fold`.
 
         >>> catalogue = misalign.Catalogue("miura-4x4.db")
         >>> best = int(catalogue.candidates(limit=1).draw[0])
@@ -152,7 +152,7 @@ class Catalogue:
         return Folding(self._opened().replay(draw, stations))
 
     def pattern(self, draw: int) -> Pattern:
-        """The sheet of a draw, with the campaign's sampling and design: what `misalign export` writes of it.
+        """Returns the sheet of a draw, with the campaign's sampling and design, as `misalign export` writes it.
 
         >>> catalogue = misalign.Catalogue("miura-4x4.db")
         >>> sheet = catalogue.pattern(int(catalogue.candidates(limit=1).draw[0]))
@@ -162,7 +162,7 @@ class Catalogue:
         return Pattern(self._opened().pattern(draw))
 
     def springs(self, draw: int) -> dict[str, Any]:
-        """Springs on the diagonals of a draw: what `misalign actuators --json` says, its lists of numbers as arrays.
+        """Studies springs on the diagonals of a draw: the JSON of `misalign actuators`, with arrays for lists of numbers.
 
         `["history"]` has a row for the flat sheet and for each sample: `pilot_deg`, `energy_n_mm`, `moment_n_mm`
         about the pilot crease, `mechanical_advantage`, and each diagonal's `force_n`.
@@ -177,14 +177,14 @@ class Catalogue:
 
     def tolerance(self, draw: int, amplitude_mm: float, trials: int = 1000, jobs: int = 1,
                   from_deg: float | None = None) -> dict[str, Any]:
-        """How many copies of a draw still deploy with every vertex off its place: as `misalign tolerance --json`.
+        """Returns the yield of miscut copies of a draw, as `misalign tolerance --json`.
 
-        `amplitude_mm`  largest error of a vertex in x and in y
-        `trials`        how many copies
-        `jobs`          threads; the answer does not depend on them
-        `from_deg`      from which copies are to deploy; none: the design's, or the campaign's threshold
+        `amplitude_mm`  largest cutting error of a vertex in x and in y
+        `trials`        number of copies
+        `jobs`          number of threads; the result does not depend on it
+        `from_deg`      D that copies must reach; None for the design's, or the campaign's threshold
 
-        Unlike the program it keeps nothing in the catalogue.
+        Unlike the program, it stores nothing in the catalogue.
 
         >>> catalogue = misalign.Catalogue("miura-4x4.db")
         >>> best = int(catalogue.candidates(limit=1).draw[0])

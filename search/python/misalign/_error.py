@@ -1,4 +1,4 @@
-"""What goes wrong, as sentences."""
+"""Errors as sentences."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
 
 class Error(Exception):
-    """One sentence that says what is wrong, why, and what to do: the program's own.
+    """The program's sentence on an error: the problem, its cause and a remedy.
 
-    `exit_code` is what `misalign` would exit with: 1 disk or memory, 2 wrong arguments, 3 a bad input file,
+    `exit_code` is that of `misalign`: 1 disk or memory, 2 wrong arguments, 3 a bad input file,
     5 a catalogue of a newer schema or one that was replaced, 6 a failed check.
 
     >>> try:
@@ -35,7 +35,7 @@ class Error(Exception):
 class UndecidedError(Error):
     """Some sheets could not be judged, for numerical reasons: they are neither accepted nor rejected.
 
-    `undecided` has their numbers [K], `accepted` [N] what was found of all others (False for them).
+    `undecided` has their numbers [K], `accepted` [N] the decisions on the others (False for these).
     Very rare; `judge` without a threshold gives them the fault "undecided".
     """
 

@@ -1,4 +1,4 @@
-"""Foldings, which are paths seen at stations."""
+"""Foldings, which are folding paths at stations."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ import numpy.typing as npt
 
 
 class Folding:
-    """The path of one sheet, with a row for each station. Made by `Pattern.fold` and `Catalogue.replay`.
+    """The folding path of a sheet, with a row for each station. Made by `Pattern.fold` and `Catalogue.replay`.
 
     `pilot_deg`        [S]: the stations
-    `length_mm`        [S, G]: of the diagonals
+    `length_mm`        [S, G]: lengths of the diagonals
     `rate_mm_per_deg`  [S, G]: their rates of change with the pilot angle
-    `fold_angle_deg`   [S, C]: of the creases: 0 flat, 180 closed, valleys positive
-    `vertices_mm`      [S, V, 3]: the folded sheet, laid over the flat one as well as it can be
+    `fold_angle_deg`   [S, C]: fold angles of the creases: 0 flat, 180 closed, valleys positive
+    `vertices_mm`      [S, V, 3]: the folded sheet, placed with the least distance from the flat one
     `flat_mm`          [G]: lengths of the diagonals when flat
-    `shifts_mm`        [V, 2]: of this sheet
-    `fold_limit_deg`   where the pilot turns, or how far the path was followed
-    `deploys_from_deg` D: the largest sample up to which everything is in order
-    `first_fault`      what ends that, one of `misalign.faults`; "none" at the end of the path
-    `fault_deg`        the sample that shows it, None where there is none
-    `where`            the label of the crease or diagonal that shows it, None where none does
-    `bump_between_samples`  where a diagonal first goes back and on again between two samples up to D, or as the
-                       first fault: {"from_deg", "where"}; None where none does
-    `accepted`         of a campaign's sheet, whether it is a candidate; None of a pattern's
+    `shifts_mm`        [V, 2]: shifts of this sheet
+    `fold_limit_deg`   largest pilot angle of the path, or the angle up to which it was followed
+    `deploys_from_deg` D: the largest sample up to which there is no fault
+    `first_fault`      the fault after D, one of `misalign.faults`; "none" at the end of the path
+    `fault_deg`        the sample that shows it; None without one
+    `where`            label of the crease or diagonal that shows it; None without one
+    `bump_between_samples`  the first reversal and return of a diagonal between two samples up to D, or at the
+                       first fault: {"from_deg", "where"}; None without one
+    `accepted`         True if a campaign's sheet is a candidate; None for a pattern
 
     >>> folding = misalign.read("search/patterns/table1.json").fold()
     >>> folding.deploys_from_deg, folding.first_fault, folding.fault_deg, folding.where

@@ -19,10 +19,10 @@ faults: tuple[str, ...] = _misalign.faults
 class Verdicts:
     """Verdicts on N sheets. Made by `misalign.judge`.
 
-    `deploys_from_deg`  [N], float64: D, the largest sample up to which everything is in order
-    `first_fault`       [N], uint8: what ends that, an index into `misalign.faults` (which has the names that
-                        `Folding.first_fault` says); `fault` is an older name of the same array
-    `where`             [N], int32: the diagonal that shows it (of over_folded and assignment_flipped the
+    `deploys_from_deg`  [N], float64: D, the largest sample up to which there is no fault
+    `first_fault`       [N], uint8: the fault after D, an index into `misalign.faults` (with the names of
+                        `Folding.first_fault`); `fault` is an older name of the same array
+    `where`             [N], int32: the diagonal that shows it (for over_folded and assignment_flipped the
                         crease) by its number in the pattern, or -1
 
     >>> pattern = misalign.read("search/patterns/table1.json")
@@ -57,24 +57,24 @@ def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike,
 
 def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike,
           threshold_deg: float | None = None) -> Verdicts | npt.NDArray[np.bool_]:
-    """Judges N sheets, in lanes: each the pattern with these shifts instead of its own.
+    """Judges N sheets in lanes: the pattern with each of these shifts instead of its own.
 
     `pattern`        a campaign's sheets are judged as its draws are, and fastest
-    `shifts_mm`      [N, V, 2]: x and y of every vertex; any kind of number, of which doubles that lie one
-                     after another are not copied
-    `threshold_deg`  a whole multiple of `sample_deg`: asks only which sheets deploy from there. Most are
+    `shifts_mm`      [N, V, 2]: x and y of every vertex, of any numeric type; contiguous doubles
+                     are not copied
+    `threshold_deg`  a whole multiple of `sample_deg`, to judge only whether sheets deploy from it. Most are
                      rejected before their path is followed, a thousand times faster than all verdicts
 
-    Without a threshold `Verdicts`, each on its full path; with one a bool array [N]: accepted or not.
-    Verdicts are those of the program, whatever the machine. Those of members of the parallel family, all of whose creases
-    close at 180 degrees at once, end at the sample before, as those of `Pattern.fold` do.
+    Returns `Verdicts`, each on its full path, or with a threshold a bool array [N]: accepted or not.
+    Verdicts are those of the program on any machine. For members of the parallel family, whose creases all
+    close at 180 degrees at once, they end at the sample before, as in `Pattern.fold`.
 
-    Works on one core and without Python's lock: threads judge side by side. Ctrl-C ends it within a
-    second. What is made ready for a pattern and a threshold (a tenth of a second, less on small sheets) is
-    kept for the next call, for the last four.
+    Uses one core without Python's lock, so that threads can judge in parallel. Ctrl-C ends it within a
+    second. The model of a pattern and a threshold (a tenth of a second to build, less for small sheets) is
+    cached for further calls, for the last four.
 
-    `misalign.Error` (2) for another shape, shifts that are not finite or so large that a facet is not
-    convex any more, and no such threshold. `misalign.UndecidedError` where a threshold is asked for and a sheet
+    `misalign.Error` (2) for another shape, shifts that are not finite, shifts with which a facet is not
+    convex, and impossible thresholds. `misalign.UndecidedError` if a threshold is given and a sheet
     cannot be judged.
 
     >>> campaign = misalign.read("search/campaigns/miura-4x4.json")

@@ -20,10 +20,10 @@ def _design(from_deg: float | None = None, stiffness_n_per_mm: float | None = No
             stroke_limit: float | None = None, friction_n_mm_per_mm: float | None = None,
             thickness_mm: float | None = None, miscut_mm: float | None = None,
             preload_n: float | None = None) -> str:
-    """What a call says before the pattern's design does."""
+    """Returns the design of a call, which overrides the pattern's."""
     for name, value in list(locals().items()):
         if value is not None and not (isinstance(value, (int, float, np.number)) and np.isfinite(value)):
-            raise Error(f"{name}={value}: is no finite number; name one", 2)
+            raise Error(f"{name}={value}: is no finite number; give one", 2)
     springs = {"stiffness_n_per_mm": stiffness_n_per_mm, "stroke_limit": stroke_limit, "preload_n": preload_n}
     said: dict[str, Any] = {"from_deg": from_deg, "thickness_mm": thickness_mm, "miscut_mm": miscut_mm}
     said["springs"] = {key: value for key, value in springs.items() if value is not None}
@@ -38,27 +38,27 @@ def _said(text: str) -> dict[str, Any]:
 
 
 class Pattern:
-    """A sheet with its holes, and shifts of its own: what a pattern file holds. Made by `misalign.read`.
+    """A sheet with its holes and shifts: the contents of a pattern file. Made by `misalign.read`.
 
-    Vertices and facets are numbered from 0, vertex 0 is called "A1". Arrays cannot be written to. A pickle or a
-    copy holds all of it, and needs no file.
+    Vertices and facets are numbered from 0; vertex 0 is called "A1". Arrays are read only. A pickle or a
+    copy is complete, and needs no file.
 
-    `name`             of the file, without its ending, or of the campaign
-    `vertices_mm`      [V, 2]: x and y of the correct, flat sheet, without shifts
-    `shifts_mm`        [V, 2]: of the file; the sheet that is cut has its vertices at their sum
-    `facets`           [F, 4]: vertices, counter-clockwise; `places` [F, 2]: row and column of each
-    `holes`            facets that are taken out; `panels` [P, 4]: vertices of those that are left
-    `creases`          [C, 2]: vertices; `valley` [C]: whether it is one, or a mountain, seen from +z
+    `name`             name of the file without its ending, or of the campaign
+    `vertices_mm`      [V, 2]: x and y of the flat sheet without shifts
+    `shifts_mm`        [V, 2]: shifts of the vertices; the sum of both is the sheet to cut
+    `facets`           [F, 4]: vertices, counter-clockwise; `places` [F, 2]: their rows and columns
+    `holes`            facets that are taken out; `panels` [P, 4]: vertices of the others
+    `creases`          [C, 2]: vertices; `valley` [C]: True for valleys, False for mountains, seen from +z
     `pilot`            the crease whose fold angle is prescribed
-    `diagonals`        [G, 2]: vertices; two of each hole, in the order of the holes
-    `interior`         vertices that are not on the perimeter
+    `diagonals`        [G, 2]: vertices; two diagonals per hole, in the holes' order
+    `interior`         vertices not on the perimeter
     `vertex_labels`, `crease_labels`, `diagonal_labels`: such as "A1", "A2-A9"
-    `sample_deg`       the samples, by which sheets are judged, are its multiples
-    `end_deg`          up to this pilot angle
-    `between_samples`  whether going back between two samples is a fault: False, True (by cubics), "exact"
-    `design`           what it is built of and used for, every key (the block `design` of files)
-    `reading`          sentences: how a mesh was taken where its file leaves a choice
-    `exported`         what an exported candidate's file says of it, None for other patterns
+    `sample_deg`       angle between samples, at which sheets are judged
+    `end_deg`          largest pilot angle of the samples
+    `between_samples`  faults between two samples: False to ignore them, True to find them on cubics, "exact" on the path
+    `design`           material, springs, hinges and use: every key of the block `design` of files
+    `reading`          sentences on how an ambiguous mesh file was read
+    `exported`         values in an exported candidate's file; None for other patterns
 
     >>> pattern = misalign.read("search/patterns/table1.json")
     >>> pattern.vertices_mm.shape, len(pattern.holes), pattern.crease_labels[pattern.pilot]
@@ -108,14 +108,14 @@ class Pattern:
         return type(self), (self._sheet,)
 
     def fold(self, stations: npt.ArrayLike | None = None, shifts_mm: npt.ArrayLike | None = None) -> Folding:
-        """Follows the folding path of the sheet, past faults, as far as it goes.
+        """Follows the folding path of the sheet to its end, past faults.
 
-        `stations`   pilot angles in degrees, ascending, 0 for flat and others from 0.01 to 180,
-                     at which to look at it; every sample if there are none. Beyond `end_deg` they let the path go on to the last
-                     of them. Rows beyond the path's end (`Folding.fold_limit_deg`) are NaN.
-        `shifts_mm`  [V, 2], instead of the pattern's own
+        `stations`   pilot angles in degrees, ascending, 0 for flat and others from 0.01 to 180; None for every sample.
+                     Stations beyond `end_deg` extend the path. Rows beyond the path's end (`Folding.fold_limit_deg`)
+                     are NaN.
+        `shifts_mm`  [V, 2], replace the pattern's
 
-        Besides the stations every sample is solved: the verdict is by samples. Numbers are those of
+        Every sample is solved too, since the verdict depends on samples. Values are those of
         `misalign fold --json` and `misalign replay --json` with the same stations. `misalign.Error` (2) for
         stations that do not ascend, and for shifts that are too large, not finite or of another shape.
 
@@ -128,7 +128,7 @@ class Pattern:
         return Folding(_misalign.fold(self._sheet, shifts_mm, stations))
 
     def with_shifts(self, shifts_mm: npt.ArrayLike, name: str | None = None) -> Pattern:
-        """Another sheet of this pattern, [V, 2] in mm, with its sampling and design.
+        """Returns the pattern with other shifts, [V, 2] in mm, and the same sampling and design.
 
         `misalign.Error` (2) as from `fold`.
 
@@ -140,7 +140,7 @@ class Pattern:
         return Pattern(_misalign.with_shifts(self._sheet, shifts_mm, self.name if name is None else name))
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes a file that every command of the program takes, and `misalign.read`.
+        """Writes a file that every command of the program and `misalign.read` can read.
 
         >>> pattern = misalign.read("search/patterns/table1.json")
         >>> pattern.write("again.json")
@@ -150,13 +150,13 @@ class Pattern:
         _misalign.write(self._sheet, os.fspath(path))
 
     def contact(self, from_deg: float | None = None, trim_mm: float | None = None) -> dict[str, Any]:
-        """Where its panels meet, and how thick they may be: what `misalign contact --json` says.
+        """Studies contact of its panels and their largest thickness: the JSON of `misalign contact`.
 
-        `from_deg`  the sheet is used between this pilot angle and flat; none: the design's, or D
-        `trim_mm`   how far corners of plates are trimmed
+        `from_deg`  pilot angle between which and flat the sheet is used; None for the design's, or D
+        `trim_mm`   trim of the plates' corners
 
-        `misalign.Error` (2) where these do not fit the sheet, (1) where its path is lost or its panels are too
-        thin to bend; so with all studies below.
+        All studies raise `misalign.Error`: 2 for values that do not fit the sheet, 1 if its path is lost or its panels
+        are too thin to bend.
 
         >>> pattern = misalign.read("search/patterns/table1.json")
         >>> pattern.contact(from_deg=90)["thickness"]["reaches_deg"]
@@ -166,9 +166,9 @@ class Pattern:
 
     def actuators(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
                   stroke_limit: float | None = None, preload_n: float | None = None) -> dict[str, Any]:
-        """Springs on its diagonals: what `misalign actuators --json` says, its lists of numbers as arrays.
+        """Studies springs on its diagonals: the JSON of `misalign actuators`, with arrays for lists of numbers.
 
-        What is not given is the design's.
+        Values not given are the design's.
 
         >>> springs = misalign.read("search/patterns/table1.json").actuators(from_deg=140, stiffness_n_per_mm=2)
         >>> len(springs["forces"]), springs["history"]["energy_n_mm"].shape
@@ -180,9 +180,9 @@ class Pattern:
     def deploy(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
                friction_n_mm_per_mm: float | None = None, thickness_mm: float | None = None,
                preload_n: float | None = None, bend: bool | None = None) -> dict[str, Any]:
-        """Its motion after release: what `misalign deploy --json` says, its lists of numbers as arrays.
+        """Studies its motion after release: the JSON of `misalign deploy`, with arrays for lists of numbers.
 
-        What is not given is the design's. `bend`: also of panels that bend, under "bent"; none: where the design
+        Values not given are the design's. `bend`: True to add bending panels, under "bent"; None to do so if the design
         names a material.
 
         >>> let_go = misalign.read("search/patterns/table1.json").deploy(from_deg=90)
@@ -193,7 +193,7 @@ class Pattern:
             from_deg, stiffness_n_per_mm, None, friction_n_mm_per_mm, thickness_mm, preload_n=preload_n), bend))
 
     def gradient(self, stations: npt.ArrayLike) -> dict[str, Any]:
-        """How it changes with where its vertices lie on the flat sheet, the pilot's angle held: exact, by the adjoint.
+        """Returns exact gradients by the vertices' flat coordinates at fixed pilot angles, by the adjoint method.
 
         `stations`  pilot angles in degrees, ascending, 0 for flat; NaN beyond the path's end
 
@@ -201,7 +201,7 @@ class Pattern:
         [S, C, V, 2] of the creases (degrees per mm), `slope_mm_per_rad` [S, G] and `slope_by_mm` [S, G, V, 2] of the
         diagonals by the pilot's angle, `folded_mm` [S, V, 3] and `folded_by_mm` [S, V, 3, V, 2] of the folded sheet, its
         first panel held where it lies on the flat sheet whose A1 is moved to the origin (NaN flat; `fold` lays its shapes over
-        the flat sheet as it is), `fold_limit_by_mm` [V, 2], None where it folds to 180 degrees.
+        the flat sheet as it is), `fold_limit_by_mm` [V, 2], None if it folds to 180 degrees.
 
         >>> found = misalign.read("search/patterns/table1.json").gradient([36, 90])
         >>> found["length_by_mm"].shape, found["fold_by_mm"].shape, found["fold_limit_by_mm"].shape
@@ -220,18 +220,18 @@ class Pattern:
                  stiffness_within: Sequence[float] = (), preload_within: Sequence[float] = (),
                  rest_deg: float | None = None, miscut_mm: float = 0.05, trials: int = 200,
                  ) -> tuple[Pattern, dict[str, Any]]:
-        """A better sheet near this one, and what `misalign optimise --json` says of it.
+        """Optimises this sheet; returns the optimum and the JSON of `misalign optimise`.
 
-        `goal`              any that `misalign optimise --help` lists
-        `amplitude_mm`      no vertex farther in x or y; none: the largest of its own shifts
-        `deploys_from_deg`  it still deploys from there; none: its own D
-        `ternary`           shifts of nothing or the amplitude alone
-        `grid_mm`           whole multiples of it alone, those of this sheet rounded
-        `within_family`     only among members of the base's parallel family
-        `subject_to`        what every step keeps: `"stroke_max <= 0.06"`, `"miscut_margin_mm >= 0.1"`
-        `stiffness_within`, `preload_within`  least and most of what springs may have: then it is chosen, too
-        `rest_deg`          pilot angle where springs are relaxed; none: flat
-        `miscut_mm`, `trials`  of the copies whose `yield` is asked
+        `goal`              objective, any that `misalign optimise --help` lists
+        `amplitude_mm`      bound of the shifts in x and y; None for the largest of its shifts
+        `deploys_from_deg`  D that it must keep; None for its D
+        `ternary`           shifts of 0 and ± the amplitude alone
+        `grid_mm`           grid of the shifts; those of this sheet are rounded to it
+        `within_family`     True for members of the base's parallel family alone
+        `subject_to`        constraints: `"stroke_max <= 0.06"`, `"miscut_margin_mm >= 0.1"`
+        `stiffness_within`, `preload_within`  bounds of the springs' stiffness and preload, which are optimised too
+        `rest_deg`          pilot angle at which springs are relaxed; None for flat
+        `miscut_mm`, `trials`  cutting error and number of copies, for yields
 
         >>> better, said = misalign.read("search/patterns/table1.json").optimise(deploys_from_deg=150, ternary=True)
         >>> said["after_n_mm_per_mm"] > 5 * said["before_n_mm_per_mm"], better.fold().deploys_from_deg >= 150
@@ -245,9 +245,9 @@ class Pattern:
         return Pattern(_misalign.read_document(text(said["pattern"]), "optimised")), said
 
     def card(self, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:
-        """What its design asks and what was found: what `misalign card --json` says.
+        """Judges the sheet by the requirements of its design: the JSON of `misalign card`.
 
-        `trials`, `jobs`  of miscut copies, and of joints with play
+        `trials`, `jobs`  number of miscut copies and of copies with play, and of threads
 
         >>> card = misalign.read("search/patterns/table1.json").card()
         >>> card["passes"], [line["key"] for line in card["lines"]][:2]
@@ -257,11 +257,11 @@ class Pattern:
 
     def tolerance(self, amplitude_mm: float | None = None, trials: int = 1000, jobs: int = 1,
                   from_deg: float | None = None) -> dict[str, Any]:
-        """How many miscut copies still deploy: what `misalign tolerance --json` says of a pattern.
+        """Studies the yield of miscut copies: the JSON of `misalign tolerance` for a pattern.
 
-        `amplitude_mm`  largest error of a vertex in x and in y; none: the design's `miscut_mm`
-        `from_deg`      from which copies are to deploy; none: the design's, or D
-        `jobs`          threads; the answer does not depend on them
+        `amplitude_mm`  largest cutting error of a vertex in x and in y; None for the design's `miscut_mm`
+        `from_deg`      D that copies must reach; None for the design's, or the sheet's
+        `jobs`          number of threads; the result does not depend on it
 
         >>> pattern = misalign.read("search/patterns/table1.json")
         >>> pattern.tolerance(0.01, trials=20, from_deg=90)["from_threshold"]["copies"]
@@ -272,10 +272,10 @@ class Pattern:
         return _said(_misalign.tolerance(self._sheet, _design(from_deg, miscut_mm=amplitude_mm), trials, jobs))
 
     def certify(self, from_deg: float | None = None, contact: bool = False) -> dict[str, Any]:
-        """A proof up to that angle: the "certificate" that `misalign certify --json` writes.
+        """Makes a certificate up to an angle: the "certificate" in the JSON of `misalign certify`.
 
-        `from_deg`  none: the design's, or D
-        `contact`   also that no panels meet
+        `from_deg`  pilot angle to certify; None for the design's, or D
+        `contact`   True to prove also that no panels meet
 
         >>> misalign.read("search/patterns/table1.json").certify(from_deg=20)["certified_deg"]
         20.0

@@ -1,4 +1,4 @@
-"""Reads what files hold."""
+"""Reads files."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from misalign._pattern import Pattern
 
 
 def read(path: str | os.PathLike[str] | Mapping[str, Any]) -> Pattern | Campaign:
-    """What a file, or a dict that says the same, holds: a `Campaign`, or a `Pattern` (a pattern file, a FOLD file, or an exported candidate).
+    """Reads a file, or a dict with the same contents: a `Campaign`, or a `Pattern` (pattern file, FOLD file, exported candidate).
 
     `misalign.Error` (3) with every fault of the file, (2) for a catalogue, which `misalign.Catalogue` opens.
 

@@ -112,7 +112,7 @@ TEST(FoldFaults, NameThePlace) {
          m["edges_assignment"].push_back("B");
        },
        1,
-       {"edge A1-A2", "is there twice"}},
+       {"edge A1-A2", "occurs twice"}},
       {"two missing faces side by side",
        [](Json& m) {
          m["faces_vertices"].erase(6);

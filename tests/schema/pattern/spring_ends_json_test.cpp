@@ -76,7 +76,7 @@ TEST(SpringEndsJson, VerticesAreNoOtherCampaign) {
 
 TEST(SpringEndsJson, WhatCannotBeIsRefused) {
   const char* const key = "pattern.springs.attach";
-  expect_fault(attached("7"), {key, "is no place where springs end"});
+  expect_fault(attached("7"), {key, "is no place of springs' ends"});
   expect_fault(attached(R"({"inset_mm": -1})"), {key, "inset_mm"});
   expect_fault(attached(R"({"inset_mm": 500})"), {key, "lies outside the panel"});
   expect_fault(attached(R"({"inset": 5})"), {key, "the keys are inset_mm, offset_mm, points"});
@@ -89,7 +89,7 @@ TEST(SpringEndsJson, WhatCannotBeIsRefused) {
   Json few = attached(R"({"inset_mm": 6})");
   few["pattern"]["holes"] = Json::parse("[[1, 2]]");
   few["misalignment"] = {{"kind", "parallel"}, {"vertices", "all"}};
-  expect_fault(few, {key, "with so few holes"});
+  expect_fault(few, {key, "overconstrained"});
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ TEST(ReportStress, OfAnotherSheetIsRefused) {
     FAIL() << "a panel that is there twice";
   } catch (const UserError& error) {
     EXPECT_EQ(error.cause(), Cause::bad_input);
-    EXPECT_NE(std::string(error.what()).find("has other panels"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("its panels are not"), std::string::npos);
   }
 }
 

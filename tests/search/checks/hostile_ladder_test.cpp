@@ -111,8 +111,7 @@ TEST_F(HostileLadder, LevelsAndParticlesOfAnotherCampaign) {
   EXPECT_EQ(refused([&] { look(other); }), "");
   EXPECT_NE(verified(other).find("level.score"), std::string::npos);
   EXPECT_NE(joined({other}).find("level.score"), std::string::npos);
-  EXPECT_NE(refused([&] { climb(other, 3); }).find("are not those of its campaign"),
-            std::string::npos);
+  EXPECT_NE(refused([&] { climb(other, 3); }).find("do not fit its campaign"), std::string::npos);
   const std::string more = attacked("UPDATE population SET particles = 21 WHERE level = 1");
   EXPECT_NE(verified(more).find("level 1, particles is 21 as stored, 20"), std::string::npos);
 }

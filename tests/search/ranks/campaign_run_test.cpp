@@ -18,8 +18,8 @@ TEST(CampaignRun, RanksThatSendAnotherLayoutAreNamedWithTheirHosts) {
     FAIL();
   } catch (const schema::UserError& error) {
     EXPECT_STREQ(error.what(),
-                 "rank 2 on two sends its results in another layout than rank 0 on one (another "
-                 "build); put the same program on every host");
+                 "rank 2 on two sends its results in another layout than rank 0 on one (it is "
+                 "another build); install the same build on every host");
   }
 }
 
@@ -52,7 +52,7 @@ TEST(CampaignRun, ASecondRequestAtOnceIsTheFirstAgain) {
   };
   EXPECT_EXIT(ask_twice(std::chrono::milliseconds(0)), testing::ExitedWithCode(9), "");
   EXPECT_EXIT(ask_twice(std::chrono::milliseconds(600)), testing::ExitedWithCode(130),
-              "asked twice to stop.*same command goes on");
+              "asked twice to stop.*same command resumes");
 }
 
 }  // namespace

@@ -215,8 +215,8 @@ TEST(CertificateText, NeverSaysMoreThanIsCertified) {
   const schema::NamedCertificate sheet = schema::named_certificate("draw 7", row, true);
   EXPECT_EQ(sheet.bytes, 2000u);
   const std::string text = certified_text(sheet);
-  EXPECT_NE(text.find("to 156.1549 deg of 180;"), std::string::npos) << text;
-  EXPECT_NE(text.find("A10-A18 turns back"), std::string::npos) << text;
+  EXPECT_NE(text.find("to 156.1549 deg of 180 requested;"), std::string::npos) << text;
+  EXPECT_NE(text.find("A10-A18 reverses"), std::string::npos) << text;
   row.intervals = 0;
   row.certified_deg = 0;
   row.end = "flat_branch";
@@ -228,7 +228,7 @@ TEST(CertificateText, NeverSaysMoreThanIsCertified) {
     row.end = "to_the_end";
     row.intervals = 1;
     const std::string whole = certified_text(schema::named_certificate("draw 7", row, true));
-    EXPECT_LT(whole.find(" deg, as asked"),
+    EXPECT_LT(whole.find(" deg, as requested"),
               std::string("draw 7: certified from flat to 123.4x").size())
         << whole;
   }
@@ -248,7 +248,7 @@ TEST(CertificateText, OfManyIsASummary) {
     sheets.push_back(schema::named_certificate("draw " + std::to_string(k), row, k > 4));
   }
   const std::string text = certified_text(sheets);
-  for (const char* part : {"reversal", "to_the_end", "all", "; 5 were there already"}) {
+  for (const char* part : {"reversal", "to_the_end", "all", "; 5 existed already"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
   }
   EXPECT_EQ(text.find("draw"), std::string::npos);
@@ -260,7 +260,7 @@ TEST(CertificateText, OfACheckSaysWhatHasNone) {
   schema::CertificateCheck check{2, 2, 1, {}, {{"to_the_end", 2}}};
   EXPECT_EQ(check_text(check),
             "2 certificates checked: all hold, up to their certified angles; 1 sheet without a "
-            "certificate\nwhat ends it is proven of 2 (to_the_end 2)\n");
+            "certificate\nproven ends: 2 (to_the_end 2)\n");
   EXPECT_EQ(schema::check_json(check)["good"], true);
   check = {1, 3, 0, {{9, {}, "why"}}};
   const std::string text = check_text(check);
@@ -278,12 +278,11 @@ TEST(CertificateText, OfACheckSaysWhichEndsAreProven) {
     const bool by_itself = end == solver::CertificateEnd::to_the_end;
     EXPECT_EQ(solver::is_proven(end), by_itself || needs_closing(end)) << solver::name_of(end);
   }
-  EXPECT_EQ(
-      check_text(check),
-      "8 certificates checked: all hold, up to their certified angles\n"
-      "what ends it is proven of 4 (over_folded 1, reversal 1, sign_changed 1, to_the_end 1)\n"
-      "what ends it is not proven of 4 (contact 1, flat_branch 1, fold_limit 1, unclear_slope "
-      "1): there the proof stops, for whatever reason\n");
+  EXPECT_EQ(check_text(check),
+            "8 certificates checked: all hold, up to their certified angles\n"
+            "proven ends: 4 (over_folded 1, reversal 1, sign_changed 1, to_the_end 1)\n"
+            "unproven ends: 4 (contact 1, flat_branch 1, fold_limit 1, unclear_slope 1); the proof "
+            "merely stops there\n");
   EXPECT_EQ(schema::check_json(check)["ends"]["proven"].size(), 4u);
   EXPECT_EQ(schema::check_json(check)["ends"]["unproven"]["fold_limit"], 1);
 }

@@ -194,7 +194,7 @@ TEST(ClimbDispatcher, AscentsAreSharedOut) {
     particles.push_back(other.lo);
   }
   EXPECT_EQ(particles, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_EQ(all.under_way(), "population 0 from its sheets to better ones");
+  EXPECT_EQ(all.under_way(), "population 0, optimising its sheets");
   all.finish(0, invented(*order, order->lo));  // stopped on its way
   EXPECT_EQ(all.assign(0)->lo, 0u);
 }

@@ -74,14 +74,13 @@ TEST(Studies, SayThatPanelsAreTooThin) {
 TEST(Studies, SayThatASheetIsOverconstrained) {
   const Subject few = subject_of(
       {{"family", "miura"}, {"rows", 6}, {"columns", 6}, {"holes", {{1, 2}, {3, 4}, {4, 1}}}});
-  expect_refused([&] { optimised(few, {}); }, Cause::bad_request,
-                 "it: it has fewer holes than count to one degree of freedom");
+  expect_refused([&] { optimised(few, {}); }, Cause::bad_request, "it: it is overconstrained");
 }
 
 // A build without a library cannot be had here: the sentence alone.
 TEST(Studies, SayWhatThisBuildLacks) {
   const auto refuse = [](NoResult reason) {
-    throw study_error(reason, "it", "it cannot be let go");
+    throw study_error(reason, "it", "it cannot be released");
   };
   expect_refused([&] { refuse(NoResult::not_in_this_build); }, Cause::failure,
                  "a deployment needs SUNDIALS");

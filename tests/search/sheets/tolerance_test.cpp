@@ -230,7 +230,7 @@ TEST_F(ToleranceTest, BacklashIsThatOfItsTrials) {
   EXPECT_EQ(other.largest_mm, backlash.largest_mm);
   EXPECT_EQ(other.one_way_to(other.own_deg), one_way(0.04));
   const std::string text = backlash_text({"draw 17", backlash, campaign_.threshold_deg});
-  EXPECT_NE(text.substr(text.rfind('\n', text.size() - 2)).find("95 % one way up to"),
+  EXPECT_NE(text.substr(text.rfind('\n', text.size() - 2)).find("95 % clearance"),
             std::string::npos)
       << text;
   EXPECT_EQ(schema::backlash_json(backlash, 150)["one_way"]["trials"], one_way(0.02));
@@ -241,7 +241,7 @@ TEST_F(ToleranceTest, TheAnswerComesLast) {
   const Tolerance tolerance = study(kAmplitude_mm, 20);
   const std::string text = tolerance_text({"draw 17", tolerance});
   const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
-  EXPECT_EQ(last.find("still from 150 "), 0u) << text;
+  EXPECT_EQ(last.find("yield from 150 "), 0u) << text;
   EXPECT_LT(text.find("one vertex alone"), text.find("draw 17"));
   Tolerance worse = tolerance;
   worse.copies = {};

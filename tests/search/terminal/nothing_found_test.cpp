@@ -45,8 +45,9 @@ TEST(NothingFound, SaysFromWhereDrawsSurviveAndHowRareTheOthersAre) {
   for (const char* part :
        {"in 1024000 draws", "from 175 deg is below 2.9e-06 (3/n, 95 %)", "more than 341333 draws",
         "half of the draws deploy from 40 deg", "one in ten from 80 deg",
-        "one in a hundred from 120 deg", "the deepest seen 131 deg", "a guess", "(a guess, too)",
-        "accept.deploys_from_deg = 1", "amplitude_mm", "search/manual/how-to/rare.md"}) {
+        "one in a hundred from 120 deg", "the largest angle seen is 131 deg", "a guess",
+        "(a guess, too)", "accept.deploys_from_deg = 1", "amplitude_mm",
+        "search/manual/how-to/rare.md"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " is not in:\n" << text;
   }
   EXPECT_EQ(text.find("one in a thousand from"), std::string::npos) << text;  // one row is too few
@@ -133,7 +134,7 @@ TEST(NothingFound, UndecidedDrawsMayBeAcceptedOnes) {
   schema::CatalogueState state = nothing_in(1000);
   state.undecided = 10;
   const std::string text = all_of(nothing_found(Survival(1, 180), state));
-  EXPECT_NE(text.find("is below 0.018 (95 %, should the 10 undecided"), std::string::npos) << text;
+  EXPECT_NE(text.find("is below 0.018 (95 %, if the 10 undecided"), std::string::npos) << text;
   EXPECT_NE(text.find("more than 54 draws"), std::string::npos) << text;
 }
 

@@ -96,7 +96,7 @@ TEST(StatusText, CompleteOrEndlessOrAtAHigherThreshold) {
 
 TEST(NextStep, FollowsFromTheState) {
   EXPECT_EQ(next_step(state(200, 50, 10), "a.db", ""),
-            "misalign search CAMPAIGN.json --catalogue a.db --draws 210 goes on");
+            "misalign search CAMPAIGN.json --catalogue a.db --draws 210 resumes");
   schema::CatalogueState beyond = state(200, 0, 0);
   beyond.draws_in_ledger = 5000;
   EXPECT_NE(next_step(beyond, "a.db", "").find("has more draws"), std::string::npos);
@@ -107,14 +107,14 @@ TEST(NextStep, FollowsFromTheState) {
   part.seed = 7;
   EXPECT_EQ(next_step(part, "a.db", "c.json"),
             "misalign search c.json --catalogue a.db --draws 210 --relative-error 0.05 --range "
-            "1000:900000 --seed 7 goes on");
+            "1000:900000 --seed 7 resumes");
   EXPECT_EQ(next_step(state(200, 50, 10), "a.db", "my campaign.json"),
-            "misalign search 'my campaign.json' --catalogue a.db --draws 210 goes on");
+            "misalign search 'my campaign.json' --catalogue a.db --draws 210 resumes");
   EXPECT_NE(next_step(state(200, 50, 0), "it's.db", "").find("misalign query 'it'\\''s.db' best"),
             std::string::npos);
   // No shell and no program takes a file for an option.
   EXPECT_EQ(next_step(state(200, 50, 10), "-x.db", "-c.json"),
-            "misalign search ./-c.json --catalogue ./-x.db --draws 210 goes on");
+            "misalign search ./-c.json --catalogue ./-x.db --draws 210 resumes");
   EXPECT_EQ(next_step(state(200, 50, 0), "- x.db", "").find("misalign query './- x.db' best"), 0u);
   const std::string nothing = next_step(state(200, 0, 0), "a.db", "");
   EXPECT_NE(nothing.find("misalign report a.db"), std::string::npos) << nothing;

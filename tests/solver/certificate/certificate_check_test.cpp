@@ -15,6 +15,11 @@
 namespace misalign::solver {
 namespace {
 
+// The certificate with its states rounded as in encoding.
+Certificate as_kept(const Mechanism& mechanism, const Certificate& certificate) {
+  return *decode(mechanism, encode(mechanism, certificate));
+}
+
 // A sheet of 4 x 4 with shifts of 0.4 mm, some drawn before it, and its certificate as it is kept.
 struct CertifiedSheet {
   CertifiedSheet(int draw, double asked_deg) : vertices_mm(sheet.base.sheet.vertices_mm) {

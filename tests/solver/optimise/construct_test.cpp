@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "solver/linear/simplex.hpp"
+#include "tests/solver/parallel_coordinates.hpp"
 #include "tests/solver/sheets.hpp"
 
 namespace misalign::solver {
@@ -106,7 +107,7 @@ TEST(Construct, NoRandomMemberHasALargerStroke) {
   const ConstructOptions options{.amplitude_mm = 0.01, .stroke = {}, .at_deg = 120, .signs = {}};
   const Made made(6, 6, false, options);
   ASSERT_TRUE(made.studied);
-  const Eigen::VectorXd best = made.family.coordinates_of(made.studied->shifts_mm);
+  const Eigen::VectorXd best = coordinates_of(made.family, made.studied->shifts_mm);
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 300; ++trial) {

@@ -73,7 +73,7 @@ TEST_P(ForeseenGoals, ChangeAsTheySay) {
     constexpr double kSize_mm = 2e-4;
     const VectorXd change_mm = none.unaryExpr([&](double) { return kSize_mm * part(random_); });
     double row = 0;
-    for (const LocalGoal& one : local.goals) row = std::max(row, one.row.norm() / one.over);
+    for (const GoalTerm& one : local.goals) row = std::max(row, one.row.norm() / one.divisor);
     worst = std::max(worst, std::abs(left(change_mm)) / (row * change_mm.norm()));
     for (Index k = 0; k < local.coordinates; ++k) {
       if (!by.range(k)) continue;

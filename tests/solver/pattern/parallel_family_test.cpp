@@ -4,6 +4,7 @@
 
 #include "solver/kinematics/diagonals.hpp"
 #include "tests/solver/families.hpp"
+#include "tests/solver/parallel_coordinates.hpp"
 #include "tests/solver/sheets.hpp"
 
 namespace misalign::solver {
@@ -113,7 +114,7 @@ void expect_closed_forms(const PerforatedSheet& base, double largest_mm, double 
     if (family.dimension() == 0) continue;
     const Eigen::Matrix2Xd shifts = random_member(family, largest_mm, random);
     EXPECT_LE(parallel_misfit(base, shifts).mm, 1e-11);
-    const Eigen::VectorXd coordinates = family.coordinates_of(shifts);
+    const Eigen::VectorXd coordinates = coordinates_of(family, shifts);
     EXPECT_LE((family.shifts_mm(coordinates) - shifts).cwiseAbs().maxCoeff(), 1e-10);
     const auto motions = family.motions(shifts);
     SheetGeometry<double> geometry;
@@ -223,7 +224,7 @@ TEST(ParallelFamily, HasThePapersOwnDraws) {
   for (const double a_mm : {0.4, 4.0, 8.0}) {
     const Eigen::Matrix2Xd shifts = ternary_member(sheet.base.sheet, a_mm);
     EXPECT_EQ(parallel_misfit(sheet.base, shifts).mm, 0);
-    EXPECT_LE((family.shifts_mm(family.coordinates_of(shifts)) - shifts).cwiseAbs().maxCoeff(),
+    EXPECT_LE((family.shifts_mm(coordinates_of(family, shifts)) - shifts).cwiseAbs().maxCoeff(),
               1e-14);
     for (const HoleMotion& motion : family.motions(shifts)) EXPECT_NE(motion.direction(), 0);
   }
