@@ -100,7 +100,8 @@ TEST(KitSprings, AContradictionNamesItsKinds) {
       spring({1, 2}, lengthens, constant),  spring({1, 1}, constant, lengthens),
       spring({1, 2}, lengthens, reverses)};
   const std::string words = contradiction_of(springs);
-  EXPECT_EQ(words.find("5 of 7 springs contradict the verdict (2 oppose their diagonals"), 0u) << words;
+  EXPECT_EQ(words.find("5 of 7 springs contradict the verdict (2 oppose their diagonals"), 0u)
+      << words;
   for (const char* kind : {"1 reverses", "1 keeps its length", "1 changes its length though"}) {
     EXPECT_NE(words.find(kind), std::string::npos) << words;
   }
