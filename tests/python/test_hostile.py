@@ -38,7 +38,7 @@ class Sentences(unittest.TestCase):
     def test_what_is_no_file(self):
         """A name ends at no zero, and what is there is named."""
         for bad in (CATALOGUE + "\0x", "\0", CATALOGUE + "\0"):
-            self.refused(3, "zero is among its letters", misalign.Catalogue, bad)
+            self.refused(3, "its name contains a zero byte", misalign.Catalogue, bad)
             self.refused(3, "cannot be opened", misalign.read, bad)
         os.mkfifo("pipe.db")
         self.refused(3, "pipe.db: is a pipe", misalign.Catalogue, "pipe.db")

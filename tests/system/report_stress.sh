@@ -67,7 +67,7 @@ refuse 3 "is a result for draw $second, which has no details .*; add --draw $sec
 refuse 3 "its panels are not those of its sheet" "$table1" --stress fewer.json
 refuse 3 "its panels are not those of its sheet" "$table1" --stress twice.json
 refuse 2 "like another --stress" few.db --stress first.json --stress first.json
-refuse 2 "is one sheet; give it once" "$table1" --stress "$result" --stress "$result"
+refuse 2 "holds one sheet; give it once" "$table1" --stress "$result" --stress "$result"
 cp first.json kept.json
 "$program" report few.db --stress first.json --output first.json > /dev/null 2> err
 [ $? = 2 ] && cmp -s first.json kept.json || fail "a result that is read would be replaced: $(cat err)"
