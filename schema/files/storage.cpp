@@ -78,8 +78,8 @@ UserError storage_failure(const std::string& written, const SQLite::Exception& e
                                   "see to the disk and to limits of a file's size (ulimit -f)" +
                                   again};
     case SQLITE_NOMEM:
-      return {Cause::failure, path + ": there is too little memory" + what + kept +
-                                  "ask for less at once, or give it more"};
+      return {Cause::failure, path + ": memory has run out" + what + kept +
+                                  "request less at once, or give it more"};
     case SQLITE_READONLY:
       if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK) {
         return {Cause::failure, path +

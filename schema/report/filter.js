@@ -69,7 +69,12 @@ export function parse_filter(typed, candidates) {
   return { holds: (row) => tests.every((test) => test(row)) };
 }
 
-const kName_of = Object.fromEntries(metrics.map(({ label, name }) => [label.toLowerCase(), name]));
+const kName_of = Object.fromEntries(
+  metrics.flatMap(({ label, name }) => [
+    [name.replaceAll("_", " "), name],
+    [label.toLowerCase(), name],
+  ]),
+);
 kName_of.d = "deploys_from_deg"; // the manual's word; the paper's D is a ratio
 // The longest first: “yield” begins “yield low”. A label may end in ± or ², which end no word.
 const kLabels = Object.keys(kName_of).sort((a, b) => b.length - a.length);

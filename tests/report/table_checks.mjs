@@ -42,6 +42,7 @@ function conditions({ candidates: { columns }, actuators, details }) {
     [`draw = ${columns.draw.at(-1)}`, (i) => columns.draw[i] === columns.draw.at(-1)],
     [`${columns.draw[0]}`, (i) => columns.draw[i] === columns.draw[0]],
     [`Stroke max < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
+    [`Largest stroke < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
     [
       `bump = none Longest < ${100 * stroke} %`,
       (i) => columns.bump_deg[i] === null && columns.elongation_max[i] < (100 * stroke) / 100,
@@ -101,7 +102,7 @@ async function mistake_check(page, data) {
       for (const [text, words] of [
         ["strok_max < 1", /no column.*stroke_max/],
         ["stroke_max <", /number is missing/],
-        ["stroke_max < x", /no number/],
+        ["stroke_max < x", /not a number/],
         ["stroke_max 5", /comparison is missing/],
         ["stroke_max < 5", /is a share: write 5%/],
         ["< 5", /name is missing/],
