@@ -181,8 +181,8 @@ std::vector<KitItem> kit_tables(const solver::Sheet& sheet, const std::vector<Ki
     hinges.push_back({solver::line_label(crease.a, crease.b), panel_label(sheet, crease.left),
                       panel_label(sheet, crease.right)});
   }
-  add_blocks("creases cut to fit the bed, to be hinged", {"crease", "panel", "panel"}, hinges,
-             most_height_mm, items);
+  add_blocks("creases cut, to be hinged", {"crease", "panel", "panel"}, hinges, most_height_mm,
+             items);
   return items;
 }
 

@@ -283,7 +283,8 @@ TEST(Faults, ControlCharactersAreShown) {
   };
   EXPECT_EQ(refusal([&] { read_json_file(odd); }).find(shown + ": cannot be opened"), 0u);
   const std::string twice = "{" + Json(odd).dump() + ":1," + Json(odd).dump() + ":2}";
-  EXPECT_EQ(refusal([&] { parse_json(twice, "test"); }).find("test: " + shown + " is there"), 0u);
+  EXPECT_EQ(refusal([&] { parse_json(twice, "test"); }).find("test: " + shown + " occurs twice"),
+            0u);
 }
 
 TEST(Campaign, AnglesAreWholeMultiplesOfTheSample) {

@@ -123,10 +123,10 @@ TEST(Optimisation, WhatCannotBeIsSaid) {
        {"search.from_deg"}},
       {{{"shifts", "binary"}}, {"free"}},
       {{{"shifts", "ternary"}, {"grid_mm", 0.1}}, {"applies only to free shifts"}},
-      {{{"grid_mm", 0.03}}, {"no whole part of misalignment.amplitude_mm = 0.4"}},
+      {{{"grid_mm", 0.03}}, {"does not divide misalignment.amplitude_mm = 0.4"}},
       {{{"most_steps", 0u}}, {"leaves every draw as it is"}},
-      {{{"method", "plain"}}, {"has no goal, limits"}},
-      {{{"method", "splitting"}}, {"has no goal, limits"}},
+      {{{"method", "plain"}}, {"has no objective, constraints"}},
+      {{{"method", "splitting"}}, {"has no objective, constraints"}},
       {{{"particles", 9u}}, {"search.starts = \"draws\"", "has no levels, particles"}},
       {{{"starts", "levels"}}, {"search.starts", "are no starts", "splitting"}},
       {{{"starts_of_population", 9u}}, {"search.starts = \"draws\"", "are of no population"}},
@@ -135,8 +135,8 @@ TEST(Optimisation, WhatCannotBeIsSaid) {
       {{{"starts", "splitting"}, {"particles", 1u}}, {"search.particles", "at least 2"}},
       {{{"starts", "splitting"}, {"particles", 1000000u}, {"sweeps", 10000u}},
        {"more than a population has numbers for"}},
-      {{{"starts", "splitting"}, {"method", "splitting"}}, {"has no goal, limits"}},
-      {{{"starts", "splitting"}, {"method", "plain"}}, {"has no goal, limits"}}};
+      {{{"starts", "splitting"}, {"method", "splitting"}}, {"has no objective, constraints"}},
+      {{{"starts", "splitting"}, {"method", "plain"}}, {"has no objective, constraints"}}};
   for (const auto& [patch, words] : kSaid) {
     SCOPED_TRACE(patch.dump());
     expect_fault(optimising(patch), words);

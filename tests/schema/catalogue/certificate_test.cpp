@@ -90,8 +90,8 @@ TEST_F(CertificateTest, TheProofHoldsColumnsWhoseHashWasMended) {
       {"place", [](CertificateRecord& r) { r.place = ""; }},
       {"contact", [](CertificateRecord& r) { r.contact = true; }},
       {"intervals", [](CertificateRecord& r) { r.intervals = 3; }},
-      {"none of such a sheet", [](CertificateRecord& r) { r.proof.pop_back(); }},
-      {"none of such a sheet", [](CertificateRecord& r) { r.proof.clear(); }},
+      {"cannot belong to such a sheet", [](CertificateRecord& r) { r.proof.pop_back(); }},
+      {"cannot belong to such a sheet", [](CertificateRecord& r) { r.proof.clear(); }},
   };
   for (const auto& [named, change] : kChanges) {
     CertificateRecord changed = good;

@@ -62,7 +62,7 @@ TEST(SpringEndsJson, PointsThatCannotBeAreRefused) {
   refused(point("[1, 2]", "A10", "[0, 1]", "[-8, 0, 0]"),
           {"attach", "lies outside the panel [0,1]"});
   const std::string good = point("[1, 2]", "A10", "[0, 1]", "[8, 0, 0]");
-  refused(good + ", " + good, {key + "[1]", "stands above"});
+  refused(good + ", " + good, {key + "[1]", "repeats a spring's end"});
 }
 
 // What says nothing is the paper's sheet, and leaves its campaigns what they are.
