@@ -21,7 +21,7 @@ class FollowedPaths : public PathSource {
 
   std::optional<PathRecord> record(const FlatVertices& vertices_mm) override {
     ++followed_.as_functions;
-    PathRecord record = std::move(functions_.record(SheetBlock(vertices_mm)).front());
+    PathRecord record = functions_.record(SheetBlock(vertices_mm)).front();
     states_.clear();  // those of a path that had to be followed closely are not used
     assert(record.flat.size() == model_.mechanism().diagonals.size());
     return record;
