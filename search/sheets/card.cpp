@@ -141,7 +141,7 @@ class CardMaker {
     if (hinge_friction > 0) {
       tell("least_thickness_mm",
            fmt::format("Panel thickness for a static margin of {:g}", advice.wanted_margin), "mm",
-           advice.least_thickness_mm, advice.least_thickness_mm ? "" : "no thickness is enough");
+           advice.least_thickness_mm, advice.least_thickness_mm ? "" : "none; see preload_n");
     }
     if (preload && preload->modes.unstable > 0) {
       tell("unstable_modes_at_flat", "Unstable modes at flat", "", {},
@@ -225,8 +225,8 @@ class CardMaker {
       return solver::line_label(diagonal.from, diagonal.to);
     };
     ask("least_stroke_mm",
-        design_.miscut_mm ? "Smallest spring stroke, at least the cutting error"
-                          : "Smallest spring stroke, at least a usual cutting error",
+        design_.miscut_mm ? "Smallest spring stroke, to exceed the cutting error"
+                          : "Smallest spring stroke, to exceed a usual cutting error",
         "mm", design_.miscut_mm.value_or(solver::kLeastStroke_mm), strokes_mm[least],
         Bound::at_least,
         fmt::format("smallest at {}, largest at {}: {:.4g} mm", label(least), label(most),
