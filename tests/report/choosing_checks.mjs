@@ -76,7 +76,7 @@ export async function layout_checks(page, data) {
   await unfiltered(page, "all columns can be reached, and are seen to go on", async () => {
     const grid = by(page, "grid"),
       more = by(page, "table").locator(".side.right");
-    for (const width of [3000, 800]) {
+    for (const width of [2500, 800]) {
       await page.setViewportSize({ width, height: 900 });
       await eventually(
         page,

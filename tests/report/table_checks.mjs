@@ -44,7 +44,7 @@ function conditions({ candidates: { columns }, actuators, details }) {
     [`Stroke max < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
     [`Largest stroke < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
     [
-      `bump = none Longest < ${100 * stroke} %`,
+      `bump = none Largest elongation < ${100 * stroke} %`,
       (i) => columns.bump_deg[i] === null && columns.elongation_max[i] < (100 * stroke) / 100,
     ],
     [`energy_n_mm < ${energy}`, (i) => springs * columns.stretch_sq_mm2[i] < energy],
