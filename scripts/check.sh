@@ -40,7 +40,6 @@ python3 scripts/house.py --check
 python3 scripts/names.py
 python3 scripts/manual.py
 python3 scripts/words.py --check
-git ls-files -z '*.md' 'search/python/*.py' | xargs -0 codespell --ignore-words-list debians,followings
 # mpirun's own options are known to who starts it.
 if git grep -nE '\bkExit[A-Z]|search/verbs/border|^[^/]*"--[a-z]' -- 'solver/*.[ch]pp' 'schema/*.[ch]pp' 'search/*.[ch]pp' \
   ':!search/verbs' ':!search/python/errors.cpp' | grep -vE '"--(host|bind-to)"'; then

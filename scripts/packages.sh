@@ -20,7 +20,7 @@ fi
 site_packages="python3-sphinx python3-myst-parser python3-sphinx-gallery furo python3-numpy python3-pandas
   python3-matplotlib"
 # What tests that are quick need beside a build, and the others.
-quick_packages="libgtest-dev libbenchmark-dev libvalijson-dev libmpfi-dev libmujoco-dev sqlite3 clang-format codespell
+quick_packages="libgtest-dev libbenchmark-dev libvalijson-dev libmpfi-dev libmujoco-dev sqlite3 clang-format
   hunspell hunspell-en-gb python3 octave"
 test_packages="$site_packages calculix-ccx procps mandoc zsh chromium mypy python3-ezdxf curl
   clang-tidy"

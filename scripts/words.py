@@ -61,16 +61,26 @@ def prose(text):
     return re.split(r"\n\s*\n|^\s*(?:[-*]|\d+\.) ", text, flags=re.M)
 
 
+def readable(name):
+    """The prose of a page, or of a module's docstrings without their examples."""
+    text = (ROOT / name).read_text()
+    if name.endswith(".py"):
+        docstrings = re.findall(r'"""(.*?)"""', text, re.S)
+        text = "\n\n".join(re.sub(r"^ *(?:>>>|\.\.\. ).*\n(?: *\S.*\n)?", "", each, flags=re.M) for each in docstrings)
+        text = re.sub(r"^ +", "", text, flags=re.M)
+    return re.sub(r"'s\b", "", "\n\n".join(prose(text)))
+
+
 def openings():
     """Comments that open with a question word or a preposition."""
     for name in cpp():
         inside = False
         for number, line in enumerate((ROOT / name).read_text().splitlines(), 1):
             comment = COMMENT.match(line.lstrip()) or re.search(r"///<(.*)", line)
-            first = re.findall(r"[A-Za-z']+", comment[1])[:1] if comment else []
-            if first and not inside and first[0].lower() in OPENINGS:
+            first = re.match(r" *[`(]?([A-Za-z']+)", comment[1]) if comment else None
+            if first and not inside and first[1].lower() in OPENINGS:
                 yield name, number, line.strip()
-            inside = bool(comment) and line.lstrip().startswith("//")
+            inside = bool(comment and comment[1].strip()) and line.lstrip().startswith("//")
 
 
 def replaced_terms():
@@ -145,9 +155,9 @@ def words_page():
 def misspelled():
     """Words of pages that are in no dictionary and not among the field's."""
     known = set(SPELLING.read_text().lower().split())
-    for name in tracked("*.md", ":!tests/golden"):
+    for name in tracked("*.md", "search/python/*.py", ":!tests/golden"):
         words = subprocess.run(["hunspell", "-l", "-i", "utf-8", "-d", "en_GB"], check=True,
-                               input=re.sub("'s\\b", "", "\n\n".join(prose((ROOT / name).read_text()))), capture_output=True, text=True)
+                               input=readable(name), capture_output=True, text=True)
         for word in sorted(set(words.stdout.split())):
             if word.lower() not in known and re.fullmatch(r"[A-Za-zé]{3,}", word):  # no formulas, units and hashes
                 yield f"{name}: {word} is in no dictionary; mend it, or add it to scripts/words/spelling.txt"

@@ -20,8 +20,8 @@ struct CatalogueState {
   std::uint64_t seed;
   Goal goal;
   std::uint64_t goal_end;
-  double threshold_deg;                                ///< of accepted draws
-  std::optional<double> stops_at_deg;                  ///< of the stop, if the campaign has one
+  double threshold_deg;                ///< least D of accepted draws
+  std::optional<double> stops_at_deg;  ///< angle of the stop, if the campaign has one
   std::uint64_t draws, accepted, rejected, undecided;  ///< counts below the goal's end
   std::uint64_t draws_in_ledger;
   std::vector<DrawRange> gaps;
@@ -30,7 +30,7 @@ struct CatalogueState {
       faults;                         ///< first faults of the rejected draws in the sample
   std::optional<LadderState> ladder;  ///< only of a splitting search
   std::optional<EndsState> ends;      ///< only of an optimising search
-  double draws_per_s;                 ///< of all ranks of the last run that committed a unit
+  double draws_per_s;                 ///< rate of all ranks in the last run that committed a unit
 
   /// Returns the sum over all first faults of the sample.
   WeightedCount sampled() const;

@@ -22,7 +22,7 @@ struct LadderLevel {
 
 struct LadderState {
   std::uint64_t populations = 0;
-  std::vector<LadderLevel> levels;  ///< from level 0 on; empty before they are known
+  std::vector<LadderLevel> levels;  ///< level 0 first; empty before they are known
 
   /// Returns the rate of the campaign's criterion; null if no level is known.
   const SplitRate* rate() const { return levels.empty() ? nullptr : &levels.back().rate; }

@@ -43,7 +43,7 @@ struct MetricEntry {
   const char* unit;     ///< "share" of a flat length: 0.02 is 2 %; "count"; "" for pure numbers
   const char* meaning;  ///< sentences for people
   ValueRange range = {};
-  Allowance allowance = {};  ///< of real numbers
+  Allowance allowance = {};  ///< tolerance of real numbers
   MetricAge age = {};
   int schema_since = 1;         ///< schema version that introduced its column
   const char* label = nullptr;  ///< heading in the report; null: not shown

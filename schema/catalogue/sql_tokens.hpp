@@ -8,7 +8,7 @@
 namespace misalign::schema {
 
 struct SqlTokens {
-  std::vector<std::string> tokens;  ///< without blanks and comments
+  std::vector<std::string> tokens;  ///< no blanks and comments
   std::vector<std::size_t> begins;  ///< begin of each token in the text
   /// True if the text ends in an unclosed string, quoted name or comment, so that text after it
   /// would change its meaning. Also true with a zero byte, at which SQLite stops reading.

@@ -12,7 +12,7 @@ struct Standing {
     double deploys_from_deg;
     std::uint64_t draw;
   };
-  std::uint64_t draws = 0, accepted = 0;  ///< in the whole ledger
+  std::uint64_t draws = 0, accepted = 0;  ///< counts of the whole ledger
   std::optional<Best> best{};             ///< first draw with the largest D
 
   void add(const UnitRecord& unit);

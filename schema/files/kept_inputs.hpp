@@ -6,7 +6,7 @@
 namespace misalign::schema {
 
 /// Keeps from now on every regular file that read_file reads: OutputFile::text does not replace it.
-/// For programs with a single task; the caller of a module may want to overwrite an input.
+/// Only programs with a single task call it; the caller of a module may want to overwrite an input.
 void keep_inputs();
 
 /// Notes an input; does nothing before keep_inputs().

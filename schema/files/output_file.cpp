@@ -211,7 +211,7 @@ void OutputFile::make_named(mode_t mode) {
     descriptor_ = ::open(path.c_str(), kCreate, mode);
     if (descriptor_ < 0 && errno == EEXIST) continue;
     if (descriptor_ < 0) refuse(errno);
-    // Where locks fail, those of others cannot be tested either, and nothing is removed.
+    // Nothing is removed where locks fail: those of others cannot be tested there either.
     if (!is_locked(lock(descriptor_)) && leads_to(path, descriptor_)) {
       path_ = path;
       return;

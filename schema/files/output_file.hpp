@@ -1,6 +1,6 @@
 // Writes files that appear under their names only once they are whole: databases, text and copies.
 //
-// Until then a file lies in the same directory under an unpredictable name of this process,
+// A file lies until then in the same directory under an unpredictable name of this process,
 // NAME.<32 hexadecimal digits>.partial, so that no existing file is opened, followed or removed.
 // Text is written without a name where the file system can do that (O_TMPFILE): then a killed
 // process leaves nothing. SQLite needs names: a database is locked from start to end. The next

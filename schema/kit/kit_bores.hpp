@@ -1,7 +1,7 @@
 // Places the bores of ball joints and of springs.
 //
-// Where two holes meet, the panels on both sides have a bore each on the bisector of their corner,
-// --bore-edge from the edges. A loop of wire through both is the ball joint.
+// The panels on both sides of a vertex where two holes meet have a bore each on the bisector of
+// their corner, --bore-edge from the edges. A loop of wire through both is the ball joint.
 //
 // A spring that ends on the vertices (SpringAt::vertex) moves like its diagonal. At a ball joint it
 // hangs in the joint's tight loop of wire: a bore on the vertex would have to be in both panels. At

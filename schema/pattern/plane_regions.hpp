@@ -27,7 +27,7 @@ std::vector<PlaneRegion> regions_of(const PlanePoints& points, const PlaneEdges&
 /// its sides is a face, the other a hole or the outside. Any other edge has faces on both sides, or
 /// holes. A region that touches the outside is a face.
 struct FacesOfRegions {
-  std::vector<std::array<int, 4>> faces;  ///< in order, each from its least vertex on
+  std::vector<std::array<int, 4>> faces;  ///< ascending, each begins with its least vertex
   std::vector<std::vector<int>> not_four_sided;
   /// Edges "B" or "C" between two faces or two holes by the other edges, and other edges between a
   /// face and a hole.

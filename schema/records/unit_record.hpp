@@ -26,7 +26,7 @@ struct Candidate {
   solver::Metrics metrics;
   Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
   std::optional<CertificateRecord> certificate = {};
-  std::optional<AscentRecord> ascent = {};  ///< of an optimising search: the sheet is the optimum
+  std::optional<AscentRecord> ascent = {};  ///< the sheet is the optimum; optimising searches only
 };
 
 /// Results of a range of draws: a unit of the ledger with all its rows.

@@ -1,6 +1,6 @@
 // A spring whose ends p and q are beside the corners of its hole, in a state of a GradedClosure.
 //
-// In the frame of p's panel the joints between both panels take q to q + u. They keep points v_1
+// The joints between both panels take q to q + u in the frame of p's panel. They keep points v_1
 // ... v_n, and turn what lies behind them by Q_1 ... Q_n: with w_i = v_(i+1) - v_i and w_n = q -
 // v_n, u = sum (Q_i w_i - w_i).
 #pragma once

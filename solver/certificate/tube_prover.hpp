@@ -1,8 +1,8 @@
 // Proves an interval of a folding path: every pilot angle of the interval has exactly one folded
 // state within a box round a polynomial, and J is regular there.
 //
-// With F(x, s) = 0 the loop closure, s in [-1, 1] the place in the interval, p(s) the path as a
-// polynomial, C(s) near J^-1 and X(s) = p(s) + [-r, r]: if for every s
+// Let F(x, s) = 0 be the loop closure, s in [-1, 1] the place in the interval, p(s) the path as a
+// polynomial, C(s) near J^-1 and X(s) = p(s) + [-r, r]. If for every s
 //     -C(s) F(p(s), s) + (I - C(s) J(X(s), s)) [-r, r]   lies within   (-r, r)
 // then X(s) holds exactly one solution, and J is regular in X(s) (Krawczyk 1969; Rump 1983, theorem
 // 4.1; Neumaier, Interval Methods for Systems of Equations, section 5.1). It depends on s

@@ -2,8 +2,8 @@
 // keeps a point of the flat sheet in place, and their product round a loop must be the identity.
 // One template for double, for lanes and for dual numbers.
 //
-// With T_i the product of the joints before passage i, and R, t the rotation and translation of the
-// whole loop (t is the displacement of A1, the origin, in panel widths):
+// Let T_i be the product of the joints before passage i, and R, t the rotation and translation of
+// the whole loop (t displaces A1, the origin, in panel widths). Then
 //   residual   vee(R - R^T) / 2   and, round a hole, t
 //   Jacobian   a joint with axis w (turned by T_i) through c (moved by T_i) moves the loop by the
 //              screw dR = [w]x R, dt = w x (t - c), hence d vee = (tr(R) I - R) w / 2.

@@ -1,7 +1,7 @@
 // Computes gradients of a folded sheet by the flat places of its vertices, by the adjoint of loop
 // closure: all vertices together cost one transposed solve.
 //
-// In a closed state a vertex enters a joint in two ways. A joint's fixed point that moves by d
+// A vertex enters a joint of a closed state in two ways. A joint's fixed point that moves by d
 // moves what follows it by (R_before - R_after) d. An edge that turns in the sheet turns the crease
 // on it: by the screw (R_before - R_after) z through the same point. The end of a spring moves with
 // the corner of its panel. A wrench (force f, moment m about the origin) has with a screw (w, c)

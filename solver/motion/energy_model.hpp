@@ -1,5 +1,5 @@
 // Energies and resistances of a folding sheet, as functions of the coordinate x of its way.
-// With T = mass / 2 (dx/dt)^2 the motion is
+// The motion with T = mass / 2 (dx/dt)^2 is
 //   mass x'' + mass' x'^2 / 2 + potential' + friction sign(x') + damping x' = 0.
 #pragma once
 

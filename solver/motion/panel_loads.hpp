@@ -18,7 +18,7 @@ class PanelLoads {
   /// Force and moment about its centre.
   static constexpr int kOfPanel = 6;
 
-  /// `in_motion`: with inertia, and joints that resist motion. Arguments must outlive this object.
+  /// Loads `in_motion` include inertia and joint resistance. Arguments must outlive this object.
   PanelLoads(const EnergyModel& sheet, const FoldedShape& shape, const PerforatedSheet& base,
              bool in_motion);
 

@@ -34,7 +34,7 @@ std::vector<GoalTerm> local_margin(SheetChanges& changes);
 /// The change of every diagonal in each degree from the required angle to beyond the first
 /// reversal, and the distance of the fold limit, scaled to mm.
 std::vector<GoalTerm> local_deployed_angle(SheetChanges& changes);
-/// At each angle the moment of the best set with one spring fewer, over the least moment of all
+/// Moment of the best set with one spring fewer, at each angle, over the least moment of all
 /// springs.
 std::vector<GoalTerm> local_spare_diagonals(SheetChanges& changes);
 

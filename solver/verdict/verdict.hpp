@@ -63,9 +63,9 @@ class Judge {
   /// Starts a path whose diagonals have these flat lengths (panel widths).
   void begin(const std::vector<double>& flat_lengths);
   /// Judges the next sample; returns false once a fault is known, after which nothing changes.
-  /// Without a state its creases are known to be in order. With the diagonals' slopes (panel widths
-  /// per radian of pilot) and the pilot's entry of the unit tangent, it also judges the interval
-  /// before the sample, and the stop.
+  /// A null state means that its creases are known to be in order. The diagonals' slopes (panel
+  /// widths per radian of pilot) and the pilot's entry of the unit tangent let it judge the
+  /// interval before the sample, and the stop, too.
   bool see(const Station& station, const FoldState<double>* state,
            const std::vector<double>& lengths, const std::vector<double>* slopes = nullptr,
            double pilot_rate = 1);
