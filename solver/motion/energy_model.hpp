@@ -7,21 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "solver/motion/actuators.hpp"
+#include "solver/fill/filling.hpp"
 #include "solver/motion/plates.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
-
-/// One spring on every diagonal.
-struct Springs {
-  double stiffness_n_per_mm = Actuators{}.stiffness_n_per_mm;
-  /// The pilot angle at which they are relaxed, and the diagonals that are relaxed at other angles.
-  double rest_deg = 0;
-  std::vector<std::pair<int, double>> other_rests_deg;
-  bool pull_only = false;  ///< true of wires: no force where they are shorter than relaxed
-  Preload preload;
-};
 
 /// Resistance of the joints.
 struct JointResistance {

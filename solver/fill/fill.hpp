@@ -1,0 +1,97 @@
+// Defines the filling of a sheet's holes: springs on their diagonals, rubber plates, or nothing.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "solver/kinematics/mechanism.hpp"
+
+namespace misalign::solver {
+
+/// Forces left in the springs of a flat sheet: those on diagonals that lengthen as the sheet folds
+/// pull, those on diagonals that shorten push.
+struct Preload {
+  double each_n = 0;
+  struct OfOne {
+    int from, to;  ///< the vertices of its diagonal, in any order
+    double n;
+    bool is_on(const Diagonal& diagonal) const {
+      return std::minmax(from, to) == std::minmax(diagonal.from, diagonal.to);
+    }
+  };
+  std::vector<OfOne> others = {};  ///< springs with another force
+
+  bool is_any() const { return largest_n() > 0; }
+  /// The largest force given.
+  double largest_n() const {
+    double largest_n = each_n;
+    for (const OfOne& other : others) largest_n = std::max(largest_n, other.n);
+    return largest_n;
+  }
+  /// Forces of all diagonals' springs. Vertices that are no diagonal have no effect.
+  Eigen::VectorXd forces_n(const std::vector<Diagonal>& diagonals) const {
+    Eigen::VectorXd forces_n =
+        Eigen::VectorXd::Constant(static_cast<Eigen::Index>(diagonals.size()), each_n);
+    for (const OfOne& other : others) {
+      const auto is_its = [&](const Diagonal& diagonal) { return other.is_on(diagonal); };
+      const auto at = std::ranges::find_if(diagonals, is_its);
+      if (at != diagonals.end()) forces_n(at - diagonals.begin()) = other.n;
+    }
+    return forces_n;
+  }
+};
+
+/// A spring with a rate, and a free length, of its own.
+struct SingleSpring {
+  int from, to;                   ///< the vertices of its diagonal, in any order
+  double stiffness_n_per_mm;      ///< 0: the diagonal has no spring
+  std::optional<double> free_mm;  ///< none: relaxed where the others are
+  bool is_on(const Diagonal& diagonal) const {
+    return std::minmax(from, to) == std::minmax(diagonal.from, diagonal.to);
+  }
+};
+
+/// Springs on the diagonals (Saito, Tsukahara & Okabe 2016, section 5).
+struct Springs {
+  double stiffness_n_per_mm = 50;  ///< the paper's springs
+  /// The pilot angle at which they are relaxed, and the diagonals that are relaxed at other angles.
+  double rest_deg = 0;
+  std::vector<std::pair<int, double>> other_rests_deg;
+  bool pull_only = false;  ///< true of wires: no force where they are shorter than relaxed
+  Preload preload;
+  std::vector<SingleSpring> single = {};  ///< diagonals with springs of their own, or none
+};
+
+/// The stress-free shape of one hole's plate: ratios of its diagonals to those of the flat hole,
+/// with the same angle between them.
+struct CutOut {
+  int hole;  ///< index among the holes, in the order of the diagonals
+  std::array<double, 2> of_flat;
+};
+
+/// A plate of incompressible rubber in each hole, bonded to its edges (section 6 of the paper).
+struct RubberPlates {
+  double shear_mpa = 0.5;  ///< shear modulus
+  double thickness_mm = 1;
+  double prestretch = 1;  ///< lengths in the hole at rest, to those of the cut-out
+  double rest_deg = 0;    ///< pilot angle of the rest, where only the pre-stretch is left
+  std::vector<CutOut> cut_outs = {};  ///< holes with a cut-out of their own
+};
+
+struct NoFill {};
+
+using Fill = std::variant<Springs, RubberPlates, NoFill>;
+
+/// Returns the pilot angle at which a filling is relaxed, apart from preload or pre-stretch.
+inline double rest_deg(const Fill& fill) {
+  if (const auto* springs = std::get_if<Springs>(&fill)) return springs->rest_deg;
+  if (const auto* plates = std::get_if<RubberPlates>(&fill)) return plates->rest_deg;
+  return 0;
+}
+
+}  // namespace misalign::solver
