@@ -1,8 +1,10 @@
 // Defines a campaign's criterion beyond diagonals that are monotone at the samples.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "solver/fill/fill.hpp"
 #include "solver/verdict/between.hpp"
 
 namespace misalign::solver {
@@ -16,12 +18,28 @@ inline double stop_stiffness(const std::vector<double>& slopes) {
   return sum;
 }
 
+/// Criterion of the total energy: that of the filling falls at every sample from the threshold down
+/// to flat (Saito, Tsukahara & Okabe 2016, section 5: "the total strain energy in the actuating
+/// elements must be monotonically decreasing"). Diagonals need not be monotone.
+struct EnergyCriterion {
+  /// Springs of one rate, or plates of one cut-out, relaxed flat apart from preload or pre-stretch.
+  Fill fill;
+  int from_sample = 0;  ///< the threshold
+  /// Least critical friction from the threshold, N mm per mm: the least ratio of
+  /// E(from) - E(rho) to sum of l (|phi(from)| - |phi(rho)|) over the samples rho below, and flat.
+  double least_friction_n_mm_per_mm = 0;
+  /// Least moment dE / d(pilot), N mm, at the samples from kInactiveFrom_deg to the threshold.
+  double least_moment_n_mm = 0;
+};
+
 struct Criterion {
   BumpRule bumps = BumpRule::ignored;
   /// Sample at which the sheet is to stop (0: none), and least stiffness of the stop (panel
   /// widths^2 per radian^2).
   int stop_sample = 0;
   double least_stop_stiffness = 0;
+  /// None: all diagonals must be monotone (the paper's simplest case).
+  std::optional<EnergyCriterion> energy = {};
   /// True if verdicts have a score (score.hpp).
   bool scores = false;
 

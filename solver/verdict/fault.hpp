@@ -25,7 +25,9 @@ enum class Fault {
   inactive_diagonal,   ///< D >= kInactiveFrom_deg, yet a diagonal varied by less than
                        ///< kInactiveBand_widths up to it; then D = 0
   undecided,           ///< a numerical failure (PathEnd says which): never a "no"
-  reverses_between     ///< a diagonal turns back before the next sample
+  reverses_between,    ///< a diagonal turns back before the next sample
+  energy_rises,        ///< the filling's energy does not fall from this sample towards flat
+  weak_drive           ///< a margin of the energy criterion is missed at this sample
 };
 
 struct FaultEntry {
