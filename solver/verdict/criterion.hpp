@@ -38,10 +38,10 @@ struct Criterion {
   /// widths^2 per radian^2).
   int stop_sample = 0;
   double least_stop_stiffness = 0;
-  /// None: all diagonals must be monotone (the paper's simplest case).
-  std::optional<EnergyCriterion> energy = {};
   /// True if verdicts have a score (score.hpp).
   bool scores = false;
+  /// None: all diagonals must be monotone (the paper's simplest case).
+  std::optional<EnergyCriterion> energy = {};
 
   bool asks_for_stop() const { return stop_sample > 0; }
   /// Returns whether the sheet is to stop at this sample and the stop is too soft with these
