@@ -1,7 +1,7 @@
--- The catalogue of one campaign, version 10. Angles in degrees, lengths in mm; draws are half-open
+-- The catalogue of one campaign, version 11. Angles in degrees, lengths in mm; draws are half-open
 -- ranges. No row per rejected draw: `misalign replay` makes any of them again.
 PRAGMA application_id = 0x4D53414C;  -- "MSAL"
-PRAGMA user_version = 10;
+PRAGMA user_version = 11;
 
 CREATE TABLE campaign (
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -128,7 +128,10 @@ CREATE TABLE candidate (
   -- Since version 4; null in rows that were written before.
   miscut_margin_mm REAL,
   -- Since version 5; null in rows that were written before.
-  reverses_at_deg REAL  -- and when no diagonal turns back up to the end of its path
+  reverses_at_deg REAL,  -- and when no diagonal turns back up to the end of its path
+  -- Since version 11; null in rows that were written before.
+  energy_deploys_from_deg REAL,
+  energy_friction_n_mm_per_mm REAL  -- and when the energy does not fall from the threshold
 ) STRICT;
 
 CREATE INDEX candidate_by_deploys_from ON candidate (deploys_from_sample);
@@ -140,6 +143,7 @@ CREATE INDEX candidate_simplest ON candidate (shifted_vertices, deploys_from_deg
 CREATE INDEX candidate_smooth ON candidate (slope_between_min_mm_per_deg DESC) WHERE bump_deg IS NULL;
 CREATE INDEX candidate_stroke ON candidate (stroke_min DESC);
 CREATE INDEX candidate_tolerant ON candidate (miscut_margin_mm DESC, slope_min_mm_per_deg DESC);
+CREATE INDEX candidate_strongest ON candidate (energy_friction_n_mm_per_mm DESC);
 
 -- Of a splitting search (search/splitting/README.md): its levels, 1, 2, ..., as scores in 1024ths of a
 -- sample; the last is the campaign's criterion. Since version 6, here and below.
@@ -254,7 +258,8 @@ SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_pe
        slope_between_min_mm_per_deg,
        coalesce(slope_between_min_mm_per_deg < 0, 0) AS goes_back,
        bump_deg, reverses_at_deg, stroke_min, stroke_max,
-       elongation_min, elongation_max, stretch_sq_mm2, shifted_vertices, increasing, decreasing,
+       elongation_min, elongation_max, stretch_sq_mm2, energy_deploys_from_deg,
+       energy_friction_n_mm_per_mm, shifted_vertices, increasing, decreasing,
        kawasaki_defect_deg, singular_value_min, residual_max, isometry_error_mm,
        (SELECT share FROM common_yield WHERE common_yield.draw = candidate.draw) AS yield,
        (SELECT share_low FROM common_yield WHERE common_yield.draw = candidate.draw) AS yield_low,

@@ -26,7 +26,7 @@ install(TARGETS misalign_solver misalign_options EXPORT misalignTargets COMPONEN
 install(EXPORT misalignTargets NAMESPACE misalign:: DESTINATION ${CONFIG_DIR} COMPONENT dev)
 install(DIRECTORY solver DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/misalign COMPONENT dev
         FILES_MATCHING PATTERN "*.hpp" PATTERN example EXCLUDE PATTERN reference EXCLUDE
-        REGEX "/(arb_model|expansion_test|lane_batch|panel_check)\\.hpp$" EXCLUDE
+        REGEX "/(arb_model|energy_check|expansion_test|lane_batch|panel_check)\\.hpp$" EXCLUDE
         REGEX "/(product_kernel|product_sums|product_table|proven_interval|shift_expansion)\\.hpp$" EXCLUDE)
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/misalignConfigVersion.cmake

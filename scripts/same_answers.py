@@ -84,6 +84,7 @@ query-rejections     query small.db rejections
 query-simplest       query small.db simplest
 query-smooth         query small.db smooth
 query-stroke         query small.db stroke
+query-strongest      query small.db strongest
 query-tolerant       query small.db tolerant
 query-yields         query small.db yields
 query-front          query small.db --front miscut_margin_mm,stroke_max

@@ -17,6 +17,7 @@ struct OlderCatalogue {
 inline const OlderCatalogue kOlderCatalogues[] = {
     {"catalogue-7-from-1.db", 7, 1}, {"catalogue-7-from-2.db", 7, 2},
     {"catalogue-7-from-3.db", 7, 3}, {"catalogue-7.db", 7},
-    {"catalogue-8.db", 8},           {"catalogue-9.db", 9}};
+    {"catalogue-8.db", 8},           {"catalogue-9.db", 9},
+    {"catalogue-10.db", 10}};
 
 }  // namespace misalign

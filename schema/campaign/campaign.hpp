@@ -6,6 +6,7 @@
 #include <string>
 
 #include "schema/campaign/draw_range.hpp"
+#include "schema/campaign/energy_acceptance.hpp"
 #include "schema/campaign/misalignment.hpp"
 #include "schema/campaign/search_method.hpp"
 #include "schema/campaign/stop_rule.hpp"
@@ -35,6 +36,7 @@ struct Campaign {
   double threshold_deg = 170;
   solver::BumpRule between_samples = solver::BumpRule::ignored;
   std::optional<RequiredStop> required_stop;  ///< not beyond the threshold
+  std::optional<EnergyAcceptance> energy;     ///< none: all diagonals must be monotone
   SearchMethod search;
   std::uint64_t seed = 1;
   StopRule stop;
@@ -48,8 +50,14 @@ struct Campaign {
   bool accepts(const solver::Verdict& verdict) const;
   /// Returns the further requirements of an accepted draw.
   solver::Criterion criterion() const;
-  Sampling sampling() const { return {sample_deg, end_deg, between_samples}; }
+  Sampling sampling() const {
+    return {sample_deg, end_deg, between_samples,
+            energy ? std::optional<solver::Fill>(energy->fill) : std::nullopt};
+  }
   solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
 };
+
+/// Adds a fault for each key of a campaign that acceptance by energy excludes.
+void check_energy_acceptance(const Campaign& campaign, InputFaults& faults);
 
 }  // namespace misalign::schema

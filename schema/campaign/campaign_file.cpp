@@ -55,6 +55,7 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
   read_between_samples(accept, campaign.pattern, campaign.between_samples);
   read_required_stop(accept, campaign.required_stop);
+  campaign.energy = read_energy_acceptance(accept, campaign.pattern.base);
   const bool numbers_good = faults.count() == before;
   path.refuse_unknown_keys();
   accept.refuse_unknown_keys();
@@ -200,6 +201,7 @@ Campaign read_campaign(const Json& value, const std::string& source,
     faults.add(reader.shown("certify"), "certificates need springs in the panels' mid-plane",
                "write false, or take \"springs\" out of the pattern");
   }
+  check_energy_acceptance(campaign, faults);
   reader.refuse_unknown_keys();
   faults.refuse(source);
   return campaign;
@@ -224,15 +226,17 @@ Campaign default_campaign() {
 
 Json campaign_json(const Campaign& campaign) {
   const std::optional<RequiredStop>& stop = campaign.required_stop;
+  Json accept = energy_acceptance_json(campaign.energy);
+  accept.update(
+      Json{{"deploys_from_deg", campaign.threshold_deg},
+           {"between_samples", between_samples_json(campaign.between_samples)},
+           {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
+           {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}});
   return {{"name", campaign.name},
           {"pattern", pattern_json(campaign.pattern, campaign.pattern.shifts_mm)},
           {"misalignment", misalignment_json(campaign.misalignment, campaign.pattern.base.sheet)},
           {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
-          {"accept",
-           {{"deploys_from_deg", campaign.threshold_deg},
-            {"between_samples", between_samples_json(campaign.between_samples)},
-            {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
-            {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}}},
+          {"accept", accept},
           {"search", search_json(campaign.search)},
           {"seed", campaign.seed},
           {"stop", stop_json(campaign.stop)},
@@ -265,6 +269,10 @@ Json stored_configuration(const Campaign& campaign) {
   if (!campaign.required_stop) {
     configuration["accept"].erase("stops_at_deg");
     configuration["accept"].erase("stop_stiffness_mm2_per_rad2");
+  }
+  if (!campaign.energy) {
+    const Json its_keys = energy_acceptance_json({});
+    for (const auto& [key, value] : its_keys.items()) configuration["accept"].erase(key);
   }
   return configuration;
 }

@@ -28,7 +28,9 @@ std::string type_of(const KeyJson& key) {
   }
   if (key.contains("anyOf")) {
     std::vector<std::string> types;
-    for (const KeyJson& type : key["anyOf"]) types.push_back(type_of(type));
+    for (const KeyJson& type : key["anyOf"]) {
+      if (types.empty() || types.back() != type_of(type)) types.push_back(type_of(type));
+    }
     return fmt::to_string(fmt::join(types, ", or "));
   }
   if (key["type"].is_array()) {

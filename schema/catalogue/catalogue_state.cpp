@@ -140,7 +140,10 @@ CatalogueState state_of(SQLite::Database& database) {
       "json_extract(configuration, '$.seed'), json_extract(configuration, "
       "'$.accept.deploys_from_deg'), json_extract(configuration, "
       "'$.accept.stops_at_deg'), json_extract(configuration, '$.search.method'), "
-      "json_extract(configuration, '$.search.starts') "
+      "json_extract(configuration, '$.search.starts'), "
+      "json_extract(configuration, '$.accept.by'), "
+      "coalesce(json_extract(configuration, '$.accept.least_friction_n_mm_per_mm'), "
+      "json_extract(configuration, '$.accept.least_moment_n_mm')) "
       "FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
   const auto optional_draw = [&](const SQLite::Column& column) {
@@ -157,6 +160,8 @@ CatalogueState state_of(SQLite::Database& database) {
   state.seed = draw_of(campaign.getColumn(8));
   state.threshold_deg = campaign.getColumn(9).getDouble();
   if (!campaign.getColumn(10).isNull()) state.stops_at_deg = campaign.getColumn(10).getDouble();
+  state.by_energy = text_of(campaign.getColumn(13)) == "energy";
+  state.has_margin = !campaign.getColumn(14).isNull();
   const std::string method = text_of(campaign.getColumn(11));
   state.goal.of_populations =
       method == "splitting" || text_of(campaign.getColumn(12)) == "splitting";

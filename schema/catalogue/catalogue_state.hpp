@@ -22,6 +22,8 @@ struct CatalogueState {
   std::uint64_t goal_end;
   double threshold_deg;                ///< least D of accepted draws
   std::optional<double> stops_at_deg;  ///< angle of the stop, if the campaign has one
+  bool by_energy = false;              ///< true if a filling's energy judges draws
+  bool has_margin = false;             ///< true if that energy has to have a margin, too
   std::uint64_t draws, accepted, rejected, undecided;  ///< counts below the goal's end
   std::uint64_t draws_in_ledger;
   std::vector<DrawRange> gaps;

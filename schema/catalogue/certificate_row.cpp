@@ -16,6 +16,7 @@ namespace misalign::schema {
 namespace {
 
 using solver::CertificateEnd;
+using solver::CertifiedBy;
 
 // Ignores draws that are no candidates.
 constexpr const char* kInsertCertificate =
@@ -82,9 +83,11 @@ std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
   return "";
 }
 
-bool needs_place(CertificateEnd end) {
-  return end == CertificateEnd::reversal || end == CertificateEnd::over_folded ||
-         end == CertificateEnd::sign_changed || end == CertificateEnd::contact;
+bool needs_place(const solver::Certificate& certificate) {
+  const CertificateEnd end = certificate.end;
+  return (end == CertificateEnd::reversal && certificate.criterion == CertifiedBy::diagonals) ||
+         end == CertificateEnd::over_folded || end == CertificateEnd::sign_changed ||
+         end == CertificateEnd::contact;
 }
 
 // Returns the columns that follow from a proof, without hash, seconds and the proof itself.
@@ -97,6 +100,7 @@ CertificateRecord claims_of(const Pattern& base, const solver::Mechanism& mechan
   row.end = solver::name_of(certificate.end);
   row.place = place_of(base, mechanism, certificate);
   row.contact = certificate.contact;
+  row.criterion = solver::name_of(certificate.criterion);
   row.intervals = static_cast<std::uint32_t>(certificate.intervals.size());
   return row;
 }
@@ -165,10 +169,11 @@ std::optional<std::string> certificate_fault(const Pattern& base,
   if (row.asked_deg != claims.asked_deg) return contradicted("asked_deg");
   if (row.end != claims.end) return contradicted("ended");
   if (row.place != claims.place) return contradicted("place");
-  if (claims.place.empty() && needs_place(certificate->end)) {
+  if (claims.place.empty() && needs_place(*certificate)) {
     return "its proof ends at a place that the sheet does not have";
   }
   if (row.contact != claims.contact) return contradicted("contact");
+  if (row.criterion != claims.criterion) return contradicted("by");
   if (row.intervals != claims.intervals) return contradicted("intervals");
   return std::nullopt;
 }
@@ -176,6 +181,7 @@ std::optional<std::string> certificate_fault(const Pattern& base,
 Json certificate_json(const CertificateRecord& row) {
   return {{"certified_deg", row.certified_deg},
           {"asked_deg", row.asked_deg},
+          {"by", row.criterion},
           {"end", row.end},
           {"where", row.place.empty() ? Json() : Json(row.place)},
           {"contact", row.contact},
@@ -203,6 +209,7 @@ std::optional<CertificateRecord> certificate_of_json(const Json& exported,
   }
   reader.number("certified_deg", row.certified_deg, 0, 180, again);
   reader.number("asked_deg", row.asked_deg, 0, 180, again);
+  if (reader.said("by")) reader.text("by", row.criterion, again);  // older ones are of diagonals
   reader.text("end", row.end, again);
   if (reader.said("where")) reader.text("where", row.place, again);
   reader.boolean("contact", row.contact, again);
@@ -226,7 +233,7 @@ std::optional<CertificateRecord> read_certificate(SQLite::Database& database, st
     SQLite::Statement row = bound(database, kSelect, draw);
     if (!row.executeStep()) return std::nullopt;
     const bool good = is_certificate(row);
-    return CertificateRecord{draw,
+    CertificateRecord record{draw,
                              row.getColumn(0).getDouble(),
                              row.getColumn(1).getDouble(),
                              text_of(row.getColumn(2)),
@@ -236,6 +243,9 @@ std::optional<CertificateRecord> read_certificate(SQLite::Database& database, st
                              good ? row.getColumn(6).getDouble() : 0,
                              row.getColumn(8).getString(),
                              good ? text_of(row.getColumn(7)) : ""};
+    if (const auto criterion = solver::certified_by_of(record.proof))
+      record.criterion = solver::name_of(*criterion);
+    return record;
   });
 }
 

@@ -34,7 +34,7 @@ std::optional<std::string> certificate_fault(const Pattern& base,
                                              const Eigen::Matrix2Xd& shifts_mm,
                                              const CertificateRecord& row);
 
-/// Returns {"certified_deg", "asked_deg", "end", "where", "contact", "intervals", "seconds",
+/// Returns {"certified_deg", "asked_deg", "by", "end", "where", "contact", "intervals", "seconds",
 /// "hash", "proof"}; the place is null where there is none, the proof in base64.
 Json certificate_json(const CertificateRecord& row);
 

@@ -13,7 +13,7 @@
 namespace misalign::schema {
 
 inline constexpr int kApplicationId = 0x4D53414C;
-inline constexpr int kSchemaVersion = 10;
+inline constexpr int kSchemaVersion = 11;
 inline constexpr int kOldestSchemaVersion = 7;  ///< oldest that is read; release 1.0.0 wrote it
 
 /// Returns a draw or count as SQLite stores it: below 2^63, so that the sign is unused.

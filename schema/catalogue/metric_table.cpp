@@ -50,7 +50,7 @@ constexpr MetricEntry kMetrics[] = {
          "Least distance, to first order, to a sheet with a diagonal that stalls over some "
          "20° below the threshold: the root of the sum of squares of the vertices' errors in x "
          "and y. No other metric predicts the yield of miscut copies as well. None if the "
-         "path ends before the threshold.",
+         "path ends before the threshold, or energy judges draws.",
      .range = kNotNegative,
      // w = 2.7e-12 widths between dense and stored states and factors: 3,497 candidates of
      // miura-4x4 from 175 degrees, where gradients are large near fold limits. From 150 to 170
@@ -66,7 +66,7 @@ constexpr MetricEntry kMetrics[] = {
      .unit = "mm/deg",
      .meaning =
          "Monotonicity margin: least change of any diagonal between neighbouring samples, per "
-         "degree, from 5° to D. None when D lies below 5°.",
+         "degree, from 5° to D. None when D lies below 5°, or energy judges draws.",
      .range = kNotNegative,
      .allowance = {.absolute = 1e-12, .of = Allowance::Of::width_mm_per_sample},  // w = 8e-14
      .label = "least slope"},
@@ -75,7 +75,7 @@ constexpr MetricEntry kMetrics[] = {
      .unit = "mm/deg",
      .meaning = "Least rate of change of any diagonal in its direction, at and between the samples "
                 "from 5° to D. Negative if a diagonal reverses between two samples. None when D "
-                "lies below 6°.",
+                "lies below 6°, or energy judges draws.",
      // The error of a rate of change, which follows from the tangent, is the closure error over the
      // singular value: 1e-12 / 1e-4 rad per rad.
      .allowance = {.absolute = 1e-8 / 57, .of = kWidths},
@@ -150,6 +150,32 @@ constexpr MetricEntry kMetrics[] = {
      .range = kNotNegative,
      .allowance = {.relative = 2e-9},  // w = 1.4e-10
      .label = "stretch²"},
+    {.name = "energy_deploys_from_deg",
+     .member = &solver::Metrics::energy_deploys_from_deg,
+     .unit = "deg",
+     .meaning = "D by energy: the largest pilot fold angle, up to D, down from which the energy of "
+                "the campaign's filling falls at every sample to flat; by springs of 50 N/mm, "
+                "relaxed flat, where the campaign judges diagonals.",
+     .range = kNotNegative,
+     .allowance = {.relative = 1e-15},  // a product of two exact numbers
+     .age = {8, 8},
+     .schema_since = 11,
+     .label = "D by energy",
+     .written = "whole_deg"},
+    {.name = "energy_friction_n_mm_per_mm",
+     .member = &solver::Metrics::critical_friction_n_mm_per_mm,
+     .unit = "N mm/mm",
+     .meaning = "Critical friction from the threshold by that filling, with rigid panels: dry "
+                "friction of the creases with which the sheet, released there, still reaches "
+                "flat. None if it does not by energy alone.",
+     .range = kNotNegative,
+     // A quotient of differences over one sample or more, with the errors of the path as a
+     // function: up to 4e-6 in the tests' campaigns.
+     .allowance = {.relative = 5e-5},
+     .age = {8, 8},
+     .schema_since = 11,
+     .label = "friction from threshold",
+     .needs_a_campaign = true},
     {.name = "shifted_vertices",
      .member = &solver::Metrics::shifted_vertices,
      .unit = "count",

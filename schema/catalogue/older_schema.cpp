@@ -28,14 +28,16 @@ void show_as_of_today(SQLite::Database& database, int version) {
         "CREATE TEMP VIEW yield AS SELECT *, (SELECT json_extract(configuration, "
         "'$.accept.deploys_from_deg') FROM campaign) AS from_deg FROM main.yield");
   }
-  if (version >= kAscentSince) return;
-  database.exec(
-      "CREATE TEMP VIEW ascent AS SELECT NULL AS draw, NULL AS start_value, NULL AS end_value, "
-      "NULL AS steps, NULL AS sheets_folded, NULL AS ended, NULL AS limited_by WHERE 0");
+  if (version < kAscentSince) {
+    database.exec(
+        "CREATE TEMP VIEW ascent AS SELECT NULL AS draw, NULL AS start_value, NULL AS end_value, "
+        "NULL AS steps, NULL AS sheets_folded, NULL AS ended, NULL AS limited_by WHERE 0");
+  }
   std::string later;
   for (const MetricEntry& metric : metric_table()) {
     if (version < metric.schema_since) later += std::string(", NULL AS ") + metric.name;
   }
+  if (later.empty()) return;
   std::string candidates = temporary_view("candidates");
   const std::string table = "FROM candidate;";
   candidates.replace(candidates.rfind(table), table.size(),

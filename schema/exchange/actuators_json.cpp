@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/fill_json.hpp"
 #include "schema/pattern/preload_json.hpp"
 
 namespace misalign::schema {
@@ -38,6 +39,19 @@ Json limits_json(const solver::Actuation& actuation) {
   return json;
 }
 
+void add_filling(const solver::Fill& fill, const solver::PerforatedSheet& base, Json& json) {
+  const auto* const springs = std::get_if<solver::Springs>(&fill);
+  if (!springs) {
+    json["fill"] = fill_json(fill, base);
+    return;
+  }
+  json["stiffness_n_per_mm"] = springs->stiffness_n_per_mm;
+  add_preload(springs->preload, json);
+  add_single_springs(*springs, json);
+  if (springs->rest_deg != 0) json["rest_deg"] = springs->rest_deg;
+  if (springs->pull_only) json["pull_only"] = true;
+}
+
 Json actuation_json(const FoldingView& view, const solver::Actuation& actuation) {
   assert(actuation.from_row >= 0 && actuation.from_row < actuation.force_n.rows());
   assert(actuation.force_n.cols() == view.mechanism.diagonal_count());
@@ -51,11 +65,10 @@ Json actuation_json(const FoldingView& view, const solver::Actuation& actuation)
                       {"force_n", actuation.force_n(actuation.from_row, d)}});
   }
   const auto& limit = actuation.actuators.stroke_limit;
-  Json json = {{"stiffness_n_per_mm", actuation.actuators.stiffness_n_per_mm},
-               {"stroke_limit", or_null(limit)},
+  Json json = {{"stroke_limit", or_null(limit)},
                {"energy_n_mm", actuation.energy_n_mm[static_cast<std::size_t>(actuation.from_row)]},
                {"forces", forces}};
-  add_preload(actuation.actuators.preload, json);
+  add_filling(actuation.actuators.fill, view.base.base, json);
   if (actuation.from_deg) json["from_deg"] = *actuation.from_deg;
   json.update(limits_json(actuation));
   for (const char* key : {"few", "over_stroke"}) {

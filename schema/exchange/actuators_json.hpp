@@ -1,4 +1,4 @@
-// Writes springs on the diagonals as JSON.
+// Writes the filling of the holes and its forces on the diagonals as JSON.
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
@@ -10,6 +10,10 @@ namespace misalign::schema {
 std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal);
 /// "A11-A17, A3-A9"; "none".
 std::string diagonal_labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals);
+
+/// Adds springs to an object about them, by their rate and what else they have; other fillings as
+/// "fill".
+void add_filling(const solver::Fill& fill, const solver::PerforatedSheet& base, Json& json);
 
 /// Springs of a candidate's file: actuators, force on each diagonal at D, weakest point, fewest
 /// springs, stroke limit.

@@ -1,6 +1,7 @@
 #include "schema/exchange/bent_panels_json.hpp"
 
 #include <cassert>
+#include <cmath>
 
 #include "schema/files/json_values.hpp"
 
@@ -38,10 +39,36 @@ Json preload_json(const solver::PreloadStudy& study) {
           {"unstable_modes_at_flat", study.modes.unstable}};
 }
 
+const char* name_of(solver::BucklingKind kind) {
+  constexpr const char* kNames[] = {"none", "corner", "mean_stress"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+// Infinite factors are null.
+Json factor_json(double factor) { return std::isfinite(factor) ? Json(factor) : Json(); }
+
+Json buckling_json(const solver::BucklingStudy& study) {
+  const auto least_json = [](const solver::BucklingStudy::Least& panel) {
+    return Json{{"panel", panel.place},
+                {"factor", factor_json(panel.factor)},
+                {"pilot_deg", panel.pilot_deg},
+                {"kind", name_of(panel.kind)}};
+  };
+  Json angles = Json::array();
+  for (std::size_t k = 0; k < study.pilot_deg.size(); ++k) {
+    Json factors =
+        json_list(study.factors[k], [](const auto& panel) { return factor_json(panel.factor); });
+    angles.push_back({{"pilot_deg", study.pilot_deg[k]}, {"factors", std::move(factors)}});
+  }
+  return {{"least", least_json(study.least())},
+          {"panels", json_list(study.panels, least_json)},
+          {"angles", std::move(angles)}};
+}
+
 }  // namespace
 
 Json bent_panels_json(const BentSheet& sheet) {
-  const auto& [material, study, advice, preload] = sheet;
+  const auto& [material, study, advice, buckling, preload] = sheet;
   const solver::BentFriction& friction = study.friction;
   assert(!study.angles.empty() && study.from_deg > study.options.to_deg);
   const solver::BentAngle& most = study.most_bent();
@@ -62,11 +89,13 @@ Json bent_panels_json(const BentSheet& sheet) {
                {"largest_stress_mpa", most.largest_stress_mpa},
                {"largest_stress_deg", most.pilot_deg},
                {"stress_from_corners_widths", solver::kCornerWidths},
+               {"buckling_factor", factor_json(buckling.least().factor)},
                {"useful_stiffness_n_per_mm", or_null(advice.useful_stiffness_n_per_mm)},
                {"wanted_static_margin", advice.wanted_margin},
                {"least_thickness_mm", or_null(advice.least_thickness_mm)},
                {"angles", bent_angles_json(study)},
-               {"margins", margins_json(friction)}};
+               {"margins", margins_json(friction)},
+               {"buckling", buckling_json(buckling)}};
   if (preload) json["preload"] = preload_json(*preload);
   return json;
 }

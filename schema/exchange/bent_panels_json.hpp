@@ -4,6 +4,7 @@
 #include "schema/files/input.hpp"
 #include "schema/pattern/material.hpp"
 #include "solver/bending/bent_advice.hpp"
+#include "solver/bending/buckling.hpp"
 #include "solver/bending/preload.hpp"
 
 namespace misalign::schema {
@@ -13,6 +14,7 @@ struct BentSheet {
   Material material;
   solver::BentPanels panels;
   solver::BentAdvice advice;
+  solver::BucklingStudy buckling;
   std::optional<solver::PreloadStudy> preload;
 };
 

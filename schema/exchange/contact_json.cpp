@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "schema/exchange/spring_clearance_json.hpp"
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
@@ -83,7 +84,8 @@ Json contact_study_json(const Pattern& base, const solver::Panels& panels,
           {"known_until_deg", study.known_until_deg},
           {"first_contact", study.first ? contact_json(base, panels, *study.first) : Json()},
           {"clearance", clearance},
-          {"thickness", thickness_json(base, panels, study)}};
+          {"thickness", thickness_json(base, panels, study)},
+          {"springs", spring_clearance_json(base, panels, study)}};
 }
 
 }  // namespace misalign::schema

@@ -2,6 +2,7 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/fill_json.hpp"
 #include "schema/pattern/preload_json.hpp"
 
 namespace misalign::schema {
@@ -12,6 +13,7 @@ const char* name_of(solver::Deployment::Event event) {
   return kNames[static_cast<std::size_t>(event)];
 }
 
+// The springs of a motion, with rests of their own.
 Json springs_json(const solver::Mechanism& mechanism, const solver::Springs& springs) {
   Json others = Json::object();
   for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
@@ -22,6 +24,7 @@ Json springs_json(const solver::Mechanism& mechanism, const solver::Springs& spr
                {"other_rests_deg", others},
                {"pull_only", springs.pull_only}};
   add_preload(springs.preload, json);
+  add_single_springs(springs, json);
   return json;
 }
 
@@ -113,18 +116,20 @@ Json pins_json(const solver::PinStudy& study) {
 Json exported_deployment_json(const solver::DeploymentStudy& study) {
   Json json = deployment_metrics_json(study);
   json.update({{"from_deg", study.options.from_deg},
-               {"stiffness_n_per_mm", study.sheet.springs.stiffness_n_per_mm},
                {"thickness_mm", study.sheet.plates.thickness_mm},
                {"density_g_per_cm3", study.sheet.plates.density_g_per_cm3}});
+  if (const auto* const springs = std::get_if<solver::Springs>(&study.sheet.fill)) {
+    json["stiffness_n_per_mm"] = springs->stiffness_n_per_mm;
+  }
   return json;
 }
 
-Json deployment_json(const solver::Mechanism& mechanism, const solver::DeploymentStudy& study) {
+Json deployment_json(const solver::Sheet& sheet, const solver::DeploymentStudy& study) {
+  const solver::Mechanism& mechanism = sheet.mechanism();
   Json json = deployment_metrics_json(study);
   const solver::Deployment::Row& last = study.run.last();
   const solver::Plates& plates = study.sheet.plates;
   json.update({{"from_deg", study.options.from_deg},
-               {"springs", springs_json(mechanism, study.sheet.springs)},
                {"joints", joints_json(study.sheet.joints)},
                {"plates",
                 {{"thickness_mm", plates.thickness_mm},
@@ -142,6 +147,11 @@ Json deployment_json(const solver::Mechanism& mechanism, const solver::Deploymen
                {"barrier_n_mm", or_null(study.barrier_n_mm())},
                {"pulls_from_above", labels_json(mechanism, study.pulls_from_above)},
                {"pulls_from_below", labels_json(mechanism, study.pulls_from_below)}});
+  if (const auto* const springs = std::get_if<solver::Springs>(&study.sheet.fill)) {
+    json["springs"] = springs_json(mechanism, *springs);
+  } else {
+    json["fill"] = fill_json(study.sheet.fill, sheet.base());
+  }
   if (study.options.restitution) {
     json["stop"] = {{"restitution", *study.options.restitution}, {"bounces", study.run.bounces}};
   }
@@ -154,9 +164,8 @@ Json deployment_json(const solver::Mechanism& mechanism, const solver::Deploymen
   return json;
 }
 
-Json deployment_history_json(const solver::Mechanism& mechanism,
-                             const solver::DeploymentStudy& study) {
-  Json json = deployment_json(mechanism, study);
+Json deployment_history_json(const solver::Sheet& sheet, const solver::DeploymentStudy& study) {
+  Json json = deployment_json(sheet, study);
   using Row = solver::Deployment::Row;
   const std::vector<Row>& rows = study.run.rows;
   json.update({{"time_s", json_list(rows, &Row::time_s)},
@@ -165,7 +174,7 @@ Json deployment_history_json(const solver::Mechanism& mechanism,
                {"energy_n_mm", json_list(rows, &Row::springs_n_mm)},
                {"kinetic_n_mm", json_list(rows, &Row::kinetic_n_mm)},
                {"total_n_mm", json_list(rows, &Row::total_n_mm)}});
-  if (study.forces) json["forces"] = forces_json(mechanism, *study.forces);
+  if (study.forces) json["forces"] = forces_json(sheet.mechanism(), *study.forces);
   Json& events = json["events"] = Json::array();
   for (const Row& row : rows) {
     if (row.event == solver::Deployment::Event::none) continue;

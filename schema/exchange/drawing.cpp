@@ -36,9 +36,10 @@ class PatternPen {
 }  // namespace
 
 LineDrawing crease_pattern_drawing(const Pattern& base, const Eigen::Matrix2Xd& vertices_mm,
-                                   const solver::Mechanism& mechanism, const std::string& title) {
+                                   const solver::Mechanism& mechanism, const std::string& title,
+                                   const std::string& diagonals) {
   const PatternPen pen(vertices_mm);
-  LineLayer springs{"springs", kGreen, LayerUse::hidden, {}, {}, {}},
+  LineLayer springs{diagonals, kGreen, LayerUse::hidden, {}, {}, {}},
       labels{"labels", kGreen, LayerUse::hidden, {}, {}, {}},
       mountains{"mountain", kRed, LayerUse::cut, {}, {}, {}},
       valleys{"valley", kBlue, LayerUse::cut, {}, {}, {}},

@@ -4,6 +4,9 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/fill_json.hpp"
+#include "schema/pattern/judging_fill.hpp"
+#include "solver/sheet/energy_history.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -47,6 +50,25 @@ Json bump_json(const FoldingView& view) {
   const solver::Diagonal& diagonal = view.mechanism.diagonals[between.bump_where];
   return {{"from_deg", between.bump_deg},
           {"where", solver::line_label(diagonal.from, diagonal.to)}};
+}
+
+Json energy_json(const FoldingView& view, const solver::Fill& fill) {
+  if (!drives_to_flat(fill)) return Json();
+  const solver::EnergyHistory found = solver::energy_history(view.sheet, view.history, fill);
+  const double d_deg = found.deploys_from_sample * view.sample_deg;
+  Json json = {{"fill", fill_json(fill, view.base.base)},
+               {"deploys_from_deg", d_deg},
+               {"diagonals_deploy_from_deg", found.monotone_to_sample * view.sample_deg},
+               {"energy_n_mm", found.energy_n_mm}};
+  const bool falls = !found.rises_to_the_end;
+  json["first_fault"] = falls ? Json(solver::fault_name(solver::Fault::energy_rises)) : Json();
+  json["fault_deg"] = falls ? Json(d_deg + view.sample_deg) : Json();
+  json["where"] = Json();
+  if (found.where >= 0) {
+    const solver::Diagonal& diagonal = view.mechanism.diagonals[found.where];
+    json["where"] = solver::line_label(diagonal.from, diagonal.to);
+  }
+  return json;
 }
 
 Json folding_json(const FoldingView& view) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "schema/catalogue/candidate_row.hpp"
+#include "solver/fill/fill.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::schema {
@@ -29,6 +30,11 @@ Json verdict_json(const FoldingView& view);
 /// The history's first bump between samples, up to D or as its first fault, {"from_deg", "where"};
 /// null if there is none.
 Json bump_json(const FoldingView& view);
+
+/// Returns how a filling's energy drives a sheet: {"fill", "deploys_from_deg", "first_fault",
+/// "fault_deg", "where", "diagonals_deploy_from_deg", "energy_n_mm" at the samples}; null without a
+/// filling that is relaxed flat.
+Json energy_json(const FoldingView& view, const solver::Fill& fill);
 
 /// The JSON of `fold --json`.
 Json folding_json(const FoldingView& view);

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "schema/files/text_table.hpp"
+#include "solver/motion/sheet_filling.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -25,6 +26,22 @@ void append_derived(std::string& text, double value) { append(text, 9, value); }
 
 std::string ends(int from, int to) {
   return fmt::format(",{},{}", solver::vertex_label(from), solver::vertex_label(to));
+}
+
+// Lengths of the diagonals at a row of an actuation, flat first.
+Eigen::VectorXd lengths_at_mm(const solver::FoldingHistory& history, Index row) {
+  if (row > 0) return history.length_mm.row(row - 1);
+  return Eigen::VectorXd::Map(history.flat_mm.data(), std::ssize(history.flat_mm));
+}
+
+// Energy of a diagonal's spring, or half of its hole's plate.
+double energy_n_mm(const solver::Filling& filling, const Eigen::VectorXd& lengths_mm,
+                   Index diagonal) {
+  const Index first = diagonal - diagonal % 2;
+  const solver::HoleEnergy hole = filling.hole(diagonal / 2, lengths_mm.segment<2>(first));
+  if (!filling.is_springs()) return hole.n_mm / 2;
+  return hole.force_n(diagonal - first) * (lengths_mm(diagonal) - filling.relaxed_mm()(diagonal)) /
+         2;
 }
 
 bool is_shown(double pilot_deg, const FoldingView& view, double every_deg) {
@@ -56,20 +73,22 @@ std::string diagonal_rows(const RowKey& key, const FoldingView& view,
         fmt::format(",{},{},{}{}", d, hole[0], hole[1], ends(diagonal.from, diagonal.to)));
   }
   std::string text;
+  const solver::Filling filling = solver::filling_of(view.sheet, actuation.actuators.fill);
   for (std::size_t row = 0; row < actuation.pilot_deg.size(); ++row) {
     if (!is_shown(actuation.pilot_deg[row], view, every_deg)) continue;
     const auto at = static_cast<Index>(row);
     const std::string station = sheet + shown_number(actuation.pilot_deg[row]);
+    const Eigen::VectorXd lengths_mm = lengths_at_mm(view.history, at);
     for (std::size_t d = 0; d < names.size(); ++d) {
       const auto diagonal = static_cast<Index>(d);
       const double flat_mm = view.history.flat_mm[d];
-      const double length_mm = row == 0 ? flat_mm : view.history.length_mm(at - 1, diagonal);
+      const double length_mm = lengths_mm(diagonal);
       const double force_n = actuation.force_n(at, diagonal);
       text += station + names[d];
       append_measured(text, length_mm);
       append_derived(text, (length_mm - flat_mm) / flat_mm);
       append_derived(text, force_n);
-      append_derived(text, force_n * (length_mm - flat_mm) / 2);
+      append_derived(text, energy_n_mm(filling, lengths_mm, diagonal));
       append_derived(text, actuation.moment_by_n_mm(at, diagonal));
       append_derived(text, actuation.mechanical_advantage[row]);
       text += "\n";

@@ -25,6 +25,7 @@ Json limits_json(const solver::Mechanism& mechanism, const solver::OptimiseOptio
                {"per_mm_of_amplitude", limits.per_mm_of_amplitude},
                {"per_1_of_floors", floors},
                {"turning", turning},
+               {"energy_deg", or_null(limits.energy_deg)},
                {"fold_limit", limits.by_fold_limit}};
   if (options.stiffness_n_per_mm) {
     json["per_n_per_mm_of_stiffness"] = limits.per_n_per_mm_of_stiffness;

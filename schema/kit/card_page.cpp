@@ -51,14 +51,15 @@ std::string card_page(const Card& card, const solver::Sheet& sheet,
       page_begin("Card of " + card.name) + kCardStyle +
       fmt::format("<p class=\"{}\">Used between {:.10g}° and flat: {}.</p>\n",
                   card.passes() ? "" : "warning", card.from_deg, xml_text(card.verdict())) +
-      requirements(card) + facts(card) + "<div class=\"pair\">" + assembled_picture(sheet);
+      requirements(card) + facts(card) + "<div class=\"pair\">" +
+      assembled_picture(sheet, card.design.is_springs() ? "springs" : "diagonals");
   if (actuation.from_row > 0) {
     const auto row = static_cast<std::size_t>(actuation.from_row);
     text += folded_picture(sheet, sheet.shapes_mm()[row - 1], actuation.pilot_deg[row]);
   }
   return text + "</div>\n" +
-         spring_table(sheet, actuation,
-                      [&](int d) { return diagonal_lengths(sheet, actuation, d); }) +
+         filling_table(sheet, actuation,
+                       [&](int d) { return diagonal_lengths(sheet, actuation, d); }) +
          hinge_table(sheet, card.design.thickness_mm, actuation.from_row, card.from_deg) + kPageEnd;
 }
 

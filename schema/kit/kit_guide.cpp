@@ -10,7 +10,9 @@
 #include "schema/kit/kit_springs.hpp"
 #include "schema/kit/page_parts.hpp"
 #include "schema/kit/sheet_pictures.hpp"
+#include "schema/pattern/fill_words.hpp"
 #include "solver/motion/plates.hpp"
+#include "solver/motion/sheet_filling.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -33,7 +35,7 @@ class Guide {
     }
     return text + bill() +
            hinge_table(sheet_, input_.design.thickness_mm, input_.actuation.from_row, from_deg()) +
-           springs() + assembly() + kPageEnd;
+           filling() + assembly() + kPageEnd;
   }
 
  private:
@@ -74,8 +76,7 @@ class Guide {
                    bore_mm ? fmt::format("bores of {:g} mm", *bore_mm) : std::string("no bores")},
                   1);
     text += table_row(
-        {fmt::format("springs of {:g} N/mm", input_.actuation.actuators.stiffness_n_per_mm),
-         std::to_string(mechanism_.diagonal_count()),
+        {fill_words(fill()), std::to_string(filling_parts()),
          fmt::format(
              "{:.4g} N mm at {:.10g}°",
              input_.actuation.energy_n_mm[static_cast<std::size_t>(input_.actuation.from_row)],
@@ -99,8 +100,16 @@ class Guide {
     return text;
   }
 
-  std::string springs() const {
-    return spring_table(sheet_, input_.actuation, [&](int d) { return lengths_mm(d); });
+  const solver::Fill& fill() const { return input_.actuation.actuators.fill; }
+
+  // Number of springs or plates.
+  Index filling_parts() const {
+    const solver::Filling filling = solver::filling_of(sheet_, fill());
+    return filling.is_springs() ? (filling.rates_n_per_mm().array() > 0).count() : filling.holes();
+  }
+
+  std::string filling() const {
+    return filling_table(sheet_, input_.actuation, [&](int d) { return lengths_mm(d); });
   }
 
   // Lengths of a spring when flat and at the angle of use; of its diagonal where the kit has no
@@ -138,16 +147,22 @@ class Guide {
                          panel_label(sheet_, ball.to_facet)},
                         3);
     }
-    text += "</table>\n" + assembled_picture(sheet_);
+    text += "</table>\n" +
+            assembled_picture(sheet_, input_.design.is_springs() ? "springs" : "diagonals");
     text +=
-        "<li>Fold the sheet without springs. It has one degree of freedom and these "
+        "<li>Fold the sheet with empty holes. It has one degree of freedom and these "
         "shapes:</li>\n" +
         folded();
-    return text +
-           fmt::format(
-               "<li>Unfold it flat and attach the springs, which then {}.</li>\n<li>Fold "
-               "and release it.</li>\n</ol>\n",
-               !input_.actuation.actuators.preload.is_any() ? "are relaxed" : "are preloaded");
+    if (std::holds_alternative<solver::NoFill>(fill())) return text + "</ol>\n";
+    const double rest_deg = solver::rest_deg(fill());
+    const bool is_springs = std::holds_alternative<solver::Springs>(fill());
+    return text + fmt::format(
+                      "<li>{} and {} the {}, which then are {}.</li>\n<li>Fold and release "
+                      "it.</li>\n</ol>\n",
+                      rest_deg == 0 ? std::string("Unfold it flat")
+                                    : fmt::format("Fold it to {:.10g}°", rest_deg),
+                      is_springs ? "attach" : "bond", fill_nouns(fill()).parts,
+                      state_words(fill()));
   }
 
   // Shapes at a sixth of the rows, half of them, and the angle of use.

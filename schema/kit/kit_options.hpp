@@ -24,6 +24,7 @@ struct KitOptions {
   double gap_mm = 5;                      ///< distance between parts
   double margin_mm = 5;                   ///< round all parts
   std::optional<Eigen::Vector2d> bed_mm;  ///< width and height of the machine's
+  double bond_mm = 8;                     ///< width of rubber plates' bonds along each edge
   bool guide = false;                     ///< true if a guide is written, too
   bool test_piece = false;  ///< true if one hinge and one ball joint to cut first are drawn, too
 };

@@ -7,7 +7,8 @@
 
 #include "schema/exchange/xml_text.hpp"
 #include "schema/kit/kit_hinges.hpp"
-#include "schema/pattern/preload_json.hpp"
+#include "schema/pattern/fill_words.hpp"
+#include "solver/motion/sheet_filling.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -18,6 +19,97 @@ constexpr const char* kStyle =
     "text-align:left}td.n{text-align:right}svg{width:100%;max-height:24em}"
     "figure{display:inline-block;width:32%;margin:0;vertical-align:top}figure.wide{width:100%}"
     ".warning{border:2px solid #c00;padding:.5em}@media print{h2{break-after:avoid}}";
+
+// One row for each spring; a diagonal without one has none.
+std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
+                         const std::function<SpringLengths(int)>& lengths) {
+  const solver::Mechanism& mechanism = sheet.mechanism();
+  const solver::Fill& fill = actuation.actuators.fill;
+  const solver::Filling filling = solver::filling_of(sheet, fill);
+  std::vector<int> few;
+  if (actuation.few) few = actuation.few->diagonals;
+  std::string text = fmt::format(
+      "<h2>Springs</h2>\n<p>{} {}. Folded: pilot angle {:.10g}°. A spring pulls where it is longer "
+      "than its free length{}.</p>\n<table>\n",
+      std::get<solver::Springs>(fill).pull_only ? "All wires are" : "All springs are",
+      rest_words(fill), actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)],
+      std::get<solver::Springs>(fill).pull_only ? "" : ", and pushes where it is shorter");
+  text += table_row({"no.", "vertices", "force", "enough", "free (mm)", "flat (mm)", "folded (mm)",
+                     "elongation (%)", "force (N)"},
+                    4, "th");
+  double largest_n = 0;
+  Eigen::Index count = 0;
+  for (int d = 0; d < mechanism.diagonal_count(); ++d) {
+    const double rate_n_per_mm = filling.rates_n_per_mm()(d);
+    if (rate_n_per_mm == 0) continue;
+    ++count;
+    const auto [flat_mm, folded_mm] = lengths(d);
+    const auto at = static_cast<std::size_t>(d);
+    const double free_mm = flat_mm + actuation.free_mm[at] - sheet.history().flat_mm[at];
+    const bool is_slack = std::get<solver::Springs>(fill).pull_only && folded_mm < free_mm;
+    const double force_n = is_slack ? 0 : rate_n_per_mm * std::abs(folded_mm - free_mm);
+    largest_n = std::max(largest_n, force_n);
+    const solver::Diagonal& diagonal = mechanism.diagonals[at];
+    text += table_row(
+        {"s" + std::to_string(d), solver::line_label(diagonal.from, diagonal.to),
+         is_slack               ? "slack"
+         : folded_mm >= free_mm ? "pulls"
+                                : "pushes",
+         std::ranges::count(few, d) > 0 ? "yes" : "", fmt::format("{:.2f}", free_mm),
+         fmt::format("{:.2f}", flat_mm), fmt::format("{:.2f}", folded_mm),
+         fmt::format("{:+.2f}", 100 * (folded_mm / flat_mm - 1)), fmt::format("{:.3g}", force_n)},
+        4);
+  }
+  text += fmt::format("</table>\n<p>Largest force: {:.3g} N.", largest_n);
+  if (!few.empty()) {
+    text += fmt::format(
+        " The {} of {} springs marked “enough” alone keep {:.0f} % of the least moment.",
+        few.size(), count, 100 * actuation.few->share);
+  }
+  return text + "</p>\n";
+}
+
+// One row for each hole: its plate's cut-out, and its diagonals flat and folded.
+std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& actuation) {
+  const solver::Fill& fill = actuation.actuators.fill;
+  const solver::Filling filling = solver::filling_of(sheet, fill);
+  const std::vector<solver::Diagonal>& diagonals = sheet.mechanism().diagonals;
+  std::string text = fmt::format(
+      "<h2>Rubber plates</h2>\n<p>{}, bonded to the edges of their holes. Cut-out: the diagonals "
+      "of a plate without stress. Folded: pilot angle {:.10g}°.</p>\n<table>\n",
+      filling_words(fill), actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)]);
+  text += table_row(
+      {"hole", "diagonals", "cut-out (mm)", "flat (mm)", "folded (mm)", "energy (N mm)"}, 2, "th");
+  for (Eigen::Index h = 0; h < filling.holes(); ++h) {
+    const auto first = static_cast<std::size_t>(2 * h);
+    const auto pair = [&](const auto& text_of, const char* between) {
+      return text_of(first) + between + text_of(first + 1);
+    };
+    const auto length = [&](double SpringLengths::*state) {
+      return pair(
+          [&](std::size_t d) {
+            return fmt::format("{:.2f}",
+                               diagonal_lengths(sheet, actuation, static_cast<int>(d)).*state);
+          },
+          " × ");
+    };
+    Eigen::Vector2d folded_mm;
+    for (int k = 0; k < 2; ++k) {
+      folded_mm(k) = diagonal_lengths(sheet, actuation, static_cast<int>(2 * h) + k).folded_mm;
+    }
+    const int facet = sheet.base().holes[static_cast<std::size_t>(h)];
+    const auto& place = sheet.base().sheet.places[static_cast<std::size_t>(facet)];
+    text += table_row(
+        {fmt::format("row {}, column {}", place[0], place[1]),
+         pair([&](std::size_t d) { return solver::line_label(diagonals[d].from, diagonals[d].to); },
+              " × "),
+         pair([&](std::size_t d) { return fmt::format("{:.2f}", actuation.free_mm[d]); }, " × "),
+         length(&SpringLengths::flat_mm), length(&SpringLengths::folded_mm),
+         fmt::format("{:.3g}", filling.hole(h, folded_mm).n_mm)},
+        2);
+  }
+  return text + "</table>\n";
+}
 
 }  // namespace
 
@@ -76,45 +168,11 @@ SpringLengths diagonal_lengths(const solver::Sheet& sheet, const solver::Actuati
   return {flat_mm, at == 0 ? flat_mm : sheet.history().length_mm(at - 1, diagonal)};
 }
 
-std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
-                         const std::function<SpringLengths(int)>& lengths) {
-  const solver::Mechanism& mechanism = sheet.mechanism();
-  const solver::Actuators& springs = actuation.actuators;
-  std::vector<int> few;
-  if (actuation.few) few = actuation.few->diagonals;
-  std::string text = fmt::format(
-      "<h2>Springs</h2>\n<p>{}. Folded: pilot angle {:.10g}°. A spring pulls where it is longer "
-      "than its free length, and pushes where it is shorter.</p>\n<table>\n",
-      !springs.preload.is_any()
-          ? "All springs are relaxed when the sheet is flat"
-          : fmt::format("Preload when the sheet is flat: {}", preload_words(springs.preload)),
-      actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)]);
-  text += table_row({"no.", "vertices", "force", "enough", "free (mm)", "flat (mm)", "folded (mm)",
-                     "elongation (%)", "force (N)"},
-                    4, "th");
-  double largest_n = 0;
-  for (int d = 0; d < mechanism.diagonal_count(); ++d) {
-    const auto [flat_mm, folded_mm] = lengths(d);
-    const auto at = static_cast<std::size_t>(d);
-    const double free_mm = flat_mm + actuation.free_mm[at] - sheet.history().flat_mm[at];
-    const double force_n = springs.stiffness_n_per_mm * std::abs(folded_mm - free_mm);
-    largest_n = std::max(largest_n, force_n);
-    const solver::Diagonal& diagonal = mechanism.diagonals[static_cast<std::size_t>(d)];
-    text += table_row(
-        {"s" + std::to_string(d), solver::line_label(diagonal.from, diagonal.to),
-         folded_mm >= free_mm ? "pulls" : "pushes", std::ranges::count(few, d) > 0 ? "yes" : "",
-         fmt::format("{:.2f}", free_mm), fmt::format("{:.2f}", flat_mm),
-         fmt::format("{:.2f}", folded_mm), fmt::format("{:+.2f}", 100 * (folded_mm / flat_mm - 1)),
-         fmt::format("{:.3g}", force_n)},
-        4);
-  }
-  text += fmt::format("</table>\n<p>Largest force: {:.3g} N.", largest_n);
-  if (!few.empty()) {
-    text += fmt::format(
-        " The {} of {} springs marked “enough” alone keep {:.0f} % of the least moment.",
-        few.size(), mechanism.diagonal_count(), 100 * actuation.few->share);
-  }
-  return text + "</p>\n";
+std::string filling_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
+                          const std::function<SpringLengths(int)>& lengths) {
+  const solver::Fill& fill = actuation.actuators.fill;
+  if (std::holds_alternative<solver::Springs>(fill)) return spring_table(sheet, actuation, lengths);
+  return std::holds_alternative<solver::RubberPlates>(fill) ? plate_table(sheet, actuation) : "";
 }
 
 }  // namespace misalign::schema

@@ -1,4 +1,4 @@
-// Writes the common parts of printed pages: their frame, and tables of hinges and springs.
+// Writes the common parts of printed pages: their frame, and tables of hinges, springs and plates.
 #pragma once
 
 #include <functional>
@@ -30,8 +30,9 @@ struct SpringLengths {
 SpringLengths diagonal_lengths(const solver::Sheet& sheet, const solver::Actuation& actuation,
                                int diagonal);
 
-/// One row for each spring, and the largest force; `lengths`: between a spring's ends.
-std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
-                         const std::function<SpringLengths(int)>& lengths);
+/// One row for each spring, and the largest force; `lengths`: between a spring's ends. Of rubber
+/// plates one row for each hole; nothing of no filling.
+std::string filling_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
+                          const std::function<SpringLengths(int)>& lengths);
 
 }  // namespace misalign::schema

@@ -42,7 +42,7 @@ std::string exploded_picture(const solver::Sheet& sheet) {
   return picture.svg("Exploded view of the panels", true);
 }
 
-std::string assembled_picture(const solver::Sheet& sheet) {
+std::string assembled_picture(const solver::Sheet& sheet, const std::string& diagonals) {
   const solver::Mechanism& mechanism = sheet.mechanism();
   GuidePicture picture;
   for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
@@ -64,8 +64,8 @@ std::string assembled_picture(const solver::Sheet& sheet) {
     picture.text(sheet.point_mm(ball.vertex) + Vector2d(0, 0.08 * mechanism.panel_width_mm),
                  solver::vertex_label(ball.vertex), 0.14 * mechanism.panel_width_mm);
   }
-  return picture.svg("Mountains: red; valleys: blue, dashed; springs: green; ball joints: dots",
-                     true);
+  return picture.svg(
+      "Mountains: red; valleys: blue, dashed; " + diagonals + ": green; ball joints: dots", true);
 }
 
 // Draws the farthest panels first.

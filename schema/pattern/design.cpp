@@ -4,6 +4,7 @@
 #include <cassert>
 #include <string>
 
+#include "schema/files/input.hpp"
 #include "solver/studies/wanted.hpp"
 
 namespace misalign::schema {
@@ -14,13 +15,25 @@ constexpr DesignNumber kNumbers[] = {
     {"", "from_deg", &Design::from_deg, 0.01, 180, std::nullopt,
      "try 140, or null for each sheet's D"},
     {"springs", "stiffness_n_per_mm", &Design::stiffness_n_per_mm, 1e-6, 1e9,
-     solver::Actuators{}.stiffness_n_per_mm, "try 50, the paper's springs"},
+     solver::Springs{}.stiffness_n_per_mm, "try 50, the paper's springs"},
     {"springs", "stroke_limit", &Design::stroke_limit, 1e-6, 1, std::nullopt,
      "write a share of the flat length, 0.08 for Ti-Ni wires, or null for no limit"},
     {"springs", "preload_n", &Design::preload_n, 0, 1e6, 0,
      "try 3: the force of each spring at flat"},
     {"springs", "largest_force_n", &Design::largest_force_n, 1e-6, 1e9, std::nullopt,
      "write the spring's limit load, or null for no limit"},
+    {"springs", "rest_deg", &Design::rest_deg, 0, 180, 0,
+     "write the pilot angle at which the springs are relaxed, 0 for flat"},
+    {"springs", "diameter_mm", &Design::diameter_mm, 1e-6, 1e6, std::nullopt,
+     "write the outer diameter of the springs, such as 5, or null where it is not known"},
+    {"plate", "shear_mpa", &Design::shear_mpa, 1e-6, 1e6, solver::RubberPlates{}.shear_mpa,
+     "write the rubber's shear modulus in MPa, such as 0.5"},
+    {"plate", "thickness_mm", &Design::plate_mm, 1e-6, 1e3, solver::RubberPlates{}.thickness_mm,
+     "write the plate's thickness in mm, such as 1"},
+    {"plate", "prestretch", &Design::prestretch, 0.1, 10, solver::RubberPlates{}.prestretch,
+     "write lengths in the hole to those of the cut-out, such as 1.1, or 1"},
+    {"plate", "rest_deg", &Design::rest_deg, 0, 180, 0,
+     "write the pilot angle at which only the pre-stretch is left, 0 for flat"},
     {"hinges", "friction_n_mm_per_mm", &Design::friction_n_mm_per_mm, 0, 1e9, 0,
      "try 0.02, or 0 for none"},
     {"hinges", "stiffness_n_mm_per_mm", &Design::hinge_stiffness_n_mm_per_mm, 0, 1e9, 0,
@@ -44,14 +57,38 @@ constexpr DesignNumber kNumbers[] = {
     {"wanted", "landing_deg_per_s", &Design::landing_deg_per_s, 0, 1e9, std::nullopt,
      "write the largest landing rate, or null for no limit"}};
 
+// Values of springs have no meaning where the holes have other fillings.
+void check_are_springs(std::string_view key, const std::optional<std::string>& value,
+                       const Design& other) {
+  if (other.is_springs()) return;
+  throw UserError(solver::OptionFault{
+      std::string(key), value,
+      std::string("is of springs, and this sheet's holes have ") +
+          (other.is_plate() ? "rubber plates" : "nothing in them"),
+      "leave it out, or give springs by " + parameter("fill", R"({"kind": "springs"})")});
+}
+
 }  // namespace
 
 Design Design::merged_over(Design other) const {
+  if (fill_kind) static_cast<DesignFill&>(other) = DesignFill{};
   const auto take = [&](auto member) {
     if (this->*member) other.*member = this->*member;
   };
   if (preload_n || !other_preloads.empty()) other.other_preloads = other_preloads;
-  for (const DesignNumber& row : kNumbers) take(row.number);
+  for (const DesignNumber& row : kNumbers) {
+    const std::optional<double>& number = this->*row.number;
+    if (number && row.block == "springs" && row.number != &Design::rest_deg) {
+      check_are_springs(row.key, shown_number(*number), other);
+    }
+    take(row.number);
+  }
+  if (pull_only) check_are_springs("pull_only", std::nullopt, other);
+  take(&Design::fill_kind);
+  take(&Design::pull_only);
+  take(&Design::springs_on);
+  if (!single_springs.empty()) other.single_springs = single_springs;
+  if (!cut_outs.empty()) other.cut_outs = cut_outs;
   take(&Design::hinge_kind);
   take(&Design::film);
   take(&Design::material);
@@ -60,12 +97,8 @@ Design Design::merged_over(Design other) const {
   return other;
 }
 
-solver::Actuators Design::actuators() const {
-  solver::Actuators actuators;
-  actuators.stiffness_n_per_mm = stiffness_n_per_mm.value_or(actuators.stiffness_n_per_mm);
-  actuators.stroke_limit = stroke_limit;
-  actuators.preload = {preload_n.value_or(0), other_preloads};
-  return actuators;
+solver::Actuators Design::actuators(const solver::PerforatedSheet& base) const {
+  return {fill(base), stroke_limit};
 }
 
 double Design::hinge_elastic_n_mm_per_mm() const {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "schema/pattern/design_fill.hpp"
 #include "schema/pattern/material.hpp"
 #include "solver/motion/actuators.hpp"
 #include "solver/motion/film_hinge.hpp"
@@ -32,12 +33,8 @@ inline constexpr CreaseCutName kCreaseCuts[] = {
 /// their own defaults for absent values. Options of a command form a design, too, which overrides a
 /// file's (`merged_over`). A number is a member here, a line of the table in design.cpp, and a key
 /// in campaign.schema.json.
-struct Design {
+struct Design : DesignFill {
   std::optional<double> from_deg;  ///< angle of use: the sheet is used from here to flat
-  /// "springs" on all diagonals; the last two are preload and limit load of each.
-  std::optional<double> stiffness_n_per_mm, stroke_limit, preload_n, largest_force_n;
-  /// "springs.preloads_n": preloads of single springs; the others have `preload_n`.
-  std::vector<solver::Preload::OfOne> other_preloads;
   /// "hinges": dry friction and stiffness per rad, both per length of crease.
   std::optional<double> friction_n_mm_per_mm, hinge_stiffness_n_mm_per_mm;
   std::optional<double> pin_friction_mm;  ///< mu r of hinges' pins and ball joints
@@ -53,10 +50,11 @@ struct Design {
   /// of miscut copies; landing rate.
   std::optional<double> static_margin, margin_to_deg, energy_margin, yield, landing_deg_per_s;
 
-  /// Returns this design, completed by `other`.
+  /// Returns this design, completed by `other`: a filling with a kind replaces the other's.
+  /// UserError (bad_request) where this has numbers of springs, and the other other fillings.
   Design merged_over(Design other) const;
 
-  solver::Actuators actuators() const;
+  solver::Actuators actuators(const solver::PerforatedSheet& base) const;
   /// Returns the hinges' stiffness, otherwise that of the film.
   double hinge_elastic_n_mm_per_mm() const;
   solver::Plates plates() const;
@@ -70,7 +68,8 @@ struct DesignLimits {
 DesignLimits design_limits(std::string_view key);
 
 struct DesignNumber {
-  std::string_view block, key;  ///< "springs", "stiffness_n_per_mm"; "" for the design itself
+  /// "springs", "stiffness_n_per_mm"; "" for the design itself, "plate" for a filling of that kind.
+  std::string_view block, key;
   std::optional<double> Design::*number;
   double least, most;
   std::optional<double> standard;  ///< default; none: null

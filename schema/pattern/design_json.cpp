@@ -7,32 +7,19 @@
 #include <string_view>
 
 #include "schema/files/json_values.hpp"
-#include "schema/pattern/preload_json.hpp"
-#include "solver/kinematics/mechanism.hpp"
+#include "schema/pattern/design_numbers.hpp"
+#include "schema/pattern/fill_json.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
 namespace {
 
-constexpr std::string_view kBlocks[] = {"springs", "hinges", "wanted"};
+constexpr std::string_view kBlocks[] = {"hinges", "wanted"};
 
 const Json& part_of(ObjectReader& reader, const char* key) {
   static const Json kEmpty = Json::object();
   const Json* found = reader.find(key);
   return found ? *found : kEmpty;
-}
-
-// Reads numbers; null means absent unless there is a default.
-void read_numbers(ObjectReader& reader, std::string_view block, Design& design) {
-  for (const DesignNumber& row : design_numbers()) {
-    if (row.block != block) continue;
-    const std::string key(row.key);
-    const Json* value = reader.find(key);
-    if (!value || (value->is_null() && !row.standard)) continue;
-    double number = row.standard.value_or(row.least);
-    reader.number(key, number, row.least, row.most, row.suggestion);
-    design.*row.number = number;
-  }
 }
 
 void read_hinge_kind(ObjectReader& reader, std::optional<CreaseCut>& kind) {
@@ -102,11 +89,11 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
   Design design;
   ObjectReader reader(value, where, faults);
   read_numbers(reader, "", design);
+  read_fill(reader, design);
   for (const std::string_view block : kBlocks) {
     const std::string name(block);
     ObjectReader part(part_of(reader, name.c_str()), reader.name(name), faults);
     read_numbers(part, block, design);
-    if (block == "springs") read_preloads(part, design.other_preloads);
     if (block == "hinges") {
       read_hinge_kind(part, design.hinge_kind);
       read_film(part, design.film);
@@ -134,13 +121,15 @@ Design read_springs(const Json& value, const std::string& where, InputFaults& fa
 }
 
 Json design_json(const Design& design) {
-  Json json = Json::object();
-  for (const DesignNumber& row : design_numbers()) {
-    const std::optional<double>& value = design.*row.number;
-    Json& block = row.block.empty() ? json : json[std::string(row.block)];
-    block[std::string(row.key)] = or_null(value ? value : row.standard);
+  Json json = numbers_json(design, "");
+  for (const std::string_view block : kBlocks) {
+    json[std::string(block)] = numbers_json(design, block);
   }
-  json["springs"]["preloads_n"] = preloads_json(design.other_preloads);
+  if (design.is_springs()) {
+    json["springs"] = springs_json(design);
+  } else {
+    json["fill"] = fill_json(design);
+  }
   json["hinges"]["kind"] = nullptr;
   for (const CreaseCutName& row : kCreaseCuts) {
     if (design.hinge_kind == row.cut) json["hinges"]["kind"] = row.name;
@@ -162,9 +151,7 @@ Json explicit_design_json(const Design& design) {
 void check_names(const Design& design, const solver::PerforatedSheet& base,
                  const std::string& source) {
   InputFaults faults;
-  if (!design.other_preloads.empty()) {
-    find_preload_faults(design.other_preloads, solver::build_mechanism(base), faults);
-  }
+  find_fill_faults(design, base, design.fill_key(), faults);
   const auto is_held = [&](int facet) {
     const auto& place = base.sheet.places[static_cast<std::size_t>(facet)];
     return place[0] == design.hold->at(0) && place[1] == design.hold->at(1);

@@ -15,7 +15,8 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
 /// Reads "springs" alone, which older files call "actuators".
 Design read_springs(const Json& value, const std::string& where, InputFaults& faults);
 
-/// Returns every key; null for absent values without a default.
+/// Returns every key; null for absent values without a default. Springs are "springs", other
+/// fillings "fill".
 Json design_json(const Design& design);
 /// Returns the design as JSON without defaults.
 Json explicit_design_json(const Design& design);

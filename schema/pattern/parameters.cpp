@@ -16,6 +16,8 @@ struct Parameter {
 constexpr Parameter kParameters[] = {{"", "jobs", {1, 4096}},
                                      {"", "trim_mm", {0, 1e6}},
                                      {"card", "trials", {1, kMostBacklashTrials}},
+                                     {"contact", "diameter_mm", {0.01, 1e3}},
+                                     {"contact", "end_mm", {0, 1e6}},
                                      {"optimise", "amplitude_mm", {1e-6, 1e6}},
                                      {"optimise", "deploys_from_deg", {0.01, 180}},
                                      {"optimise", "grid_mm", {1e-6, 1e3}},

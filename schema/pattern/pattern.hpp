@@ -1,12 +1,13 @@
 // Defines a pattern: the perforated sheet, its shifts, and the sampling of its path.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "schema/files/input.hpp"
 #include "solver/pattern/perforation.hpp"
-#include "solver/verdict/between.hpp"
+#include "solver/verdict/criterion.hpp"
 
 namespace misalign::schema {
 
@@ -29,6 +30,15 @@ enum class Displacements { allowed, refused };
 struct Sampling {
   double sample_deg = 1, end_deg = 180;
   solver::BumpRule between_samples = solver::BumpRule::ignored;
+  /// The filling whose energy has to fall; none: all diagonals have to be monotone.
+  std::optional<solver::Fill> energy_of = std::nullopt;
+
+  /// Returns the criterion, without margins.
+  solver::Criterion criterion() const {
+    solver::Criterion criterion{between_samples};
+    if (energy_of) criterion.energy = solver::EnergyCriterion{*energy_of};
+    return criterion;
+  }
 };
 
 /// Returns [row, column] of a facet.

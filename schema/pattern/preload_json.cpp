@@ -56,9 +56,10 @@ Json preloads_json(const std::vector<Preload::OfOne>& preloads) {
 }
 
 void find_preload_faults(const std::vector<Preload::OfOne>& preloads,
-                         const solver::Mechanism& mechanism, InputFaults& faults) {
+                         const solver::Mechanism& mechanism, const std::string& where,
+                         InputFaults& faults) {
   for (const Preload::OfOne& preload : preloads) {
-    const std::string name = "springs.preloads_n." + solver::line_label(preload.from, preload.to);
+    const std::string name = where + ".preloads_n." + solver::line_label(preload.from, preload.to);
     const auto on_one = [&](const auto& diagonal) { return preload.is_on(diagonal); };
     const auto at = std::ranges::find_if(mechanism.diagonals, on_one);
     if (at == mechanism.diagonals.end()) {
@@ -70,13 +71,6 @@ void find_preload_faults(const std::vector<Preload::OfOne>& preloads,
       faults.add(name, "is named twice, once by its vertices in the other order", "name it once");
     }
   }
-}
-
-void check_preloads(const std::vector<Preload::OfOne>& preloads,
-                    const solver::Mechanism& mechanism) {
-  InputFaults faults;
-  find_preload_faults(preloads, mechanism, faults);
-  faults.refuse("design");
 }
 
 void add_preload(const Preload& preload, Json& springs) {

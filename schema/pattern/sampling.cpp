@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "schema/pattern/judging_fill.hpp"
 #include "schema/pattern/perforation_check.hpp"
 
 namespace misalign::schema {
@@ -31,9 +32,11 @@ Json between_samples_json(solver::BumpRule rule) {
 }
 
 Json sampling_json(const Sampling& sampling) {
-  return {{"sample_deg", sampling.sample_deg},
-          {"end_deg", sampling.end_deg},
-          {"between_samples", between_samples_json(sampling.between_samples)}};
+  Json json = {{"sample_deg", sampling.sample_deg},
+               {"end_deg", sampling.end_deg},
+               {"between_samples", between_samples_json(sampling.between_samples)}};
+  if (sampling.energy_of) json.update(judging_fill_json(sampling.energy_of));
+  return json;
 }
 
 double last_judged_deg(const Pattern& pattern, double sample_deg) {
@@ -51,6 +54,7 @@ Sampling read_sampling(const Json& candidate, const Pattern& pattern, InputFault
   if (faults.count() == 0) sampling.end_deg = last_judged_deg(pattern, sampling.sample_deg);
   reader.number("end_deg", sampling.end_deg, 0.01, 180, "try 180");
   read_between_samples(reader, pattern, sampling.between_samples);
+  sampling.energy_of = read_judging_fill(reader, pattern.base);
   reader.refuse_unknown_keys();
   return sampling;
 }

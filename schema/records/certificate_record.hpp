@@ -22,6 +22,8 @@ struct CertificateRecord {
   double seconds = 0;           ///< computing time; not part of the hash
   std::string proof;            ///< solver::encode
   std::string hash;             ///< certificate_hash
+  std::string criterion =
+      "diagonals";  ///< solver::name_of(CertifiedBy); the proof's, hence in the hash
 
   friend bool operator==(const CertificateRecord&, const CertificateRecord&) = default;
 };

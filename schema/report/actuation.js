@@ -149,9 +149,11 @@ export function make_actuation(report, folding, change) {
   const { detail, decoded } = folding,
     box_of = (id) => document.getElementById(id);
   box_of("energy-caption").textContent =
-    `E = ½ k Σ (L − L₀)² of springs on all diagonals: k = ${number(report.actuators.stiffness_n_per_mm)} N/mm, ${at_flat(report)}. 1 N mm = 1 mJ.`;
+    (report.actuators.equal_springs
+      ? `E = ½ k Σ (L − L₀)² of springs on all diagonals: k = ${number(report.actuators.stiffness_n_per_mm)} N/mm, ${at_flat(report)}`
+      : `E of ${report.actuators.words}`) + ". 1 N mm = 1 mJ.";
   box_of("moment-caption").textContent =
-    "M = dE/dφ, φ the pilot angle. Where it is positive, the springs unfold the sheet.";
+    `M = dE/dφ, φ the pilot angle. Where it is positive, the ${report.actuators.parts} unfold the sheet.`;
   return quantities(decoded).map(({ id, values, label, unit, log }) => {
     const toggle = log && box_of(log);
     if (toggle && toggle.dataset.said === undefined)
@@ -208,7 +210,7 @@ function weakest_words({ weakest }) {
 
 function fewest_words({ few, weakest }, report) {
   if (!few)
-    return weakest
+    return weakest && report.actuators.equal_springs
       ? "No set of fewest springs: the moment is not positive at all angles from 5° to D."
       : null;
   const { diagonals, share, proven } = few;
@@ -239,11 +241,13 @@ function stroke_words({ over_stroke }, report) {
 }
 
 export function show_actuation_words(box, report, detail, decoded) {
-  const { stiffness_n_per_mm } = report.actuators,
+  const { stiffness_n_per_mm, equal_springs, words } = report.actuators,
     at_D = decoded.mechanical_advantage[decoded.depth];
   const items = [
     `Strain energy at D = ${degrees(detail.verdict.deploys_from_deg)}: ${number(decoded.energy_n_mm[decoded.depth])} N mm (mJ) in ` +
-      `${plural(report.diagonals.length, "spring")} of ${number(stiffness_n_per_mm)} N/mm, one on each diagonal.`,
+      (equal_springs
+        ? `${plural(report.diagonals.length, "spring")} of ${number(stiffness_n_per_mm)} N/mm, one on each diagonal.`
+        : `${words}.`),
     weakest_words(detail),
     fewest_words(detail, report),
     stroke_words(detail, report),

@@ -42,9 +42,28 @@ function shift_words(misalignment) {
 
 function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n_per_mm }) {
   if (!stops_at_deg) return "";
+  if (!stiffness_n_per_mm) return `, and springs that are relaxed at ${degrees(stops_at_deg)} hold it there`;
   return (
     `, and springs of ${number(stiffness_n_per_mm)} N/mm that are relaxed at ${degrees(stops_at_deg)} hold it there: ` +
     `rotational stiffness at least ${number(stop_stiffness_mm2_per_rad2 * stiffness_n_per_mm)} N mm/rad`
+  );
+}
+
+/** The filling whose energy is judged. */
+const fill_words = (fill) =>
+  fill.kind === "plate"
+    ? `rubber plates of ${number(fill.thickness_mm)} mm (G = ${number(fill.shear_mpa)} MPa, pre-stretch ${number(fill.prestretch)})`
+    : `springs of ${number(fill.stiffness_n_per_mm)} N/mm`;
+
+/** What an accepted draw has to do. */
+function criterion_words(accept) {
+  const to = `from flat to a pilot angle of ${degrees(accept.deploys_from_deg)} or more`;
+  if (accept.by !== "energy") return `every diagonal of every hole is monotone ${to}`;
+  const { least_friction_n_mm_per_mm: friction, least_moment_n_mm: moment } = accept;
+  return (
+    `the energy of ${fill_words(accept.fill)} rises ${to}` +
+    (friction ? `, with a critical friction of at least ${number(friction)} N mm/mm` : "") +
+    (moment ? `, with a moment of at least ${number(moment)} N mm` : "")
   );
 }
 
@@ -92,9 +111,8 @@ export function asked(report) {
   const { pattern, misalignment, path, accept, search } = report.campaign.configuration,
     { between_samples } = accept;
   return (
-    `${sheet_words(pattern)}. Each draw shifts ${shift_words(misalignment)}. A draw is accepted when every diagonal ` +
-    `of every hole is monotone from flat to a pilot angle of ${degrees(accept.deploys_from_deg)} or more` +
-    `${stop_words(accept, report.actuators)}. Samples: every ${degrees(path.sample_deg)} up to ` +
+    `${sheet_words(pattern)}. Each draw shifts ${shift_words(misalignment)}. A draw is accepted when ` +
+    `${criterion_words(accept)}${stop_words(accept, report.actuators)}. Samples: every ${degrees(path.sample_deg)} up to ` +
     `${degrees(path.end_deg)}${kBetween[between_samples] ?? ""}.` +
     (is_splitting(report) ? search_words(search, report.state.ladder.levels.length - 1) : "") +
     ascent_words(search)

@@ -42,9 +42,10 @@ export function read_candidates(report) {
   );
   columns.draw ??= [];
   // The springs' energy at D is no column of the catalogue, which has no stiffness.
-  columns.energy_n_mm = columns.stretch_sq_mm2?.map((sum) =>
-    sum === null ? null : (report.actuators.stiffness_n_per_mm / 2) * sum,
-  );
+  if (report.actuators.equal_springs)
+    columns.energy_n_mm = columns.stretch_sq_mm2?.map((sum) =>
+      sum === null ? null : (report.actuators.stiffness_n_per_mm / 2) * sum,
+    );
   const row_of = new Map(columns.draw.map((draw, row) => [draw, row]));
   const detailed = new Set(report.details.map((detail) => detail.draw));
   return { columns, count: columns.draw.length, row_of, detailed };
@@ -85,6 +86,7 @@ export function decode_detail(detail, report) {
     vertex_count: report.sheet.vertices_mm.length,
     vertices_mm: Float32Array.from(packed, (value) => value * detail.vertices_mm.unit_mm),
     energy_n_mm: floats(detail.energy_n_mm),
+    force_n: detail.force_n && floats(detail.force_n),
     moment_n_mm: floats(detail.moment_n_mm),
     mechanical_advantage: floats(detail.mechanical_advantage),
     motion: detail.let_go && {

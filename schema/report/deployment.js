@@ -19,7 +19,7 @@ const kOutcomes = {
 function caption(deployment, report) {
   const friction = deployment.critical_friction_n_mm_per_mm;
   return (
-    `From ${degrees(deployment.from_deg)}, springs of ${number(report.actuators.stiffness_n_per_mm)} N/mm, panels of ${number(deployment.thickness_mm)} mm ` +
+    `From ${degrees(deployment.from_deg)}, ${report.actuators.words}; panels of ${number(deployment.thickness_mm)} mm ` +
     `(total mass ${number(deployment.mass_g)} g), free in space, no friction. ${(kOutcomes[deployment.outcome] ?? (() => deployment.outcome))(deployment)}. ` +
     (friction === null
       ? "It does not reach flat by itself."

@@ -233,7 +233,10 @@ export function make_diagonal_list(box, report, detail, decoded, state) {
         now.textContent = signed_percent(elongation);
         const { preload_n } = report.diagonals[d];
         const at_flat = decoded.grows[d] ? preload_n : -preload_n;
-        force.textContent = `${fixed(at_flat + k_n_per_mm * decoded.flat_mm[d] * elongation, 1)} N`;
+        const force_n = decoded.force_n
+          ? decoded.force_n[k * rows.length + d]
+          : at_flat + k_n_per_mm * decoded.flat_mm[d] * elongation;
+        force.textContent = `${fixed(force_n, 1)} N`;
       });
     },
     mark(picked) {

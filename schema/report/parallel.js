@@ -24,6 +24,7 @@ const kUsual = [
   "end_value",
   "critical_friction_n_mm_per_mm",
   "static_friction_n_mm_per_mm",
+  "energy_friction_n_mm_per_mm",
   "miscut_margin_mm",
   "yield",
   "slope_min_mm_per_deg",

@@ -14,6 +14,7 @@
 #include "schema/files/carried_files.hpp"
 #include "schema/files/features.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/fill_words.hpp"
 #include "schema/pattern/pattern_json.hpp"
 #include "schema/records/fault_sample.hpp"
 #include "solver/pattern/outline.hpp"
@@ -246,6 +247,10 @@ Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
                {"energy_n_mm", floats(actuation.energy_n_mm)},
                {"moment_n_mm", floats(actuation.moment_n_mm)},
                {"mechanical_advantage", floats(actuation.mechanical_advantage)}});
+  if (!are_equal_springs(actuation.actuators.fill)) {
+    const Eigen::Matrix<double, -1, -1, Eigen::RowMajor> force_n = actuation.force_n;
+    json["force_n"] = floats(std::vector<double>(force_n.data(), force_n.data() + force_n.size()));
+  }
   json.update(limits_json(actuation));
   return json;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "schema/catalogue/metric_table.hpp"
 #include "schema/exchange/folding_json.hpp"
 #include "schema/files/features.hpp"
 #include "search/sheets/chosen_sheet.hpp"
@@ -60,8 +61,9 @@ void compare(const std::string& where, const Json& values, const Json& computed,
       continue;
     }
     for (const auto& [key, value] : ours.items()) {
-      // A pattern has no threshold, up to which a campaign's candidates have their margin.
-      if (!theirs.contains(key) || key == "miscut_margin_mm") continue;
+      // A pattern has no threshold, up to which a campaign's candidates have their margins.
+      const schema::MetricEntry* const metric = schema::find_metric(key);
+      if (!theirs.contains(key) || (metric && metric->needs_a_campaign)) continue;
       const Json& stored = theirs.at(key);
       if (key == "bump_deg" && stored.is_null() && ends_in_bump(computed)) continue;
       if (!tolerances.agree(key, stored, value)) {

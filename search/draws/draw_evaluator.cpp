@@ -66,8 +66,7 @@ schema::Candidate candidate_of(const solver::Model& model, std::uint64_t draw,
                                const double* shifts_mm, const solver::PathRecord& record) {
   solver::FlatVertices vertices_mm;
   model.displace(shifts_mm, vertices_mm);
-  return {draw, solver::measure(model.base(), vertices_mm, record, model.sample_deg()),
-          per_vertex(model, shifts_mm)};
+  return {draw, solver::measure(model, vertices_mm, record), per_vertex(model, shifts_mm)};
 }
 
 }  // namespace

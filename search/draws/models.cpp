@@ -41,7 +41,7 @@ solver::Model scoring_model_of(const schema::Campaign& campaign, int sample) {
 
 solver::Model model_of(const schema::Pattern& pattern, const schema::Sampling& sampling,
                        const StationOptions& stations) {
-  return solver::Model(pattern.base, path_of(sampling, stations), {sampling.between_samples});
+  return solver::Model(pattern.base, path_of(sampling, stations), sampling.criterion());
 }
 
 }  // namespace misalign::search

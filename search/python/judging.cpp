@@ -119,6 +119,7 @@ py::tuple fault_names() {
 
 void bind_judging(py::module_& module) {
   module.attr("faults") = fault_names();
+  module.def("judged_by", &judged_by, "sheet"_a.none(false), "accept"_a);
   module.def("accepted", &accepted, "sheet"_a.none(false), "shifts_mm"_a, "threshold_deg"_a);
   module.def("verdicts", &verdicts, "sheet"_a.none(false), "shifts_mm"_a);
 }

@@ -5,6 +5,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/files/output_file.hpp"
 #include "schema/pattern/design_json.hpp"
+#include "schema/pattern/judging_fill.hpp"
 #include "schema/pattern/pattern_document.hpp"
 #include "solver/play/tolerance.hpp"
 
@@ -28,7 +29,7 @@ std::shared_ptr<PatternSource> source_of_pattern(ChosenSheet sheet) {
   PatternSource source{std::move(sheet), {}, {}, {}, "", 0};
   source.safe_mm = safe_amplitude_mm(source.sheet.base);
   const schema::Sampling& sampling = source.sheet.sampling;
-  source.criterion.bumps = sampling.between_samples;
+  source.criterion = sampling.criterion();
   source.usual = solver::interior_vertices(source.pattern());
   const schema::Pattern& base = source.sheet.base;
   const Eigen::Matrix2Xd none_mm = Eigen::Matrix2Xd::Zero(2, source.vertices());
@@ -86,6 +87,25 @@ std::shared_ptr<PatternSource> with_shifts(const PatternSource& source,
   return source_of_pattern(std::move(sheet));
 }
 
+std::shared_ptr<PatternSource> judged_by(const PatternSource& source, const std::string& accept) {
+  const schema::Json json = schema::parse_json(accept, "the criterion");
+  schema::InputFaults faults;
+  schema::ObjectReader reader(json, "", faults);
+  const std::optional<solver::Fill> fill =
+      schema::read_judging_fill(reader, source.sheet.base.base);
+  reader.refuse_unknown_keys();
+  faults.refuse("the criterion");
+  PatternSource judged = source;
+  judged.sheet.sampling.energy_of = fill;
+  judged.criterion.energy = judged.sheet.sampling.criterion().energy;
+  if (judged.campaign) {
+    judged.campaign->energy.reset();
+    if (fill) judged.campaign->energy = schema::EnergyAcceptance{*fill};
+  }
+  judged.key += schema::judging_fill_json(fill).dump();
+  return std::make_shared<PatternSource>(std::move(judged));
+}
+
 void write_source(const PatternSource& source, const std::string& path) {
   const ChosenSheet& sheet = source.sheet;
   const schema::Json json =
@@ -120,6 +140,7 @@ std::shared_ptr<PatternSource> source_of_text(const std::string& text) {
   reader.number("sample_deg", sampling.sample_deg, 0, 180, "pickle it again");
   reader.number("end_deg", sampling.end_deg, 0, 180, "pickle it again");
   schema::read_between_samples(reader, pattern, sampling.between_samples);
+  sampling.energy_of = schema::read_judging_fill(reader, pattern.base);
   const schema::Design design = schema::read_design(json.at("design"), "design", faults);
   faults.refuse("a pickled pattern");
   const Eigen::Matrix2Xd shifts_mm = pattern.shifts_mm;

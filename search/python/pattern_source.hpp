@@ -33,6 +33,10 @@ std::shared_ptr<PatternSource> with_shifts(const PatternSource& source,
                                            const Eigen::Matrix2Xd& shifts_mm,
                                            const std::string& name);
 
+/// Returns this source judged by the criterion of an object {"by", "fill"}, as in the part "accept"
+/// of a campaign, without margins. UserError (bad_input).
+std::shared_ptr<PatternSource> judged_by(const PatternSource& source, const std::string& accept);
+
 /// Writes a campaign or a pattern file, which the program can read. UserError (failure).
 void write_source(const PatternSource& source, const std::string& path);
 

@@ -46,10 +46,17 @@ std::string json_of_study(const PatternSource& source, const std::string& design
 }
 
 std::string contact(const PatternSource& source, const std::string& design,
-                    const std::optional<double>& trim_mm) {
+                    const std::optional<double>& trim_mm, const std::optional<double>& diameter_mm,
+                    const std::optional<double>& end_mm, bool offset_ends) {
   if (trim_mm) schema::check_parameter("", "trim_mm", *trim_mm);
+  if (diameter_mm) schema::check_parameter("contact", "diameter_mm", *diameter_mm);
+  if (end_mm) schema::check_parameter("contact", "end_mm", *end_mm);
   return json_of_study(source, design, [&](const Subject& subject) {
-    return contact_of(subject.sheet, {trim_mm, subject.model.design().from_deg});
+    const schema::Design& whole = subject.model.design();
+    using solver::OffsetTrial;
+    return contact_of(subject.sheet,
+                      {trim_mm, whole.from_deg, spring_bodies(whole, diameter_mm, end_mm),
+                       offset_ends ? OffsetTrial::tried : OffsetTrial::none});
   });
 }
 
@@ -125,7 +132,10 @@ std::string certify(const PatternSource& source, const std::string& design, bool
     const double from_deg = subject.model.design().from_deg.value_or(d_deg);
     if (!(from_deg > 0))
       throw schema::UserError(solver::beyond_d_fault(subject.sheet.name(), 0, 0));
-    RowCertifier certifier(subject.chosen.base, model, contact);
+    const schema::Design design_given = subject.model.design();
+    RowCertifier certifier(
+        subject.chosen.base, model,
+        claims_of(subject.chosen.base, subject.chosen.sampling, design_given, {}, contact));
     return schema::certificate_json(certifier.certify(0, subject.chosen.shifts_mm, from_deg))
         .dump();
   });
@@ -151,7 +161,8 @@ std::string tolerance(const PatternSource& source, const std::string& design_tex
 }  // namespace
 
 void bind_studies(py::module_& module) {
-  module.def("contact", made(&contact), "sheet"_a, "design"_a, "trim_mm"_a);
+  module.def("contact", made(&contact), "sheet"_a, "design"_a, "trim_mm"_a, "diameter_mm"_a,
+             "end_mm"_a, "offset_ends"_a);
   module.def("actuators", made(&actuators), "sheet"_a, "design"_a);
   module.def("deploy", made(&deploy), "sheet"_a, "design"_a, "bends"_a);
   module.def("optimise", made(&optimise), "sheet"_a, "design"_a, py::kw_only(), "goal"_a,

@@ -33,7 +33,7 @@ constexpr auto orders_fields = [](auto& wire, auto& orders) {
 
 }  // namespace
 
-std::string certify_layout() { return "certify 1"; }
+std::string certify_layout() { return "certify 2"; }
 
 Bytes pack(const std::vector<CertifyOrder>& orders) { return packed(orders, orders_fields); }
 

@@ -58,7 +58,8 @@ struct CertifyWorkspace {
   CertifyWorkspace(schema::Campaign its_campaign, const CertifyOptions& options)
       : campaign(std::move(its_campaign)),
         model(model_of(campaign)),
-        certifier(campaign.pattern, model, options.contact) {}
+        certifier(campaign.pattern, model,
+                  claims_of(campaign, options.criterion, options.contact)) {}
   CertifyWorkspace(const CertifyWorkspace&) = delete;
   CertifyWorkspace& operator=(const CertifyWorkspace&) = delete;
 
@@ -182,7 +183,7 @@ class CertifyZero {
                    schema::printable(fault->what));
       return false;
     }
-    return answers(row, asked_deg, options_.contact);
+    return answers(row, asked_deg, ready_.certifier.claims());
   }
 
   CertifyOrder order_of(Chosen& sheet) {

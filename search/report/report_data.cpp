@@ -11,8 +11,11 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/status_json.hpp"
 #include "schema/catalogue/study_table.hpp"
+#include "schema/exchange/actuators_json.hpp"
 #include "schema/files/json_values.hpp"
 #include "schema/files/suggestion.hpp"
+#include "schema/pattern/fill_json.hpp"
+#include "schema/pattern/fill_words.hpp"
 #include "schema/report/report.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/campaign_sheet.hpp"
@@ -110,8 +113,10 @@ Json details_json(SQLite::Database& database, const schema::Campaign& campaign, 
 }
 
 Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mechanism,
-                    const solver::Preload& preload) {
-  const Eigen::VectorXd preload_n = preload.forces_n(mechanism.diagonals);
+                    const solver::Fill& fill) {
+  const auto* const springs = std::get_if<solver::Springs>(&fill);
+  const Eigen::VectorXd preload_n =
+      (springs ? springs->preload : solver::Preload{}).forces_n(mechanism.diagonals);
   Json diagonals = Json::array();
   for (const solver::Diagonal& diagonal : mechanism.diagonals) {
     diagonals.push_back({{"diagonal", diagonals.size()},
@@ -136,6 +141,7 @@ std::string options_of(const schema::Design& design) {
   if (const auto& limit = design.stroke_limit) {
     text += " --stroke-limit " + schema::shown_number(*limit);
   }
+  if (!design.is_springs()) text += " --fill " + shell_word(schema::fill_json(design).dump());
   return text;
 }
 
@@ -213,11 +219,14 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
 // Describes the sheet, its diagonals and springs.
 Json folding_json(const FoldingModel& model) {
   const solver::Actuators actuators = model.actuators();
+  Json filling = {{"stroke_limit", schema::or_null(actuators.stroke_limit)},
+                  {"words", schema::filling_words(actuators.fill)},
+                  {"parts", schema::fill_nouns(actuators.fill).parts},
+                  {"equal_springs", schema::are_equal_springs(actuators.fill)}};
+  schema::add_filling(actuators.fill, model.base().base, filling);
   return {{"sheet", schema::sheet_json(model.base(), model.mechanism())},
-          {"diagonals", diagonals_json(model.base(), model.mechanism(), actuators.preload)},
-          {"actuators",
-           {{"stiffness_n_per_mm", actuators.stiffness_n_per_mm},
-            {"stroke_limit", schema::or_null(actuators.stroke_limit)}}}};
+          {"diagonals", diagonals_json(model.base(), model.mechanism(), actuators.fill)},
+          {"actuators", filling}};
 }
 
 // Returns the relative path from the page to the manual's site, which reveals no more of this

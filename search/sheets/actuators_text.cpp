@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "schema/exchange/actuators_json.hpp"
-#include "schema/pattern/preload_json.hpp"
+#include "schema/pattern/fill_words.hpp"
+#include "search/sheets/studies.hpp"
 #include "search/sheets/study_texts.hpp"
 
 namespace misalign::search {
@@ -17,12 +18,9 @@ std::string springs_summary(const solver::Mechanism& mechanism, const Actuation&
   const auto& limit = actuation.actuators.stroke_limit;
   const std::string where =
       actuation.from_deg ? fmt::format("{:.10g} deg", *actuation.from_deg) : "D";
-  std::string text = fmt::format(
-      "springs of {:g} N/mm on every diagonal, {}{}\n", actuation.actuators.stiffness_n_per_mm,
-      !actuation.actuators.preload.is_any()
-          ? std::string("relaxed when flat")
-          : fmt::format("with {} when flat", schema::preload_words(actuation.actuators.preload)),
-      limit ? fmt::format("; stroke limit {:.10g} %", 100 * *limit) : "");
+  std::string text =
+      fmt::format("{}{}\n", schema::filling_words(actuation.actuators.fill),
+                  limit ? fmt::format("; stroke limit {:.10g} %", 100 * *limit) : "");
   if (actuation.weakest) {
     text += fmt::format("weakest at {:g} deg: {:.4g} N mm about the pilot crease\n",
                         actuation.weakest->pilot_deg, actuation.weakest->moment_n_mm);
@@ -68,12 +66,12 @@ std::string springs_text(const solver::Sheet& sheet, const Actuation& actuation)
   const solver::Mechanism& mechanism = sheet.mechanism();
   std::string text = actuation.from_deg ? "\n diagonal     free_mm  force there  elongation\n"
                                         : "\n diagonal     free_mm  force_at_D  elongation\n";
+  const Index row = actuation.from_row;
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
-    const double force_n = actuation.force_n(actuation.from_row, d);
+    const double force_n = actuation.force_n(row, d);
     const auto at = static_cast<std::size_t>(d);
     const double flat_mm = sheet.history().flat_mm[at];
-    const double longer_mm =
-        force_n / actuation.actuators.stiffness_n_per_mm + actuation.free_mm[at] - flat_mm;
+    const double longer_mm = row == 0 ? 0 : sheet.history().length_mm(row - 1, d) - flat_mm;
     const bool kept = actuation.few && std::binary_search(actuation.few->diagonals.begin(),
                                                           actuation.few->diagonals.end(), d);
     text += fmt::format("{:>9} {:>11.3f} {:>9.3f} N {:>9.3f} % {}\n",
@@ -86,8 +84,10 @@ std::string springs_text(const solver::Sheet& sheet, const Actuation& actuation)
 }  // namespace
 
 std::string actuators_text(const solver::Sheet& sheet, const Actuation& actuation) {
-  return springs_summary(sheet.mechanism(), actuation) + energies_text(actuation) +
-         springs_text(sheet, actuation);
+  std::string text = springs_summary(sheet.mechanism(), actuation) + energies_text(actuation) +
+                     springs_text(sheet, actuation);
+  if (const auto rubber = rubber_of(sheet, actuation)) text += "\n" + rubber_text(sheet, *rubber);
+  return text;
 }
 
 }  // namespace misalign::search

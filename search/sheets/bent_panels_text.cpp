@@ -56,6 +56,16 @@ std::string bent_friction_text(const solver::BentPanels& study, const solver::Be
   return text;
 }
 
+std::string buckling_text(const solver::BucklingStudy::Least& least) {
+  if (least.kind == solver::BucklingKind::none)
+    return "buckling factor: none; nothing presses a panel\n";
+  return fmt::format("buckling factor: {:.3g}, least at {:.3g} deg in panel {},{} ({})\n",
+                     least.factor, least.pilot_deg, least.place[0], least.place[1],
+                     least.kind == solver::BucklingKind::corner
+                         ? "a corner between two holes, pressed inwards"
+                         : "by its mean stress");
+}
+
 std::string preload_text(const solver::PreloadStudy& study) {
   std::string text = fmt::format(
       "preload: {:g} N at flat; stiffness there {:.4g} N mm/rad^2, natural frequency {:.3g} Hz; "
@@ -78,7 +88,7 @@ std::string preload_text(const solver::PreloadStudy& study) {
 }  // namespace
 
 std::string bent_panels_text(const schema::BentSheet& sheet, const solver::FrictionLimits& rigid) {
-  const auto& [material, study, advice, preload] = sheet;
+  const auto& [material, study, advice, buckling, preload] = sheet;
   const solver::BentAngle& most = study.most_bent();
   std::string text =
       energy_text(material, study) + bent_friction_text(study, advice, rigid) +
@@ -86,6 +96,7 @@ std::string bent_panels_text(const schema::BentSheet& sheet, const solver::Frict
           "largest saddle {:.3g} mm, largest stress {:.3g} MPa, at {:.3g} deg; stress counts "
           "farther than {:g} panel widths from corners, where it is singular\n",
           most.largest_saddle_mm, most.largest_stress_mpa, most.pilot_deg, solver::kCornerWidths);
+  text += buckling_text(buckling.least());
   if (advice.useful_stiffness_n_per_mm) {
     text += fmt::format("spring rate for {:g} % of the attainable friction: {:.3g} N/mm\n",
                         100 * solver::kUseful, *advice.useful_stiffness_n_per_mm);

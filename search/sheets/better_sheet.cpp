@@ -8,6 +8,7 @@
 #include <memory>
 #include <tuple>
 
+#include "schema/pattern/fill_words.hpp"
 #include "search/draws/models.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/row_certifier.hpp"
@@ -30,7 +31,9 @@ double asked_deg(const solver::Optimised& found, double sample_deg) {
 ProvenBetter proven(const Subject& subject, solver::Optimised found,
                     const std::function<void()>& watch) {
   if (!subject.sheet.base().springs.in_mid_plane()) return {std::move(found), {}};
-  RowCertifier certifier(subject.chosen.base, subject.sheet.model());
+  RowCertifier certifier(
+      subject.chosen.base, subject.sheet.model(),
+      claims_of(subject.chosen.base, subject.chosen.sampling, subject.chosen.design));
   std::optional<double> first;
   const std::vector<solver::Optimised::Taken> all = found.taken;
   for (;;) {
@@ -134,7 +137,7 @@ void add_yield(const ChosenSheet& chosen, const OptimiseInput& input, const sche
 }
 
 void choose_springs(const OptimiseInput& input, solver::OptimiseOptions& options) {
-  solver::Springs& springs = options.deploying.sheet.springs;
+  solver::Springs& springs = options.deploying.sheet.springs();
   springs.rest_deg = input.rest_deg.value_or(springs.rest_deg);
   options.stiffness_n_per_mm = range_of("stiffness_within", "springs.stiffness_n_per_mm",
                                         input.stiffness_n_per_mm, springs.stiffness_n_per_mm);
@@ -167,6 +170,7 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   solver::OptimiseOptions options = options_of(input);
   options.used_from_deg = design.from_deg;
   options.deploying = deploy_options(design, sheet);
+  schema::need_plain_springs(options.deploying.sheet.fill, "`misalign optimise`");
   options.bending = bending(design);
   options.stroke_limit = lower(options.stroke_limit, design.stroke_limit);
   options.largest_force_n = lower(options.largest_force_n, design.largest_force_n);
@@ -212,6 +216,9 @@ schema::Json better_pattern(const Subject& subject, const ProvenBetter& better) 
   schema::Design design = model.design();
   if (found.options.stiffness_n_per_mm) design.stiffness_n_per_mm = found.best().stiffness_n_per_mm;
   if (found.options.preload_n) design.preload_n = found.best().preload_n;
+  if (const double at_deg = found.options.deploying.sheet.springs().rest_deg; at_deg != 0) {
+    design.rest_deg = at_deg;
+  }
   return schema::pattern_file_json(model.base(), found.best().shifts_mm, model.sampling(), design);
 }
 

@@ -6,12 +6,14 @@
 #include <cmath>
 
 #include "schema/files/features.hpp"
+#include "schema/pattern/fill_words.hpp"
 #include "schema/pattern/perforation_check.hpp"
-#include "search/sheets/backlash.hpp"
+#include "search/sheets/card_copies.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/studies.hpp"
-#include "search/sheets/tolerance.hpp"
+#include "search/sheets/study_texts.hpp"
+#include "solver/bending/rest_stiffness.hpp"
 #include "solver/certificate/member_proof.hpp"
 #include "solver/contact/least_box.hpp"
 #include "solver/records/strokes.hpp"
@@ -38,7 +40,7 @@ class CardMaker {
                                   "`misalign fold` shows its first fault");
     }
     used_deg_ = std::min(design_.from_deg.value_or(d_deg), d_deg);
-    springs_ = solver::actuate(sheet_, design_.actuators(),
+    springs_ = solver::actuate(sheet_, design_.actuators(sheet_.base()),
                                used_deg_ < d_deg ? Number(used_deg_) : std::nullopt);
     release_ = deploy_options(design_, sheet_);
     release_.from_deg = release_deg();
@@ -50,7 +52,10 @@ class CardMaker {
     released();
     pins();
     springs();
-    copies();
+    for (schema::CardLine& line :
+         copy_lines(chosen_, sheet_, design_, used_deg_, {options_.trials, options_.jobs})) {
+      lines_.push_back(std::move(line));
+    }
     facts();
     return {{sheet_.name(), used_deg_, design_, std::move(lines_)}, std::move(springs_)};
   }
@@ -63,6 +68,19 @@ class CardMaker {
   void tell(const char* key, const std::string& what, const char* unit, Number found,
             const std::string& note = "") {
     ask(key, what, unit, {}, found, Bound::at_least, note);
+  }
+
+  // The largest sample up to which the energy rises from the angle of rest on.
+  void energy_falls_from() {
+    if (design_.is_springs()) return;
+    double from_deg = stop_deg();
+    for (std::size_t row = 1; row < springs_.pilot_deg.size(); ++row) {
+      if (springs_.pilot_deg[row] <= stop_deg()) continue;
+      if (!(springs_.moment_n_mm[row] > 0)) break;
+      from_deg = springs_.pilot_deg[row];
+    }
+    ask("energy_falls_from_deg", fmt::format("Deployment angle, energy of {} falls", parts()),
+        "deg", used_deg_, from_deg);
   }
 
   // Nothing that is undecided passes.
@@ -80,10 +98,12 @@ class CardMaker {
 
   void geometry() {
     deploys_from();
+    energy_falls_from();
     const auto [certified_deg, note] = certified();
     ask("certified_deg", "Certified angle, proven between samples too", "deg", used_deg_,
         certified_deg, Bound::at_least, note);
-    const solver::ContactStudy contact = contact_of(sheet_, {{}, used_deg_});
+    const solver::ContactStudy contact =
+        contact_of(sheet_, {{}, used_deg_, spring_bodies(design_, solver::kSpringDiameter_mm)});
     ask("first_contact_deg", "First panel contact", "deg", used_deg_,
         contact.first ? contact.first->pilot_deg : contact.known_until_deg);
     const bool is_reached = contact.reach_deg >= contact.used_from_deg;
@@ -93,6 +113,11 @@ class CardMaker {
         fmt::format("Maximum panel thickness, tapered, corners trimmed by {:g} mm",
                     contact.trim_mm),
         "mm", design_.thickness_mm, thickness_mm);
+    if (const auto& met = contact.springs->springs.closest) {
+      tell("spring_clearance_mm",
+           fmt::format("Spring clearance, springs of {:g} mm", solver::kSpringDiameter_mm), "mm",
+           met->clear_mm, spring_clearance_note(chosen_.base, sheet_.panels(), *contact.springs));
+    }
   }
 
   std::pair<Number, std::string> certified() const {
@@ -104,40 +129,59 @@ class CardMaker {
       if (proof.holds()) return {proof.certified_deg, "proven in rational numbers"};
       return {{}, proof.gap.why(sheet_.base().sheet)};
     }
-    RowCertifier certifier(chosen_.base, sheet_.model());
+    RowCertifier certifier(chosen_.base, sheet_.model(),
+                           claims_of(chosen_.base, chosen_.sampling, chosen_.design));
     const auto row = certifier.certify(0, chosen_.shifts_mm, used_deg_);
     return {row.certified_deg, ""};
   }
 
   void bent() {
-    const auto [material, panels, advice, preload] = bent_sheet(sheet_, release_, design_);
+    const auto [material, panels, advice, buckling, preload] =
+        bent_sheet(sheet_, release_, design_);
     const std::string bend =
         fmt::format(", bending panels of {:g} mm {}", panels.thickness_mm, material.name);
     const double hinge_friction = release_.sheet.joints.friction_n_mm_per_mm;
     const solver::BentFriction& friction = panels.friction;
-    margin("energy_margin", "Energy margin over hinge friction" + bend,
-           design_.energy_margin.value_or(solver::kWantedMargin), friction.critical_n_mm_per_mm,
-           hinge_friction);
+    if (stop_deg() == 0) {
+      margin("energy_margin", "Energy margin over hinge friction" + bend,
+             design_.energy_margin.value_or(solver::kWantedMargin), friction.critical_n_mm_per_mm,
+             hinge_friction);
+    }
     const Number least = friction.static_n_mm_per_mm;
     margin("static_margin",
            fmt::format("Static margin over hinge friction, down to {:g}°{}", panels.options.to_deg,
                        bend),
            design_.static_margin.value_or(solver::kWantedMargin), least, hinge_friction);
-    tell("bent_critical_friction_n_mm_per_mm", "Critical friction, bending panels", "N mm/mm",
-         friction.critical_n_mm_per_mm);
-    tell("static_friction_n_mm_per_mm",
-         fmt::format("Static friction overcome, worst at {:.3g}°", friction.static_deg), "N mm/mm",
-         least, *least > 0 ? "" : "no moment drives the sheet towards flat there");
+    if (stop_deg() == 0) {
+      tell("bent_critical_friction_n_mm_per_mm", "Critical friction, bending panels", "N mm/mm",
+           friction.critical_n_mm_per_mm);
+    } else {
+      stop();
+    }
+    // Pre-stretch may bend the panels instead of driving the sheet.
+    ask("static_friction_n_mm_per_mm",
+        fmt::format("Static friction overcome, worst at {:.3g}°", friction.static_deg), "N mm/mm",
+        design_.is_springs() ? Number{} : Number{0}, least, Bound::at_least,
+        *least > 0 ? "" : "no moment drives the sheet towards flat there");
     const solver::BentAngle& most = panels.most_bent();
     ask("largest_stress_mpa",
         fmt::format("Largest static panel stress, farther than {:g} panel widths from corners",
                     solver::kCornerWidths),
         "MPa", material.strength_mpa, most.largest_stress_mpa, Bound::at_most);
+    const solver::BucklingStudy::Least& pressed = buckling.least();
+    if (pressed.kind != solver::BucklingKind::none) {
+      tell("buckling_factor",
+           fmt::format("Buckling factor of panels, least at {:.3g}° in {},{}", pressed.pilot_deg,
+                       pressed.place[0], pressed.place[1]),
+           "", pressed.factor, "an estimate");
+    }
     tell("bent_energy_n_mm", "Stored energy", "N mm", panels.angles.back().bent.n_mm,
          fmt::format("rigid panels: {:.4g} N mm", panels.angles.back().rigid_n_mm));
-    tell("useful_stiffness_n_per_mm",
-         fmt::format("Spring rate for {:g} % of the attainable friction", 100 * solver::kUseful),
-         "N/mm", advice.useful_stiffness_n_per_mm);
+    if (design_.is_springs()) {
+      tell("useful_stiffness_n_per_mm",
+           fmt::format("Spring rate for {:g} % of the attainable friction", 100 * solver::kUseful),
+           "N/mm", advice.useful_stiffness_n_per_mm);
+    }
     if (hinge_friction > 0) {
       tell("least_thickness_mm",
            fmt::format("Panel thickness for a static margin of {:g}", advice.wanted_margin), "mm",
@@ -151,6 +195,18 @@ class CardMaker {
     }
   }
 
+  // The angle at which the filling is relaxed: 0 for flat.
+  double stop_deg() const { return design_.rest_deg.value_or(0); }
+  const char* parts() const { return schema::fill_nouns(release_.sheet.fill).parts; }
+
+  void stop() {
+    const auto stiffness = solver::rest_stiffness(sheet_, release_, bending(design_).material);
+    tell("rest_stiffness_n_mm_per_rad",
+         fmt::format("Rotational stiffness at the stop, {:g}°, bending panels", stop_deg()),
+         "N mm/rad", stiffness ? Number(stiffness->n_mm_per_rad) : std::nullopt,
+         stiffness ? "" : "not known with a preload or pre-stretch");
+  }
+
   // The angle of release: the last sample that its way reaches, if that is less.
   double release_deg() const {
     const solver::FoldingWay* const way = sheet_.way();
@@ -161,6 +217,11 @@ class CardMaker {
 
   // Panels are bent by springs on the vertices alone.
   void rigid() {
+    if (stop_deg() > 0) {
+      tell("static_margin", "Static margin over hinge friction", "", {},
+           "bending panels and a static margin need springs on the vertices");
+      return;
+    }
     const solver::StaticRelease study =
         value_or_throw(solver::static_release(sheet_, release_), sheet_.name(), "it has no card");
     margin("energy_margin", "Energy margin over hinge friction, rigid panels",
@@ -188,20 +249,26 @@ class CardMaker {
     const solver::DeploymentStudy study = deployed(sheet_, release_);
     Number rate, energy;
     for (const solver::Deployment::Row& row : study.run.rows) {
-      if (row.event != solver::Deployment::Event::flat) continue;
+      if (stop_deg() > 0 ? row.pilot_deg > stop_deg()
+                         : row.event != solver::Deployment::Event::flat) {
+        continue;
+      }
       rate = std::abs(row.rate_deg_per_s);
       energy = row.kinetic_n_mm;
       break;
     }
     ask("landing_deg_per_s", "Landing speed, rigid panels", "deg/s", design_.landing_deg_per_s,
-        rate, Bound::at_most, rate ? "" : "the sheet does not reach flat");
+        rate, Bound::at_most,
+        rate             ? ""
+        : stop_deg() > 0 ? "the sheet does not reach its stop"
+                         : "the sheet does not reach flat");
     tell("landing_energy_n_mm", "Landing energy, taken by a latch", "N mm", energy);
     tell("mass_g", "Panel mass", "g", study.mass_t * 1e6);
   }
 
   void pins() {
     const auto study = pins_of(sheet_, release_, design_);
-    if (!study) return;
+    if (!study || stop_deg() > 0) return;
     const double pin_friction_mm = study->own_mm;
     for (const auto& [pins, key, where] :
          {std::tuple(&study->in_middle, "pin_margin_in_middle",
@@ -216,7 +283,14 @@ class CardMaker {
     }
   }
 
+  // Strokes and forces of springs; of plates the forces alone.
   void springs() {
+    if (!design_.is_springs()) {
+      if (!design_.is_plate()) return;
+      tell("largest_force_n", "Largest force of a rubber plate along a diagonal", "N",
+           springs_.largest_force_n(), "rigid panels");
+      return;
+    }
     const std::vector<double> strokes_mm = solver::strokes_mm(sheet_.history(), springs_.from_row);
     const std::size_t least = std::ranges::min_element(strokes_mm) - strokes_mm.begin();
     const std::size_t most = std::ranges::max_element(strokes_mm) - strokes_mm.begin();
@@ -238,50 +312,6 @@ class CardMaker {
     ask("stroke", "Largest spring elongation", "", design_.stroke_limit, stroke, Bound::at_most);
     ask("largest_force_n", "Largest spring force", "N", design_.largest_force_n,
         springs_.largest_force_n(), Bound::at_most, "rigid panels");
-  }
-
-  // The first sample from the angle of use on: copies are judged at samples.
-  double sample_of_use_deg() const {
-    const double sample_deg = chosen_.sampling.sample_deg;
-    return std::ceil(used_deg_ / sample_deg - 1e-9) * sample_deg;
-  }
-
-  void copies() {
-    const schema::Campaign campaign =
-        chosen_.drawn ? chosen_.drawn->campaign : chosen_.as_campaign();
-    const std::vector<Eigen::Matrix2Xd> shifts_mm = {chosen_.shifts_mm};
-    const bool is_overconstrained = schema::is_overconstrained(sheet_.base());
-    const Number& miscut_mm = design_.miscut_mm;
-    if (miscut_mm && is_overconstrained) {
-      ask("yield", "Yield of miscut copies", "", design_.yield.value_or(solver::kWantedShare), 0,
-          Bound::at_least,
-          "no miscut copy of an overconstrained sheet folds; `misalign tolerance` gives its joint "
-          "gaps");
-    } else if (miscut_mm) {
-      check_miscut(*miscut_mm, sheet_.base().sheet, chosen_.shifts_mm, sheet_.name());
-      ToleranceOptions study;
-      study.amplitude_mm = *miscut_mm;
-      study.trials = options_.trials;
-      study.jobs = options_.jobs;
-      study.set = solver::available_instruction_sets().back();
-      const schema::Campaign used = used_from(campaign, sample_of_use_deg(), shifts_mm, study,
-                                              [&](std::size_t) { return sheet_.name(); });
-      const solver::Tolerance tolerance = study_tolerance(used, shifts_mm, study).front();
-      const double survivors = static_cast<double>(tolerance.survivors());
-      ask("yield", fmt::format("Yield at ±{:g} mm cutting error", *miscut_mm), "",
-          design_.yield.value_or(solver::kWantedShare),
-          survivors / static_cast<double>(std::max<std::uint64_t>(1, tolerance.copies.decided())));
-    }
-    if (!design_.play_mm) return;
-    if (is_overconstrained) {
-      ask("play_mm", "Largest joint clearance", "mm", design_.play_mm, {}, Bound::at_least,
-          "the joints of an overconstrained sheet allow none");
-      return;
-    }
-    const BacklashStudy study(campaign, shifts_mm, {});
-    const auto loose = study.run({*design_.play_mm, options_.trials, options_.jobs}).front();
-    ask("play_mm", fmt::format("Largest joint clearance, from {:g}° to D", loose.from_deg), "mm",
-        design_.play_mm, loose.largest_mm);
   }
 
   void facts() {

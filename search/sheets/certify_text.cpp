@@ -25,13 +25,18 @@ std::string shown_deg(double certified_deg) {
   return fmt::format("{:.10g}", std::floor(certified_deg * kParts + kRounding) / kParts);
 }
 
+bool is_of_energy(const schema::CertificateRecord& row) {
+  return row.criterion == solver::name_of(solver::CertifiedBy::energy);
+}
+
 // The reason why a certificate ends before the requested angle.
 std::string reason(const schema::CertificateRecord& row) {
   switch (solver::certificate_end(row.end).value_or(CertificateEnd::flat_branch)) {
     case CertificateEnd::to_the_end:
       break;
     case CertificateEnd::reversal:
-      return "there diagonal " + row.place + " reverses";
+      return row.place.empty() ? "there the energy stops rising"
+                               : "there diagonal " + row.place + " reverses";
     case CertificateEnd::over_folded:
       return "there crease " + row.place + " folds past 180 deg";
     case CertificateEnd::sign_changed:
@@ -41,7 +46,8 @@ std::string reason(const schema::CertificateRecord& row) {
     case CertificateEnd::fold_limit:
       return "there the proof stops, next to a fold limit";
     case CertificateEnd::unclear_slope:
-      return "beyond it a diagonal or crease is not proven monotone";
+      return is_of_energy(row) ? "beyond it the energy or a crease is not proven monotone"
+                               : "beyond it a diagonal or crease is not proven monotone";
     case CertificateEnd::flat_branch:
       return "the branch next to flat cannot be proven";
   }
@@ -127,6 +133,7 @@ std::string certified_text(const schema::NamedCertificate& sheet) {
   } else {
     text += fmt::format(" of {:.10g} requested; {}", row.asked_deg, reason(row));
   }
+  if (is_of_energy(row)) text += "; the energy rises, diagonals need not be monotone";
   if (row.contact) text += "; no panels meet";
   text += fmt::format(" ({}, {:.3g} ms, {:.3g} kB", count_text(row.intervals, "interval"),
                       1e3 * row.seconds, 1e-3 * static_cast<double>(sheet.bytes));

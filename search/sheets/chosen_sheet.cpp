@@ -46,6 +46,7 @@ schema::Campaign ChosenSheet::as_campaign() const {
   campaign.sample_deg = campaign.threshold_deg = sampling.sample_deg;
   campaign.end_deg = sampling.end_deg;
   campaign.between_samples = sampling.between_samples;
+  if (sampling.energy_of) campaign.energy = schema::EnergyAcceptance{*sampling.energy_of};
   return campaign;
 }
 

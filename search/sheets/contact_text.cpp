@@ -53,7 +53,7 @@ std::string contact_text(const schema::Pattern& base, const solver::Panels& pane
     text += fmt::format("{:>9g} {:>9.3f} {:>11.3f} {:>11.3f}\n", study.pilot_deg[k], least.apart_mm,
                         least.vertex_deg, least.crease_deg);
   }
-  return text;
+  return text + spring_clearance_text(base, panels, study);
 }
 
 }  // namespace misalign::search

@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "schema/exchange/actuators_json.hpp"
+#include "schema/pattern/fill_words.hpp"
 
 namespace misalign::search {
 namespace {
@@ -101,8 +102,7 @@ double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sh
 solver::ReleaseOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet,
                                       solver::ReleaseOptions options) {
   options.from_deg = design.from_deg;
-  options.sheet.springs.stiffness_n_per_mm = design.actuators().stiffness_n_per_mm;
-  options.sheet.springs.preload = design.actuators().preload;
+  options.sheet.fill = design.fill(sheet.base());
   options.sheet.joints.friction_n_mm_per_mm = hinge_friction_n_mm_per_mm(design, sheet);
   options.sheet.joints.stiffness_n_mm_per_mm = design.hinge_elastic_n_mm_per_mm();
   options.sheet.plates = design.plates();
@@ -124,8 +124,9 @@ solver::ReleaseOptions DeployInput::of(const solver::Sheet& sheet,
   if (gravity.size() == 3) typed.gravity = {gravity[0], gravity[1], gravity[2]};
   solver::ReleaseOptions fitted = deploy_options(typed.merged_over(of_file), sheet, options);
   if (density_g_per_cm3) fitted.sheet.plates.density_g_per_cm3 = *density_g_per_cm3;
+  if (!other_rests.empty()) schema::need_springs(fitted.sheet.fill, "other angles of rest");
   for (const std::string& text : other_rests) {
-    fitted.sheet.springs.other_rests_deg.push_back(other_rest(sheet.mechanism(), text));
+    fitted.sheet.springs().other_rests_deg.push_back(other_rest(sheet.mechanism(), text));
   }
   return fitted;
 }
@@ -134,7 +135,8 @@ solver::BentPanelsOptions bending(const schema::Design& design) {
   const schema::Material material = design.material.value_or(schema::Material{});
   solver::BentPanelsOptions options;
   options.material = {material.e_gpa, material.poisson};
-  options.to_deg = design.margin_to_deg.value_or(options.to_deg);
+  // Nothing drives the sheet at a stop, nor when flat.
+  options.to_deg = design.rest_deg.value_or(0) + design.margin_to_deg.value_or(options.to_deg);
   return options;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "schema/exchange/actuators_json.hpp"
+#include "schema/pattern/fill_words.hpp"
 #include "schema/pattern/preload_json.hpp"
 #include "search/sheets/study_texts.hpp"
 
@@ -15,20 +16,19 @@ using solver::DeploymentStudy;
 using solver::Outcome;
 
 std::string released_sheet_text(const DeploymentStudy& study) {
-  const solver::Springs& springs = study.sheet.springs;
+  const solver::Fill& fill = study.sheet.fill;
+  const auto* const springs = std::get_if<solver::Springs>(&fill);
   const solver::Plates& plates = study.sheet.plates;
-  const bool when_flat = springs.rest_deg == 0;
-  std::string text = fmt::format(
-      "released at rest from {:g} deg: {} of {:g} N/mm, relaxed {}{}; panels of {:g} mm, mass "
-      "{:.4g} g; {}\n",
-      study.options.from_deg, springs.pull_only ? "wires" : "springs", springs.stiffness_n_per_mm,
-      when_flat ? "when flat" : fmt::format("at {:g} deg", springs.rest_deg),
-      springs.other_rests_deg.empty() ? "" : " (some at other angles)", plates.thickness_mm,
-      study.mass_t * 1e6, study.sheet.held ? "one panel held" : "free in space");
-  if (springs.preload.is_any()) {
+  std::string text =
+      fmt::format("released at rest from {:g} deg: {}{}; panels of {:g} mm, mass {:.4g} g; {}\n",
+                  study.options.from_deg, schema::filling_words(fill),
+                  springs && !springs->other_rests_deg.empty() ? " (some at other angles)" : "",
+                  plates.thickness_mm, study.mass_t * 1e6,
+                  study.sheet.held ? "one panel held" : "free in space");
+  if (springs && springs->preload.is_any()) {
     text += fmt::format("preload: {} in each spring at flat, its free length up to {:.4g} mm off\n",
-                        schema::preload_words(springs.preload),
-                        springs.preload.largest_n() / springs.stiffness_n_per_mm);
+                        schema::preload_words(springs->preload),
+                        springs->preload.largest_n() / springs->stiffness_n_per_mm);
   }
   const solver::JointResistance& joints = study.sheet.joints;
   std::string hinges;
@@ -129,7 +129,8 @@ std::string equilibria_text(const DeploymentStudy& study) {
                     at.pilot_deg, std::abs(at.energy_n_mm) < kNone_n_mm ? 0 : at.energy_n_mm);
     text += std::abs(at.x) > 0 ? fmt::format(", {:.4g} N mm/rad\n", at.stiffness_n_mm) : "\n";
   }
-  if (wells == 1 && !study.sheet.springs.other_rests_deg.empty()) {
+  const auto* const springs = std::get_if<solver::Springs>(&study.sheet.fill);
+  if (wells == 1 && springs && !springs->other_rests_deg.empty()) {
     text +=
         "one stable equilibrium only: diagonals are nearly proportional, so springs agree on an "
         "angle\n";
@@ -141,10 +142,10 @@ std::string equilibria_text(const DeploymentStudy& study) {
 }
 
 std::string wires_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
-  const solver::Springs& springs = study.sheet.springs;
-  if (!springs.pull_only || springs.rest_deg == 0) return "";
+  const auto* const springs = std::get_if<solver::Springs>(&study.sheet.fill);
+  if (!springs || !springs->pull_only || springs->rest_deg == 0) return "";
   const auto line = [&](const char* side, const std::vector<int>& diagonals) {
-    return fmt::format("wires that pull {} {:g} deg: {}\n", side, springs.rest_deg,
+    return fmt::format("wires that pull {} {:g} deg: {}\n", side, springs->rest_deg,
                        schema::diagonal_labels(mechanism, diagonals));
   };
   return line("above", study.pulls_from_above) + line("below", study.pulls_from_below);
@@ -187,7 +188,8 @@ std::string forces_text(const solver::Mechanism& mechanism, const DeploymentStud
 std::string motion_text(const DeploymentStudy& study) {
   const double from_deg = std::abs(study.options.from_deg);
   const double every_deg = from_deg > 90 ? 10 : from_deg > 40 ? 5 : from_deg > 8 ? 2 : 0.5;
-  std::string text = "\n  time_s  pilot_deg  deg_per_s  springs_n_mm  kinetic_n_mm\n";
+  std::string text = fmt::format("\n  time_s  pilot_deg  deg_per_s  {}_n_mm  kinetic_n_mm\n",
+                                 schema::fill_nouns(study.sheet.fill).column);
   for (const Deployment::Row& row : study.run.rows) {
     const bool is_event = row.event != Deployment::Event::none;
     if (!is_event && std::abs(std::remainder(row.pilot_deg, every_deg)) > 1e-6) continue;

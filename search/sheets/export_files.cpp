@@ -17,6 +17,7 @@
 #include "schema/files/output_file.hpp"
 #include "schema/kit/kit_drawing.hpp"
 #include "schema/kit/kit_guide.hpp"
+#include "schema/kit/plate_drawing.hpp"
 #include "schema/kit/test_piece.hpp"
 #include "schema/pattern/design_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
@@ -212,8 +213,9 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
   };
   if (!options_.kit) {
     return write_file(label.stem,
-                      text_of(schema::crease_pattern_drawing(model_.base(), sheet.vertices_mm(),
-                                                             sheet.mechanism(), label.title)));
+                      text_of(schema::crease_pattern_drawing(
+                          model_.base(), sheet.vertices_mm(), sheet.mechanism(), label.title,
+                          model_.design().is_springs() ? "springs" : "diagonals")));
   }
   const schema::KitDrawings kit = schema::kit_drawings(sheet, *options_.kit, label.title);
   if (!kit.warning.empty() && options_.warn) options_.warn(sheet.name() + ": " + kit.warning);
@@ -223,6 +225,11 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
   for (std::size_t k = 0; k < texts.size(); ++k) {
     write_file(label.stem + (options_.kit->bed_mm ? fmt::format("-kit-{}", k + 1) : "-kit"),
                texts[k]);
+  }
+  const solver::Fill fill = model_.design().actuators(model_.base().base).fill;
+  if (const auto* plates = std::get_if<solver::RubberPlates>(&fill)) {
+    write_file(label.stem + "-kit-plates",
+               text_of(schema::kit_plate_drawing(sheet, *plates, *options_.kit, label.title)));
   }
   if (options_.kit->test_piece) {
     write_file(label.stem + "-kit-test",

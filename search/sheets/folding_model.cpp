@@ -1,6 +1,6 @@
 #include "search/sheets/folding_model.hpp"
 
-#include "schema/pattern/preload_json.hpp"
+#include "schema/pattern/fill_json.hpp"
 #include "solver/pattern/half_angle.hpp"
 
 namespace misalign::search {
@@ -12,7 +12,7 @@ FoldingModel::FoldingModel(const schema::Pattern& base, const schema::Sampling& 
       design_(design),
       model_(model_of(base, sampling, stations)),
       solver_(model_) {
-  schema::check_preloads(design_.other_preloads, mechanism());
+  schema::check_fill(design_, base_.base);
 }
 
 FoldingModel::FoldingModel(const schema::Campaign& campaign, const StationOptions& stations)
@@ -21,7 +21,7 @@ FoldingModel::FoldingModel(const schema::Campaign& campaign, const StationOption
       design_(campaign.design),
       model_(model_of(campaign, stations)),
       solver_(model_) {
-  schema::check_preloads(design_.other_preloads, mechanism());
+  schema::check_fill(design_, base_.base);
 }
 
 void check_shapes(const solver::Sheet& sheet, const std::vector<Eigen::Index>& rows) {

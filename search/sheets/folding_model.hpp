@@ -27,7 +27,7 @@ class FoldingModel {
   const schema::Pattern& base() const { return base_; }
   const schema::Sampling& sampling() const { return sampling_; }
   const schema::Design& design() const { return design_; }
-  solver::Actuators actuators() const { return design_.actuators(); }
+  solver::Actuators actuators() const { return design_.actuators(base_.base); }
   const solver::Mechanism& mechanism() const { return model_.mechanism(); }
 
  private:

@@ -8,9 +8,12 @@
 #include <cmath>
 
 #include "schema/files/text_table.hpp"
+#include "schema/pattern/fill_words.hpp"
+#include "schema/pattern/judging_fill.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/sheets/springs_at_vertices.hpp"
 #include "search/terminal/screen.hpp"
+#include "solver/sheet/energy_history.hpp"
 
 namespace misalign::search {
 namespace {
@@ -37,6 +40,25 @@ std::string shortest_strokes(const schema::FoldingView& view, double miscut_mm) 
                      *least);
 }
 
+// D of the filling's energy beside that of the diagonals; empty without such a filling.
+std::string energy_words(const schema::FoldingView& view, const std::optional<solver::Fill>& fill) {
+  if (!fill || !schema::drives_to_flat(*fill)) return "";
+  const solver::EnergyHistory found = solver::energy_history(view.sheet, view.history, *fill);
+  const double d_deg = found.deploys_from_sample * view.sample_deg;
+  std::string text =
+      fmt::format("\nenergy of {} falls to flat from {:g} deg", schema::fill_words(*fill), d_deg);
+  if (!found.rises_to_the_end) {
+    text += fmt::format("\nit rises again from {:g} deg", d_deg + view.sample_deg);
+    if (found.where >= 0) {
+      const solver::Diagonal& diagonal =
+          view.mechanism.diagonals[static_cast<std::size_t>(found.where)];
+      text += ", most by " + solver::line_label(diagonal.from, diagonal.to);
+    }
+  }
+  return text + fmt::format("\nall diagonals are monotone from {:g} deg",
+                            found.monotone_to_sample * view.sample_deg);
+}
+
 // Verdict and limits in words.
 std::string summary(const schema::FoldingView& view, const FoldingTextOptions& options) {
   const solver::Verdict& verdict = view.history.verdict;
@@ -59,6 +81,7 @@ std::string summary(const schema::FoldingView& view, const FoldingTextOptions& o
   if (const solver::SpringEnds& springs = view.mechanism.springs; !springs.at_vertices()) {
     text += "\nsprings end " + where_springs_end(springs);
   }
+  text += energy_words(view, options.fill);
   text += shortest_strokes(view, options.miscut_mm);
   const double end_deg = view.history.path.fold_limit_deg;
   if (end_deg < 180 && end_deg + view.sample_deg >= 180 &&
@@ -266,10 +289,16 @@ std::string folding_text(const schema::FoldingView& view, const FoldingTextOptio
   return text;
 }
 
-void put_folding(const schema::FoldingView& view, const schema::Design& design, bool table) {
+solver::Fill fill_shown(const schema::Sampling& sampling, const schema::Design& design,
+                        const schema::Pattern& pattern) {
+  return sampling.energy_of ? *sampling.energy_of : design.fill(pattern.base);
+}
+
+void put_folding(const schema::FoldingView& view, const schema::Design& design,
+                 const solver::Fill& fill, bool table) {
   put(folding_text(
       view, {terminal_width(STDOUT_FILENO), locale_is_utf8(), table, paint_for(STDOUT_FILENO),
-             design.miscut_mm.value_or(solver::kLeastStroke_mm)}));
+             design.miscut_mm.value_or(solver::kLeastStroke_mm), fill}));
 }
 
 }  // namespace misalign::search

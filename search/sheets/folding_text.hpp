@@ -21,11 +21,17 @@ struct FoldingTextOptions {
   bool table = false;
   Paint paint{false};
   double miscut_mm = solver::kLeastStroke_mm;  ///< shorter strokes are mentioned
+  std::optional<solver::Fill> fill = {};       ///< filling whose energy is mentioned
 };
 
 std::string folding_text(const schema::FoldingView& view, const FoldingTextOptions& options);
 
-/// Writes to standard output, as wide as the terminal.
-void put_folding(const schema::FoldingView& view, const schema::Design& design, bool table);
+/// Returns the filling whose energy `fold` shows: the one that judges the sheet, else the design's.
+solver::Fill fill_shown(const schema::Sampling& sampling, const schema::Design& design,
+                        const schema::Pattern& pattern);
+
+/// Writes to standard output, as wide as the terminal, with the energy of this filling.
+void put_folding(const schema::FoldingView& view, const schema::Design& design,
+                 const solver::Fill& fill, bool table);
 
 }  // namespace misalign::search

@@ -45,6 +45,7 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
   if (limits.turning.size() > kMostNamed) {
     text += fmt::format("  and {} more diagonals\n", limits.turning.size() - kMostNamed);
   }
+  if (limits.energy_deg) text += fmt::format("  total energy at {:.0f} deg\n", *limits.energy_deg);
   if (limits.by_fold_limit) text += "  fold limit\n";
   return text;
 }
@@ -68,7 +69,9 @@ std::string springs_text(const solver::Optimised& found) {
 // An ascent only keeps a start below the floor from getting worse.
 std::string slope_text(const solver::Sheet& sheet, const solver::Optimised& found) {
   const solver::OptimiseOptions& options = found.options;
-  if (options.ternary || sheet.model().is_overconstrained()) return {};
+  if (options.ternary || sheet.model().is_overconstrained() || sheet.model().criterion().energy) {
+    return {};
+  }
   const double least =
       solver::least_slope_mm_per_deg(sheet, sheet.sample_deg(options.deploys_from_sample));
   if (least >= options.least_slope_mm_per_deg) return {};

@@ -63,8 +63,7 @@ schema::Candidate OptimisedDraw::take() {
     }
   }
   const solver::Sheet& end = ascent_ ? ascent_->reached() : start_;
-  candidate_.metrics =
-      solver::measure(end.base(), end.vertices_mm(), end.record(), end.model().sample_deg());
+  candidate_.metrics = solver::measure(end.model(), end.vertices_mm(), end.record());
   return std::move(candidate_);
 }
 
@@ -76,8 +75,8 @@ solver::OptimiseOptions asked_of_ends(const schema::Campaign& campaign) {
   solver::OptimiseOptions asked = options_of(search);
   // Any angle that all of them reach will do if none is requested.
   asked.deploying.from_deg = search.from_deg.value_or(campaign.threshold_deg / 2);
-  asked.deploying.sheet.springs.stiffness_n_per_mm = search.stiffness_n_per_mm;
-  asked.deploying.sheet.springs.preload.each_n = search.preload_n;
+  asked.deploying.sheet.springs().stiffness_n_per_mm = search.stiffness_n_per_mm;
+  asked.deploying.sheet.springs().preload.each_n = search.preload_n;
   asked.shifted = draws.vertices;
   asked.amplitude_mm = draws.amplitude_mm;
   asked.deploys_from_sample = campaign.threshold_sample();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "schema/files/user_error.hpp"
+#include "schema/pattern/fill_words.hpp"
 #include "search/sheets/springs_at_vertices.hpp"
 #include "solver/motion/deploy.hpp"
 
@@ -85,7 +86,10 @@ Eigen::Matrix3Xd flat_shape(const solver::FlatVertices& vertices_mm) {
 schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& sheet,
                                const SimulationStart& options, const std::string& title) {
   need_springs_at_vertices(sheet.base().springs, "simulations by other programs");
-  if (const solver::Preload& preload = model.actuators().preload; preload.is_any()) {
+  const solver::Fill fill = model.actuators().fill;
+  schema::need_plain_springs(fill, "simulations by other programs");
+  const auto& springs = std::get<solver::Springs>(fill);
+  if (const solver::Preload& preload = springs.preload; preload.is_any()) {
     throw UserError(solver::OptionFault{
         "preload_n", shown_number(preload.largest_n()),
         "is not known to files of other programs, whose springs are relaxed at an angle",
@@ -106,7 +110,7 @@ schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& s
           std::move(start.shape_mm),
           std::move(start.fold_angle_deg),
           options.plates,
-          model.actuators().stiffness_n_per_mm,
+          springs.stiffness_n_per_mm,
           options.rest_deg,
           options.rest_deg > 0 ? folded_to(model, sheet, "rest_deg", options.rest_deg).shape_mm
                                : flat_shape(sheet.vertices_mm())};

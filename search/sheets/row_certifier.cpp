@@ -1,5 +1,7 @@
 #include "search/sheets/row_certifier.hpp"
 
+#include <cassert>
+
 #include "schema/files/features.hpp"
 #include "search/sheets/springs_at_vertices.hpp"
 #include "search/terminal/stopwatch.hpp"
@@ -18,10 +20,40 @@ const solver::Model& with_loops_to_close(const solver::Model& model) {
       "certificate; `misalign certify` of a file or a draw proves them");
 }
 
+// The filling whose energy is proven to rise; none if every diagonal is monotone.
+std::optional<solver::Fill> fill_of(const solver::Model& model, const CertifiedClaims& claims) {
+  if (claims.criterion != solver::CertifiedBy::energy) return std::nullopt;
+  assert(claims.fill);
+  const char* const why = solver::why_not_certifiable(*claims.fill, model.mechanism().springs);
+  if (why == nullptr) return claims.fill;
+  throw schema::UserError(schema::Cause::bad_request,
+                          std::string("certify: no proof that this energy rises is possible (") +
+                              why + "); change the filling, or give --criterion diagonals");
+}
+
 }  // namespace
 
-RowCertifier::RowCertifier(const schema::Pattern& base, const solver::Model& model, bool contact)
-    : base_(base), model_(model), certifier_(with_loops_to_close(model), contact) {}
+CertifiedClaims claims_of(const schema::Pattern& base, const schema::Sampling& sampling,
+                          const schema::Design& design,
+                          const std::optional<solver::CertifiedBy>& criterion, bool contact) {
+  const auto& judged_fill = sampling.energy_of;
+  const solver::CertifiedBy its_criterion =
+      judged_fill ? solver::CertifiedBy::energy : solver::CertifiedBy::diagonals;
+  return {contact, criterion.value_or(its_criterion),
+          judged_fill ? *judged_fill : design.fill(base.base)};
+}
+
+CertifiedClaims claims_of(const schema::Campaign& campaign,
+                          const std::optional<solver::CertifiedBy>& criterion, bool contact) {
+  return claims_of(campaign.pattern, campaign.sampling(), campaign.design, criterion, contact);
+}
+
+RowCertifier::RowCertifier(const schema::Pattern& base, const solver::Model& model,
+                           const CertifiedClaims& claims)
+    : base_(base),
+      model_(model),
+      claims_(claims),
+      certifier_(with_loops_to_close(model), claims.contact, fill_of(model, claims)) {}
 
 schema::CertificateRecord RowCertifier::certify(std::uint64_t draw,
                                                 const Eigen::Matrix2Xd& shifts_mm,
@@ -47,21 +79,22 @@ std::optional<schema::CertificateFinding> RowCertifier::check(
   if constexpr (has("FLINT")) {
     const auto certificate = solver::decode(model_.mechanism(), row.proof);
     const solver::FlatVertices vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
-    const auto fault = solver::check_certificate(model_, vertices_mm, *certificate);
+    const auto fault = solver::check_certificate(model_, vertices_mm, *certificate, claims_.fill);
     if (fault)
       return schema::CertificateFinding{row.draw, {{fault->from_deg, fault->to_deg}}, fault->what};
   }
   return std::nullopt;
 }
 
-bool answers(const schema::CertificateRecord& row, double asked_deg, bool contact) {
+bool answers(const schema::CertificateRecord& row, double asked_deg,
+             const CertifiedClaims& claims) {
   const bool ends_for_contact = row.end == solver::name_of(solver::CertificateEnd::contact);
-  return row.asked_deg >= asked_deg &&
-         (row.contact == contact || (row.contact && !ends_for_contact));
+  return row.asked_deg >= asked_deg && row.criterion == solver::name_of(claims.criterion) &&
+         (row.contact == claims.contact || (row.contact && !ends_for_contact));
 }
 
 CertifyDraw draw_certifier(const schema::Campaign& campaign, const solver::Model& model) {
-  return [certifier = std::make_shared<RowCertifier>(campaign.pattern, model)](
+  return [certifier = std::make_shared<RowCertifier>(campaign.pattern, model, claims_of(campaign))](
              std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg) {
     return certifier->certify(draw, shifts_mm, deploys_from_deg);
   };

@@ -10,15 +10,36 @@
 
 namespace misalign::search {
 
+/// The claims of certificates beside the path.
+struct CertifiedClaims {
+  bool contact = false;  ///< true: panels are proven not to meet
+  solver::CertifiedBy criterion = solver::CertifiedBy::diagonals;
+  std::optional<solver::Fill> fill = {};  ///< the filling whose energy rises; also for checks
+};
+
+/// Claims by `criterion`, or else by the sheet's criterion; of the energy of the filling that
+/// judges it, or else of the design's.
+CertifiedClaims claims_of(const schema::Pattern& base, const schema::Sampling& sampling,
+                          const schema::Design& design,
+                          const std::optional<solver::CertifiedBy>& criterion = {},
+                          bool contact = false);
+CertifiedClaims claims_of(const schema::Campaign& campaign,
+                          const std::optional<solver::CertifiedBy>& criterion = {},
+                          bool contact = false);
+
 class RowCertifier {
  public:
-  /// Both must outlive this object; shifts of the base itself do not matter.
-  RowCertifier(const schema::Pattern& base, const solver::Model& model, bool contact = false);
+  /// Both must outlive this object; shifts of the base itself do not matter. UserError
+  /// (bad_request) for a filling whose energy no certificate proves to rise.
+  RowCertifier(const schema::Pattern& base, const solver::Model& model,
+               const CertifiedClaims& claims = {});
 
   /// Certifies from flat to `asked_deg`, or as far as a proof exists. One column of shifts per
   /// vertex.
   schema::CertificateRecord certify(std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
                                     double asked_deg);
+
+  const CertifiedClaims& claims() const { return claims_; }
 
   /// The fault where hash or columns are not those of this sheet's proof.
   std::optional<schema::CertificateFinding> row_fault(const Eigen::Matrix2Xd& shifts_mm,
@@ -31,11 +52,12 @@ class RowCertifier {
  private:
   const schema::Pattern& base_;
   const solver::Model& model_;
+  const CertifiedClaims claims_;
   solver::Certifier certifier_;
 };
 
 /// Returns whether a certificate answers the request: no other would say more.
-bool answers(const schema::CertificateRecord& row, double asked_deg, bool contact);
+bool answers(const schema::CertificateRecord& row, double asked_deg, const CertifiedClaims& claims);
 
 /// Certifies accepted draws of a campaign.
 CertifyDraw draw_certifier(const schema::Campaign& campaign, const solver::Model& model);

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <iterator>
 
+#include "schema/exchange/actuators_json.hpp"
 #include "schema/files/features.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "solver/linear/mobility.hpp"
@@ -54,6 +55,23 @@ void check_freedom(const schema::Pattern& base, const std::string& path) {
                   path, mobility.degrees_of_freedom(), mobility.rank, mobility.unknowns));
 }
 
+// Returns the numbers of two diagonals from "A3-A9,A4-A8".
+std::pair<int, int> diagonals_named(const solver::Mechanism& mechanism, const std::string& text) {
+  const auto number = [&](const std::string& name) {
+    int d = mechanism.diagonal_count() - 1;
+    while (d >= 0 && schema::diagonal_label(mechanism, d) != name) --d;
+    return d;
+  };
+  const std::size_t comma = text.find(',');
+  const int first = number(text.substr(0, comma));
+  const int second = comma == std::string::npos ? -1 : number(text.substr(comma + 1));
+  if (first >= 0 && second >= 0 && first != second) return {first, second};
+  throw UserError(
+      solver::OptionFault{"never_both", schema::printable(text), "names no two diagonals",
+                          fmt::format("write two as in {},{}", schema::diagonal_label(mechanism, 0),
+                                      schema::diagonal_label(mechanism, 1))});
+}
+
 }  // namespace
 
 UserError study_error(const solver::Obstacle& obstacle, const std::string& sheet,
@@ -71,6 +89,13 @@ UserError study_error(const solver::Obstacle& obstacle, const std::string& sheet
                                   advice.empty() ? row->advice : advice)};
 }
 
+std::optional<solver::SpringBodies> spring_bodies(const schema::Design& design,
+                                                  std::optional<double> diameter_mm,
+                                                  std::optional<double> end_mm) {
+  if (!diameter_mm) return {};
+  return solver::SpringBodies{*diameter_mm, end_mm, design.plates().thickness_mm};
+}
+
 solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options) {
   return value_or_throw(solver::contact(sheet, options), sheet.name(),
                         "it is not known where panels meet");
@@ -80,7 +105,45 @@ solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& des
   if (design.from_deg) {
     if (const auto fault = solver::beyond_d(sheet, *design.from_deg)) throw UserError(*fault);
   }
-  return solver::actuate(sheet, design.actuators(), design.from_deg);
+  return solver::actuate(sheet, design.actuators(sheet.base()), design.from_deg);
+}
+
+std::optional<solver::RubberStudy> rubber_of(const solver::Sheet& sheet,
+                                             const solver::Actuation& actuation) {
+  const auto* const plates = std::get_if<solver::RubberPlates>(&actuation.actuators.fill);
+  if (!plates) return std::nullopt;
+  return value_or_throw(solver::study_rubber(sheet, {*plates, actuation.from_deg}), sheet.name(),
+                        "its plates cannot be studied");
+}
+
+solver::CutOutChoice chosen_cut_outs(const solver::Sheet& sheet, const schema::Design& design) {
+  const solver::Fill fill = design.actuators(sheet.base()).fill;
+  const auto* const plates = std::get_if<solver::RubberPlates>(&fill);
+  if (!plates) {
+    throw UserError(solver::OptionFault{"choose", std::nullopt,
+                                        "chooses the cut-outs of rubber plates, and the holes have "
+                                        "none",
+                                        "give the design plates"});
+  }
+  solver::CutOutOptions options;
+  options.plates = *plates;
+  options.from_deg = design.from_deg.value_or(sheet.deploys_from_deg());
+  return value_or_throw(solver::choose_cut_outs(sheet, options), sheet.name(),
+                        "its cut-outs cannot be chosen");
+}
+
+solver::SpringChoice chosen_springs(const solver::Sheet& sheet, const schema::Design& design,
+                                    const SpringChoiceInput& input) {
+  solver::SpringChoiceOptions options = input.options;
+  if (!options.from_deg) options.from_deg = design.from_deg;
+  options.friction_n_mm_per_mm = design.friction_n_mm_per_mm.value_or(0);
+  options.to_deg = design.margin_to_deg.value_or(options.to_deg);
+  std::ranges::sort(options.rates_n_per_mm);
+  for (const std::string& text : input.never_both) {
+    options.never_both.push_back(diagonals_named(sheet.mechanism(), text));
+  }
+  return value_or_throw(solver::choose_springs(sheet, options), sheet.name(),
+                        "no springs are chosen");
 }
 
 solver::DeploymentStudy deployed(const solver::Sheet& sheet,
@@ -102,13 +165,17 @@ schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::ReleaseOp
   solver::BentPanels panels = value_or_throw(solver::bend_panels(sheet, deploying, bending(design)),
                                              sheet.name(), "its panels cannot be bent");
   std::optional<solver::PreloadStudy> preload;
-  if (deploying.sheet.springs.preload.is_any()) {
+  const auto* const springs = std::get_if<solver::Springs>(&deploying.sheet.fill);
+  if (springs && springs->preload.is_any()) {
     preload = value_or_throw(solver::study_preload(sheet, deploying, panels), sheet.name(),
                              "its preload cannot be studied");
   }
   const double wanted = design.static_margin.value_or(solver::kWantedMargin);
-  const solver::BentAdvice advice = advise(sheet, deploying, panels, wanted);
-  return {design.material.value_or(schema::Material{}), std::move(panels), advice, preload};
+  solver::BentAdvice advice = advise(sheet, deploying, panels, wanted);
+  if (!springs) advice.useful_stiffness_n_per_mm.reset();
+  solver::BucklingStudy buckling = solver::find_buckling(sheet, deploying.sheet, panels);
+  return {design.material.value_or(schema::Material{}), std::move(panels), advice,
+          std::move(buckling), preload};
 }
 
 ReleasedSheet released_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& options,

@@ -9,7 +9,10 @@
 #include "search/sheets/folding_model.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/motion/pin_friction.hpp"
+#include "solver/motion/rubber.hpp"
 #include "solver/optimise/construct.hpp"
+#include "solver/optimise/cut_outs.hpp"
+#include "solver/optimise/spring_choice.hpp"
 
 namespace misalign::search {
 
@@ -27,8 +30,29 @@ T value_or_throw(solver::StudyResult<T> result, const std::string& sheet,
 
 solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options);
 
+/// Springs of a design as bodies; none without a diameter.
+std::optional<solver::SpringBodies> spring_bodies(const schema::Design& design,
+                                                  std::optional<double> diameter_mm,
+                                                  std::optional<double> end_mm = {});
+
 /// Springs of this design on a sheet of its model, which has a station at the angle of use.
 solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design);
+
+/// The plates of an actuation along the way; none where the filling is not plates.
+std::optional<solver::RubberStudy> rubber_of(const solver::Sheet& sheet,
+                                             const solver::Actuation& actuation);
+/// Cut-outs chosen by hole for a design's plates, from its angle of use, or D. UserError
+/// (bad_request) where the filling is not plates.
+solver::CutOutChoice chosen_cut_outs(const solver::Sheet& sheet, const schema::Design& design);
+/// Limits of chosen springs, as they are typed.
+struct SpringChoiceInput {
+  solver::SpringChoiceOptions options;
+  std::vector<std::string> never_both;  ///< "A3-A9,A4-A8"
+};
+/// The best springs of a sheet of this design: its angle of use and its friction hold where none
+/// is typed. UserError (bad_request): a pair that names no two diagonals.
+solver::SpringChoice chosen_springs(const solver::Sheet& sheet, const schema::Design& design,
+                                    const SpringChoiceInput& input);
 
 /// The motion of the sheet after its release.
 solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::ReleaseOptions& options);

@@ -3,6 +3,9 @@
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/contact_json.hpp"
 #include "schema/exchange/deploy_json.hpp"
+#include "schema/exchange/rubber_json.hpp"
+#include "schema/exchange/spring_choice_json.hpp"
+#include "search/sheets/studies.hpp"
 
 namespace misalign::search {
 namespace {
@@ -24,11 +27,18 @@ schema::Json study_json(const Subject& subject, const solver::Actuation& springs
   const schema::FoldingView view(subject.chosen.base, subject.sheet);
   schema::Json json = schema::actuation_history_json(view, springs);
   json["deploys_from_deg"] = view.sheet.sample_deg(view.history.verdict.deploys_from_sample);
+  if (const auto rubber = rubber_of(subject.sheet, springs)) {
+    json["rubber"] = schema::rubber_json(subject.chosen.base, *rubber);
+  }
   return with_key(subject, std::move(json));
 }
 
+schema::Json study_json(const Subject& subject, const solver::SpringChoice& choice) {
+  return with_key(subject, schema::spring_choice_json(subject.sheet.mechanism(), choice));
+}
+
 schema::Json study_json(const Subject& subject, const ReleasedSheet& released) {
-  schema::Json json = schema::deployment_history_json(subject.sheet.mechanism(), released.motion);
+  schema::Json json = schema::deployment_history_json(subject.sheet, released.motion);
   json["deploys_from_deg"] = subject.sheet.deploys_from_deg();
   if (released.bent) json["bent"] = schema::bent_panels_json(*released.bent);
   if (released.pins) json["pins"] = schema::pins_json(*released.pins);

@@ -10,6 +10,7 @@ namespace misalign::search {
 /// The JSON of `misalign contact`, `actuators`, `deploy`, `card` and `optimise`.
 schema::Json study_json(const Subject& subject, const solver::ContactStudy& study);
 schema::Json study_json(const Subject& subject, const solver::Actuation& springs);
+schema::Json study_json(const Subject& subject, const solver::SpringChoice& choice);
 schema::Json study_json(const Subject& subject, const ReleasedSheet& released);
 schema::Json study_json(const Subject& subject, const schema::Card& card);
 schema::Json study_json(Subject& subject, const ProvenBetter& better);

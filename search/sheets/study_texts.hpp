@@ -10,7 +10,10 @@
 #include "solver/contact/contact.hpp"
 #include "solver/motion/actuation.hpp"
 #include "solver/motion/pin_friction.hpp"
+#include "solver/motion/rubber.hpp"
 #include "solver/optimise/construct.hpp"
+#include "solver/optimise/cut_outs.hpp"
+#include "solver/optimise/spring_choice.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::search {
@@ -30,9 +33,20 @@ std::string construct_text(const schema::Pattern& base, const solver::ConstructS
 std::string contact_text(const schema::Pattern& base, const solver::Panels& panels,
                          const solver::ContactStudy& study);
 
+/// Springs that touch, or are closest; offset ends; and distances of axes every 10 degrees. Empty
+/// where springs were not judged.
+std::string spring_clearance_text(const schema::Pattern& base, const solver::Panels& panels,
+                                  const solver::ContactStudy& study);
+/// The closest springs, and the numbers of pairs that touch; there are two springs at least.
+std::string spring_clearance_note(const schema::Pattern& base, const solver::Panels& panels,
+                                  const solver::SpringClearance& clearance);
+
 /// The released sheet, the outcome, equilibria and friction, and the motion every few degrees.
 std::string deployment_text(const solver::Mechanism& mechanism,
                             const solver::DeploymentStudy& study);
+
+/// The friction that chosen springs overcome, its bounds, and each spring.
+std::string spring_choice_text(const solver::Sheet& sheet, const solver::SpringChoice& choice);
 
 /// The pin friction that it overcomes, a line for each place of pins.
 std::string pins_text(const solver::PinStudy& study);
@@ -40,6 +54,13 @@ std::string pins_text(const solver::PinStudy& study);
 /// `sheet`: the optimum.
 std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
                           const ProvenBetter& better);
+
+/// The plates' equivalent springs, then a line a hole: largest stretch, largest force on an edge,
+/// and where the plate wrinkles or is slack.
+std::string rubber_text(const solver::Sheet& sheet, const solver::RubberStudy& study);
+
+/// The least drive of chosen cut-outs, then a line a hole.
+std::string cut_outs_text(const solver::Sheet& sheet, const solver::CutOutChoice& choice);
 
 /// The release, the outcome and the largest stresses; then the motion in at most
 /// twenty rows, beside that of rigid panels.

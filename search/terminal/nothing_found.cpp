@@ -124,6 +124,11 @@ std::string what_to_try(const Survival& survival, const schema::CatalogueState& 
            "copy of the campaign; " +
            other;
   }
+  if (state.has_margin) {
+    return "to find some: more draws (--draws), or a smaller accept.least_friction_n_mm_per_mm or "
+           "accept.least_moment_n_mm in a copy of the campaign; " +
+           other;
+  }
   if (!sample || *sample <= 0 || *sample >= threshold_sample(survival, state)) {
     return "to find some: more draws (--draws), or a lower accept.deploys_from_deg in a copy of "
            "the campaign; " +

@@ -32,7 +32,8 @@ std::string draws_text(const schema::CatalogueState& state,
   };
   std::vector<schema::Row> rows = {{"", "draws", "share", "95 % interval"},
                                    {"done", std::to_string(state.draws)}};
-  rows.push_back(row("  accepted from " + schema::shown_number(state.threshold_deg) + " deg",
+  rows.push_back(row((state.by_energy ? "  accepted by energy from " : "  accepted from ") +
+                         schema::shown_number(state.threshold_deg) + " deg",
                      state.accepted, state.draws));
   rows.back()[3] = interval_text(state.accepted, state.undecided, state.draws);
   if (deploying) {

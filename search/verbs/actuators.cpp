@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/study_table.hpp"
+#include "schema/exchange/rubber_json.hpp"
+#include "search/sheets/studies.hpp"
 #include "search/sheets/study_json.hpp"
 #include "search/sheets/study_texts.hpp"
 #include "search/terminal/terminal.hpp"
@@ -13,13 +15,32 @@ namespace {
 
 struct ActuatorsCall : SheetCall {
   schema::Design design;
+  bool chooses = false;
+  SpringChoiceInput choice;
 };
 
 void show_actuators(const ActuatorsCall& call) {
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
   const auto& [chosen, model, sheet] = subject;
-  const solver::Actuation actuation = actuated(sheet, model.design());
-  if (call.json) return put_json(study_json(subject, actuation));
+  schema::Design design = model.design();
+  const bool are_plates = std::holds_alternative<solver::RubberPlates>(design.fill(sheet.base()));
+  if (call.chooses && !are_plates) {
+    const solver::SpringChoice choice = chosen_springs(sheet, design, call.choice);
+    if (call.json) return put_json(study_json(subject, choice));
+    put("{}: ", sheet.name());
+    return put(spring_choice_text(sheet, choice));
+  }
+  std::optional<solver::CutOutChoice> choice;
+  if (call.chooses) {
+    choice = chosen_cut_outs(sheet, design);
+    static_cast<schema::DesignFill&>(design) = schema::design_of(choice->plates, sheet.base());
+  }
+  const solver::Actuation actuation = actuated(sheet, design);
+  if (call.json) {
+    schema::Json json = study_json(subject, actuation);
+    if (choice) json["choice"] = schema::choice_json(*choice);
+    return put_json(json);
+  }
   const solver::Verdict& verdict = sheet.history().verdict;
   const double deploys_from_deg = sheet.sample_deg(verdict.deploys_from_sample);
   const char* decision = "";
@@ -30,7 +51,52 @@ void show_actuators(const ActuatorsCall& call) {
   const bool is_undecided = verdict.first_fault == solver::Fault::undecided;
   put("{}: {}deploys from {:g} deg{}\n", sheet.name(), decision, deploys_from_deg,
       is_undecided ? " (undecided beyond that)" : "");
+  if (choice) put(cut_outs_text(sheet, *choice));
   put(actuators_text(sheet, actuation));
+}
+
+void add_choice(CLI::App& verb, ActuatorsCall& call) {
+  constexpr double kMostRate_n_per_mm = 1e6, kMostMargin = 1e6, kMostFree = 0.5;
+  solver::SpringChoiceOptions& options = call.choice.options;
+  auto* const choose = verb.add_flag(
+      "--choose", call.chooses,
+      "choose springs: rates and free lengths that overcome the most friction at every angle; "
+      "of rubber plates the cut-outs");
+  add_default(verb, "--most-rate", options.most_rate_n_per_mm, "largest rate of a spring, N/mm",
+              within(1e-6, kMostRate_n_per_mm), "N_PER_MM")
+      ->needs(choose);
+  add_value(verb, "--rates", options.rates_n_per_mm, "rates to choose from, N/mm [any]",
+            within(1e-6, kMostRate_n_per_mm), "LIST")
+      ->delimiter(',')
+      ->needs(choose);
+  add_default(verb, "--free-within", options.free_within,
+              "largest difference of a free length from flat", a_share(0, kMostFree), "SHARE")
+      ->needs(choose);
+  verb.add_flag("--pull-only", options.pull_only, "every spring pulls at every angle")
+      ->needs(choose);
+  verb.add_flag("--one-a-hole", options.one_a_hole, "at most one spring in each hole")
+      ->needs(choose);
+  verb.add_option("--never-both", call.choice.never_both,
+                  "two diagonals that do not both carry springs: A3-A9,A4-A8 (may be repeated)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("DIAGONAL,DIAGONAL")
+      ->needs(choose);
+  add_value(verb, "--most-springs", options.most_springs, "largest number of springs",
+            counted(1, 10000), "N")
+      ->needs(choose);
+  add_value(verb, "--friction", call.design.friction_n_mm_per_mm,
+            "dry friction of creases, N mm/mm [the design's, or 0]",
+            within("hinges.friction_n_mm_per_mm"), "N")
+      ->needs(choose);
+  add_value(verb, "--fewest", options.fewest_margin,
+            "as few springs as have this static margin over the friction", within(0, kMostMargin),
+            "MARGIN")
+      ->needs(choose);
+  add_value(verb, "--equal-lengths", options.equal_lengths_share,
+            "equal free lengths where this share of the friction overcome remains",
+            a_share(1e-3, 1), "SHARE")
+      ->needs(choose);
 }
 
 }  // namespace
@@ -48,11 +114,14 @@ Action actuators_verb(CLI::App& verb) {
       "longer than when flat, and pulls.\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
       "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --from 140 --stroke-limit 0.08\n"
-      "  misalign actuators search/patterns/table1.json");
+      "  misalign actuators search/patterns/table1.json\n"
+      "  misalign actuators search/patterns/table1.json --choose --most-rate 1 --one-a-hole");
   auto call = std::make_shared<ActuatorsCall>();
   add_sheet(verb, *call);
   add_from(verb, call->design.from_deg);
   add_springs(verb, call->design);
+  add_fill(verb, call->design);
+  add_choice(verb, *call);
   verb.add_flag("--json", call->json, "as JSON, with all histories");
   return showing(call, show_actuators);
 }

@@ -11,7 +11,7 @@ std::string option_of(std::string_view parameter, bool has_value) {
   constexpr std::array<std::string_view, 2> kWithUnit = {"rest_deg", "dash_mm"};
   std::string option(parameter);
   if (std::find(kWithUnit.begin(), kWithUnit.end(), parameter) == kWithUnit.end()) {
-    for (const std::string_view unit : {"_deg", "_mm", "_n"}) {
+    for (const std::string_view unit : {"_n_per_mm", "_deg", "_mm", "_n"}) {
       if (option.ends_with(unit)) option.resize(option.size() - unit.size());
     }
   }

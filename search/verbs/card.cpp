@@ -54,6 +54,7 @@ Action card_verb(CLI::App& verb) {
   add_sheet(verb, *call);
   add_from(verb, design.from_deg);
   add_springs(verb, design);
+  add_fill(verb, design);
   add_thickness(verb, design.thickness_mm);
   const auto number = [&](const char* name, std::optional<double>& value, const char* meaning,
                           const char* key, const char* unit) {

@@ -91,7 +91,9 @@ int run_on_pattern(const CertifyCall& call) {
     check_closed_form(call);
     return prove_in_closed_form(call, sheet, model);
   }
-  RowCertifier certifier(sheet.base, model, call.options.contact);
+  RowCertifier certifier(sheet.base, model,
+                         claims_of(sheet.base, sheet.sampling, sheet.design, call.options.criterion,
+                                   call.options.contact));
   if (call.options.check) {
     const auto row = schema::certificate_of_json(sheet.exported, call.options.path);
     if (!row) {
@@ -135,11 +137,13 @@ int run_on_pattern(const CertifyCall& call) {
 constexpr const char* kCertifyFooter =
     "A certificate proves, rounding included, that for every pilot angle from flat to the\n"
     "certified angle the sheet has exactly one folded state near its path, that creases keep\n"
-    "their signs and stay below 180 degrees, and that every diagonal is monotone. What it\n"
+    "their signs and stay below 180 degrees, and that every diagonal is monotone; with\n"
+    "--criterion energy, that the total energy of springs or of tense rubber plates rises. What "
+    "it\n"
     "proves in full, and what not: solver/certificate/README.md. It ends for one of these\n"
     "reasons; the first four are proven, to within 1e-4 degrees:\n"
     "  to_the_end     it reaches the requested angle\n"
-    "  reversal       a diagonal reverses\n"
+    "  reversal       a diagonal reverses, or the energy\n"
     "  over_folded    a crease folds past 180 degrees\n"
     "  sign_changed   a crease becomes flat\n"
     "The others say where the proof stops:\n"
@@ -195,9 +199,15 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
                              "[the design's, or the sheet's D]");
   to->check(within(0.01, 180))->type_name("DEG");
   auto* contact = verb.add_flag("--contact", options.contact, "also prove that no panels meet");
+  auto* criterion = verb.add_option_function<std::string>(
+      "--criterion",
+      [&options](const std::string& name) { options.criterion = solver::certified_by(name); },
+      "what is proven of the diagonals: that each is monotone, or that the total energy of what "
+      "fills the holes rises [as the sheet is judged]");
+  criterion->check(CLI::IsMember({"diagonals", "energy"}))->type_name("CRITERION");
   auto* again = verb.add_flag("--again", options.again, "replace existing certificates");
   auto* check = verb.add_flag("--check", options.check, "check existing certificates; make none");
-  for (CLI::Option* other : {to, contact, again}) check->excludes(other);
+  for (CLI::Option* other : {to, contact, criterion, again}) check->excludes(other);
   verb.add_flag(
       "--closed-form", call->closed_form,
       "prove in rational numbers, quickly and to 180 deg, sheets whose shifts keep creases' "

@@ -13,13 +13,18 @@ namespace {
 
 struct ContactCall : SheetCall {
   schema::Design design;
-  std::optional<double> trim_mm;
+  std::optional<double> trim_mm, diameter_mm, end_mm;
+  bool offsets = false;
 };
 
 void show_contact(const ContactCall& call) {
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
   const auto& [chosen, model, sheet] = subject;
-  const solver::ContactStudy study = contact_of(sheet, {call.trim_mm, model.design().from_deg});
+  using solver::OffsetTrial;
+  const solver::ContactStudy study =
+      contact_of(sheet, {call.trim_mm, model.design().from_deg,
+                         spring_bodies(model.design(), call.diameter_mm, call.end_mm),
+                         call.offsets ? OffsetTrial::tried : OffsetTrial::none});
   if (call.json) return put_json(study_json(subject, study));
   put("{}: deploys from {:g} deg\n", sheet.name(), study.deploys_from_deg);
   put(contact_text(chosen.base, sheet.panels(), study));
@@ -41,13 +46,34 @@ Action contact_verb(CLI::App& verb) {
       "across each corner where it meets another panel in that point alone, as at ball joints\n"
       "(--trim).\n"
       "Plates of the thickness shown clear each other up to that angle; thicker ones might.\n"
+      "Springs (--diameter) are round bodies between their ends, without --end mm at each end: at\n"
+      "a common vertex they always meet. They are compared with each other and with plates of the\n"
+      "design's thickness, between --from and flat and not only at samples:\n"
+      "  in_hole_mm, largest_mm  axes of the two springs of one hole, least and largest\n"
+      "  springs_mm   axes of springs of different holes\n"
+      "  panels_mm    axes from mid-planes\n"
+      "--offset-ends raises ends off the mid-plane until no springs touch, and judges these "
+      "sheets.\n"
       "Examples:\n  misalign contact search/patterns/table1.json\n"
       "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --from 140 --trim 8\n"
+      "  misalign contact search/patterns/table1.json --diameter 5 --offset-ends\n"
       "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --json");
   auto call = std::make_shared<ContactCall>();
   add_sheet(verb, *call);
   add_from(verb, call->design.from_deg);
   add_trim(verb, call->trim_mm);
+  auto* const diameter =
+      add_value(verb, "--diameter", call->diameter_mm,
+                "diameter of the springs, mm: which of them touch each other or panels",
+                within("contact", "diameter_mm"), "MM");
+  add_value(verb, "--end", call->end_mm,
+            fmt::format("length left out at each end of a spring, mm [{:g} diameters]",
+                        solver::kEndDiameters),
+            within("contact", "end_mm"), "MM")
+      ->needs(diameter);
+  verb.add_flag("--offset-ends", call->offsets,
+                "also the least offset of springs' ends with which none touch")
+      ->needs(diameter);
   verb.add_flag("--json", call->json, "as JSON");
   return showing(call, show_contact);
 }

@@ -63,16 +63,16 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
             within("hinges.pin_friction_mm"), "MM");
   add_default(verb, "--hinge-rest", joints.rest_deg,
               "pilot angle where elastic creases are relaxed", within(0, kMostAngle_deg), "DEG");
-  solver::Springs& springs = input.options.sheet.springs;
-  add_default(verb, "--rest-deg", springs.rest_deg, "pilot angle where the springs are relaxed",
-              within(0, kMostAngle_deg), "DEG");
+  add_rest(verb, design.rest_deg);
   verb.add_option("--rest", input.other_rests,
                   "another such angle for one diagonal: A11-A17=60 (may be repeated)")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("DIAGONAL=DEG");
   add_preload(verb, design.preload_n);
-  verb.add_flag("--pull-only", springs.pull_only, "wires: springs that only pull");
+  verb.add_flag_callback(
+      "--pull-only", [&design] { design.pull_only = true; }, "wires: springs that only pull");
+  add_fill(verb, design);
   verb.add_option("--hold", input.held,
                   "hold this panel [the design's, or none: free in space, without momentum]")
       ->type_name("ROW,COLUMN");

@@ -271,6 +271,7 @@ Action export_verb(CLI::App& verb) {
   add_trim(verb, files.trim_mm);
   add_springs(verb, call->release.design);
   add_release(verb, call->release);
+  add_fill(verb, call->release.design);
   add_value(verb, "--friction", call->friction_n_mm_per_mm,
             "mjcf: dry friction of the hinges in the tree, N mm/mm [the design's, or 0]",
             within(0, 1e6), "N");

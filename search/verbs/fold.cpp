@@ -28,11 +28,15 @@ void fold(const FoldCall& call) {
   path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg),
                           schema::last_judged_deg(pattern, sampling.sample_deg));
   path.look_deg = call.step_deg;
-  const solver::Model model(pattern.base, path, {sampling.between_samples});
+  const solver::Model model(pattern.base, path, sampling.criterion());
   solver::SheetSolver solver(model);
   const solver::Sheet sheet(solver, pattern.shifts_mm);
   const schema::FoldingView view(pattern, sheet);
-  call.json ? put_json(schema::folding_json(view)) : put_folding(view, design, call.table);
+  const solver::Fill fill = fill_shown(sampling, design, pattern);
+  if (!call.json) return put_folding(view, design, fill, call.table);
+  schema::Json json = schema::folding_json(view);
+  json["energy"] = schema::energy_json(view, fill);
+  put_json(json);
 }
 
 }  // namespace

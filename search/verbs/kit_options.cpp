@@ -78,11 +78,20 @@ void add_kit(CLI::App& verb, KitCall& call) {
             a_bed(), "WxH");
   add_mm("--margin", kit.margin_mm,
          fmt::format("with --kit: margin round all parts [{:g}]", kit.margin_mm), 0);
+  add_mm("--bond", kit.bond_mm,
+         fmt::format("with --kit and rubber plates: width of their bonds on the panels [{:g}]",
+                     kit.bond_mm),
+         0);
 }
 
 std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::Design& design) {
   if (!call.wanted) return std::nullopt;
   schema::KitOptions kit = call.options;
+  if (kit.spring_bore_mm && !design.is_springs()) {
+    throw schema::UserError(
+        solver::OptionFault{"spring_bore_mm", schema::shown_number(*kit.spring_bore_mm),
+                            "is of springs, and the design's holes have none", "leave it out"});
+  }
   kit.crease = call.crease.value_or(design.hinge_kind.value_or(kit.crease));
   if (!call.bed.empty()) {
     const std::size_t x = call.bed.find('x');

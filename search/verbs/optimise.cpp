@@ -100,7 +100,8 @@ void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
             "also optimise the preload of all springs within these bounds, N");
   add_value(
       verb, "--rest-deg", input.rest_deg,
-      "pilot angle where the springs are relaxed: a stop for rest_stiffness_n_mm_per_rad [flat]",
+      "pilot angle where the springs are relaxed: a stop for rest_stiffness_n_mm_per_rad [the "
+      "design's, or 0, flat]",
       within("optimise", "rest_deg"), "DEG");
   add_default(verb, "--miscut", input.miscut_mm,
               "cutting error of the copies of which a yield is counted, mm",
@@ -153,6 +154,7 @@ Action optimise_verb(CLI::App& verb) {
   add_springs_and_copies(verb, call->input);
   add_release_from(verb, design.from_deg, 0.01);
   add_springs(verb, design);
+  add_fill(verb, design);
   add_thickness(verb, design.thickness_mm);
   add_value(verb, "--friction", design.friction_n_mm_per_mm,
             "dry friction of creases, N mm/mm [the design's, or 0]",

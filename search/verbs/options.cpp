@@ -1,9 +1,11 @@
 #include "search/verbs/options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/draw_range.hpp"
+#include "schema/pattern/fill_json.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/motion/deploy.hpp"
 
@@ -37,6 +39,42 @@ void add_preload(CLI::App& verb, std::optional<double>& preload_n) {
             "force of each spring at flat, N: pulling where diagonals lengthen as it folds, "
             "pushing where they shorten [the design's, or 0]",
             within("springs.preload_n"), "N");
+}
+
+void add_rest(CLI::App& verb, std::optional<double>& rest_deg) {
+  add_value(verb, "--rest-deg", rest_deg,
+            "pilot angle where the filling is relaxed [the design's, or 0, flat]",
+            within("springs.rest_deg"), "DEG");
+}
+
+void add_fill(CLI::App& verb, schema::DesignFill& fill) {
+  const auto read = [](const std::string& text, schema::InputFaults& faults) {
+    return schema::read_fill(schema::parse_json(text, "the filling"), "fill", faults);
+  };
+  const auto fault_of = [read](const std::string& text) -> std::string {
+    try {
+      schema::InputFaults faults;
+      read(text, faults);
+      return faults.none() ? "" : fmt::format("{}", fmt::join(faults.sentences(), "; "));
+    } catch (const schema::UserError& error) {
+      return error.what();
+    }
+  };
+  CLI::Option* const option =
+      verb.add_option_function<std::string>(
+              "--fill",
+              [read, &fill](const std::string& text) {
+                schema::InputFaults none;
+                fill = read(text, none);
+              },
+              R"(what fills the holes, as design.fill of files: '{"kind": "plate", )"
+              R"("prestretch": 1.1}' for rubber plates [the design's])")
+          ->check(CLI::Validator(fault_of, ""))
+          ->type_name("JSON");
+  for (const char* other :
+       {"--stiffness", "--preload", "--stroke-limit", "--rest-deg", "--rest", "--pull-only"}) {
+    if (verb.get_option_no_throw(other)) option->excludes(other);
+  }
 }
 
 void add_springs(CLI::App& verb, schema::Design& design) {
@@ -73,7 +111,7 @@ void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm) {
 }
 
 SimulationStart ReleaseCall::of(const schema::Design& whole) const {
-  SimulationStart release{whole.from_deg, rest_deg, whole.plates()};
+  SimulationStart release{whole.from_deg, whole.rest_deg.value_or(0), whole.plates()};
   if (density_g_per_cm3) release.plates.density_g_per_cm3 = *density_g_per_cm3;
   return release;
 }
@@ -81,8 +119,7 @@ SimulationStart ReleaseCall::of(const schema::Design& whole) const {
 void add_release(CLI::App& verb, ReleaseCall& call) {
   constexpr double kLeast_deg = 1;  // closer to flat loops hardly say which way the sheet folds
   add_release_from(verb, call.design.from_deg, kLeast_deg);
-  add_default(verb, "--rest-deg", call.rest_deg, "pilot angle where the springs are relaxed",
-              within(0, 180), "DEG");
+  add_rest(verb, call.design.rest_deg);
   add_thickness(verb, call.design.thickness_mm);
   add_value(verb, "--density", call.density_g_per_cm3,
             fmt::format("density of the panels, g/cm^3 [{:g}, or the material's]",

@@ -29,6 +29,8 @@ CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws, const
 /// Adds --stiffness, which overrides the design's.
 void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm);
 void add_preload(CLI::App& verb, std::optional<double>& preload_n);
+/// Adds --rest-deg, which overrides the design's.
+void add_rest(CLI::App& verb, std::optional<double>& rest_deg);
 /// Adds both and --stroke-limit, which override the design's.
 void add_springs(CLI::App& verb, schema::Design& design);
 
@@ -43,8 +45,7 @@ inline constexpr double kLeastDensity_g_per_cm3 = 1e-3, kMostDensity_g_per_cm3 =
 
 /// The options of a released sheet: those, --rest-deg and --density.
 struct ReleaseCall {
-  schema::Design design;  ///< typed options
-  double rest_deg = SimulationStart{}.rest_deg;
+  schema::Design design;                    ///< typed options
   std::optional<double> density_g_per_cm3;  ///< the material's otherwise
 
   /// The start of a sheet of this design, into which typed options are merged already.
@@ -64,6 +65,8 @@ void add_deck(CLI::App& verb, DeckCall& call);
 /// (bad_input).
 void add_material(CLI::App& verb, std::string& file);
 void read_material(const std::string& file, schema::Design& design);
+/// --fill, JSON as of `design.fill`. Called after the options of springs, which it excludes.
+void add_fill(CLI::App& verb, schema::DesignFill& fill);
 /// --trim, of the plates' corners.
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm);
 

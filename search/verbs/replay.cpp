@@ -60,14 +60,16 @@ void replay(const ReplayCall& call) {
   const solver::Sheet sheet = model.sheet(shifts_mm);
   const schema::FoldingView view(campaign.pattern, sheet);
   const bool accepted = campaign.accepts(view.history.verdict);
+  const solver::Fill fill = fill_shown(campaign.sampling(), campaign.design, campaign.pattern);
   if (!call.json) {
     const Paint paint = paint_for(STDOUT_FILENO);
     put("draw {} of {}: {}\n", call.draw, campaign.name,
         accepted ? paint.good("accepted") : paint.bad("not accepted"));
-    put_folding(view, campaign.design, call.table);
+    put_folding(view, campaign.design, fill, call.table);
     return;
   }
   schema::Json json = schema::folding_json(view);
+  json["energy"] = schema::energy_json(view, fill);
   json["campaign"] = {{"name", campaign.name}, {"identity", schema::identity(campaign)}};
   json["draw"] = call.draw;
   json["verdict"]["accepted"] = accepted;

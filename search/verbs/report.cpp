@@ -138,6 +138,7 @@ Action report_verb(CLI::App& verb) {
   }
   add_from(verb, call->design.from_deg, "[the design's, or 36 for release and D for contact]");
   add_springs(verb, call->design);
+  add_fill(verb, call->design);
   for (const schema::StudyEntry& study : schema::study_table()) {
     if (study.in_report) {
       verb.add_flag(fmt::format("--{}", study.name), call->studies[study.name], study.in_report);

@@ -115,8 +115,8 @@ std::vector<solver::Deployment::Row> rigid_motion(const solver::Sheet& sheet,
                                                   const schema::SimulatedSheet& released) {
   solver::ReleaseOptions options;
   options.from_deg = released.pilot_deg;
-  options.sheet.springs.stiffness_n_per_mm = released.stiffness_n_per_mm;
-  options.sheet.springs.rest_deg = released.rest_deg;
+  options.sheet.fill = solver::Springs{.stiffness_n_per_mm = released.stiffness_n_per_mm,
+                                       .rest_deg = released.rest_deg};
   options.sheet.plates = released.plates;
   return deployed(sheet, options).run.rows;
 }
@@ -191,6 +191,7 @@ Action stress_verb(CLI::App& verb) {
   add_stiffness(verb, call->release.design.stiffness_n_per_mm);
   add_preload(verb, call->release.design.preload_n);
   add_release(verb, call->release);
+  add_fill(verb, call->release.design);
   add_deck(verb, call->deck);
   StressStudyOptions& options = call->options;
   add_default(verb, "--time-limit", options.deck.end_s, "longest time of the motion, s",

@@ -50,6 +50,7 @@ std::string by_typed_names(const CLI::App& verb, const Words& words, std::string
 
 // "design.springs.stroke_limit" of the parameter "stroke_limit"; empty where designs have none.
 std::string place_in_design(const std::string& parameter) {
+  if (parameter == "fill") return "design.fill";
   const schema::Json design = schema::design_json({});
   if (design.contains(parameter)) return "design." + parameter;
   for (const auto& [block, numbers] : design.items()) {

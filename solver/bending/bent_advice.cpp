@@ -10,9 +10,14 @@
 namespace misalign::solver {
 namespace {
 
+Filling springs_relaxed_flat(const BentWay& way, double n_per_mm) {
+  const Eigen::VectorXd& flat_mm = way.panels().flat_lengths_mm();
+  return Filling::of_springs(Eigen::VectorXd::Constant(flat_mm.size(), n_per_mm), flat_mm);
+}
+
 // Critical friction from all angles; none where Newton's method lost an equilibrium.
 std::optional<double> critical_of(const BentWay& way, double n_per_mm, BendMethod method) {
-  const DiagonalSprings springs{n_per_mm, way.panels().flat_lengths_mm()};
+  const Filling springs = springs_relaxed_flat(way, n_per_mm);
   const std::vector<BentAngle> angles = way.bend(springs, method);
   if (!std::all_of(angles.begin(), angles.end(), [](const auto& angle) { return angle.is_sure; })) {
     return {};
@@ -68,14 +73,14 @@ std::optional<double> least_stiffness(const BentWay& way, BendMethod method, dou
 }
 
 std::optional<double> least_thickness(const Sheet& sheet, const BentPanels& study,
-                                      const DiagonalSprings& springs, double friction,
-                                      double wanted_margin, const OtherMomentsAt& others) {
+                                      const Filling& filling, double friction, double wanted_margin,
+                                      const OtherMomentsAt& others) {
   const double to_deg = study.options.to_deg;
   const auto suffices = [&](double thickness_mm) {
     const BentWay way(sheet, study.options.material, thickness_mm, to_deg, study.from_deg,
                       study.options.angles);
     if (!way.is_known()) return false;
-    const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
+    const EnergyCurve curve = way.curve(filling, way.bend(filling, BendMethod::linear));
     const auto margin = find_bent_friction(curve, to_deg, friction, others).static_margin;
     return margin && *margin >= wanted_margin;
   };
@@ -105,7 +110,7 @@ std::optional<double> useful_stiffness_n_per_mm(const BentWay& way) {
   if (most <= 0) return {};
   // These springs are within a percent of the largest friction, by Newton's method too.
   const auto stiff = least_stiffness(way, BendMethod::linear, 0.99 * most, much, most);
-  const DiagonalSprings springs{stiff.value(), way.panels().flat_lengths_mm()};
+  const Filling springs = springs_relaxed_flat(way, stiff.value());
   if (way.bending(springs).method == BendMethod::linear) {
     return least_stiffness(way, BendMethod::linear, kUseful * most, much, most);
   }
@@ -123,9 +128,8 @@ BentAdvice advise(const Sheet& sheet, const ReleaseOptions& deploying, const Ben
   const double friction = held.joints.friction_n_mm_per_mm;
   if (friction <= 0) return advice;
   const EnergyModel rigid(sheet, held);
-  const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
   advice.least_thickness_mm =
-      least_thickness(sheet, study, springs, friction, wanted_margin, other_moments(rigid));
+      least_thickness(sheet, study, rigid.filling(), friction, wanted_margin, other_moments(rigid));
   return advice;
 }
 

@@ -115,30 +115,28 @@ BentWay::BentWay(const Sheet& sheet, const PanelMaterial& material, double thick
   }
 }
 
-std::vector<BentAngle> BentWay::bend(const DiagonalSprings& springs, BendMethod method) const {
+std::vector<BentAngle> BentWay::bend(const Filling& filling, BendMethod method) const {
   std::vector<BentAngle> angles;
   for (std::size_t k = 0; k < compliances_.size(); ++k) {
     const Compliance& compliance = compliances_[k];
-    const double rigid_n_mm =
-        springs.n_per_mm / 2 * (compliance.lengths_mm - springs.relaxed_mm).squaredNorm();
-    angles.push_back(
-        {pilot_deg_(static_cast<Index>(k)), rigid_n_mm, solver::bend(compliance, springs), true});
+    angles.push_back({pilot_deg_(static_cast<Index>(k)), filling.energy_n_mm(compliance.lengths_mm),
+                      solver::bend(compliance, filling), true});
   }
-  if (method == BendMethod::newton) bend_far(springs, angles);
+  if (method == BendMethod::newton) bend_far(filling, angles);
   return angles;
 }
 
 // Follows the equilibrium down from the start; where it is lost, begins with the rigid sheet again.
-void BentWay::bend_far(const DiagonalSprings& springs, std::vector<BentAngle>& angles) const {
-  const bool is_relaxed_flat = springs.relaxed_mm == panels_.flat_lengths_mm();
+void BentWay::bend_far(const Filling& filling, std::vector<BentAngle>& angles) const {
+  const bool is_relaxed_flat = filling.forces_n(panels_.flat_lengths_mm()).isZero(0);
   std::optional<BentFollower> follower;
   std::optional<Followed> above;
   for (std::size_t k = angles.size(); k-- > 0;) {
     const double turned_mm = compliances_[k].turned_mm;
-    bool is_followed = follower && follower->follow(turned_mm, springs.relaxed_mm);
+    bool is_followed = follower && follower->follow(turned_mm);
     if (!is_followed) {
-      follower.emplace(panels_, folded_mm_[k], springs.n_per_mm);
-      is_followed = follower->follow(turned_mm, springs.relaxed_mm);
+      follower.emplace(panels_, filling, folded_mm_[k]);
+      is_followed = follower->follow(turned_mm);
     }
     BentAngle& angle = angles[k];
     angle.is_sure = is_followed;
@@ -156,25 +154,26 @@ void BentWay::bend_far(const DiagonalSprings& springs, std::vector<BentAngle>& a
   }
 }
 
-Bending BentWay::bending(const DiagonalSprings& springs) const {
-  const auto far = solver::bend_far(panels_, folded_mm_.back(), springs);
+Bending BentWay::bending(const Filling& filling) const {
+  const auto far = solver::bend_far(panels_, folded_mm_.back(), filling);
   if (!far) return {BendMethod::newton, 1};
-  const double ratio = far->n_mm / solver::bend(compliances_.back(), springs).n_mm;
+  const double ratio = far->n_mm / solver::bend(compliances_.back(), filling).n_mm;
   return {std::abs(ratio - 1) <= kLinearError ? BendMethod::linear : BendMethod::newton, ratio};
 }
 
-EnergyCurve BentWay::curve(const DiagonalSprings& springs,
-                           const std::vector<BentAngle>& angles) const {
-  const VectorXd pulled_mm = panels_.flat_lengths_mm() - springs.relaxed_mm;
-  const double flat_n_mm = springs.n_per_mm / 2 * pulled_mm.squaredNorm();
+EnergyCurve BentWay::curve(const Filling& filling, const std::vector<BentAngle>& angles) const {
+  const VectorXd& flat_mm = panels_.flat_lengths_mm();
+  const double flat_n_mm = filling.energy_n_mm(flat_mm);
+  const Eigen::ArrayXd flat_n = filling.forces_n(flat_mm).cwiseAbs(),
+                       n_per_mm = filling.stiffness_n_per_mm(flat_mm).diagonal();
   VectorXd above(pilot_deg_.size()), reference(pilot_deg_.size()), turned(pilot_deg_.size());
   for (Index k = 0; k < pilot_deg_.size(); ++k) {
     const Compliance& compliance = compliances_[static_cast<std::size_t>(k)];
     above(k) = angles[static_cast<std::size_t>(k)].bent.n_mm - flat_n_mm;
     turned(k) = compliance.turned_mm;
-    const Eigen::ArrayXd longer = (compliance.lengths_mm - panels_.flat_lengths_mm()).array();
-    const Eigen::ArrayXd give = compliance.mm_per_n.diagonal().array() + 1 / springs.n_per_mm;
-    reference(k) = ((longer.square() / 2 + (pulled_mm.array() * longer).abs()) / give).sum();
+    const Eigen::ArrayXd longer = (compliance.lengths_mm - flat_mm).array().abs();
+    const Eigen::ArrayXd stiffer = 1 + n_per_mm * compliance.mm_per_n.diagonal().array();
+    reference(k) = ((n_per_mm * longer.square() / 2 + flat_n * longer) / stiffer).sum();
   }
   return {least_deg_, from_deg_, above, reference, turned};
 }
@@ -233,7 +232,8 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& de
         "bent panels are those of springs on the vertices, and these end beside them",
         "take rigid panels, or \"springs\" out of the pattern"};
   }
-  if (held.springs.pull_only) {
+  const auto* const springs = std::get_if<Springs>(&held.fill);
+  if (springs && springs->pull_only) {
     return OptionFault{"pull_only",
                        {},
                        "panels are bent by springs that pull and push",
@@ -250,17 +250,17 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& de
                     options.angles);
   if (!way.is_known()) return NoResult::panels_not_stable;
   const EnergyModel rigid(sheet, held);
-  const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
+  const Filling& filling = rigid.filling();
   const auto [method, newton_over_linear] =
-      options.method ? Bending{*options.method, 1} : way.bending(springs);
-  std::vector<BentAngle> angles = way.bend(springs, method);
+      options.method ? Bending{*options.method, 1} : way.bending(filling);
+  std::vector<BentAngle> angles = way.bend(filling, method);
   const VectorXd stress_mpa_per_mm = way.panels().stress_mpa_per_mm();
   for (BentAngle& angle : angles) {
     const VectorXd saddles_mm = angle.bent.saddles_mm.cwiseAbs();
     angle.largest_saddle_mm = saddles_mm.maxCoeff();
     angle.largest_stress_mpa = saddles_mm.cwiseProduct(stress_mpa_per_mm).maxCoeff();
   }
-  const EnergyCurve curve = way.curve(springs, angles);
+  const EnergyCurve curve = way.curve(filling, angles);
   const OtherMomentsAt others = other_moments(rigid);
   const double friction = held.joints.friction_n_mm_per_mm;
   return BentPanels{options,

@@ -32,7 +32,7 @@ inline constexpr double kLinearError = 0.02;
 /// Bending at one of the angles.
 struct BentAngle {
   double pilot_deg;
-  double rigid_n_mm;  ///< energy of the springs with rigid panels
+  double rigid_n_mm;  ///< energy of the filling with rigid panels
   BentState bent;
   bool is_sure;  ///< true if linear, or followed by Newton's method
   double largest_saddle_mm = 0;
@@ -45,7 +45,7 @@ struct Bending {
   double newton_over_linear;  ///< ratio of energies; 1 where Newton's method did not run or failed
 };
 
-/// A sheet at all angles, for any springs; its panels have one thickness and material.
+/// A sheet at all angles, for any filling; its panels have one thickness and material.
 class BentWay {
  public:
   /// `sheet` must have a way that reaches from_deg, and outlive this object.
@@ -58,13 +58,13 @@ class BentWay {
   const Eigen::VectorXd& pilot_deg() const { return pilot_deg_; }
   const std::vector<Compliance>& compliances() const { return compliances_; }
 
-  Bending bending(const DiagonalSprings& springs) const;
+  Bending bending(const Filling& filling) const;
   /// Bends panels at every angle, linearly or by Newton's method.
-  std::vector<BentAngle> bend(const DiagonalSprings& springs, BendMethod method) const;
-  EnergyCurve curve(const DiagonalSprings& springs, const std::vector<BentAngle>& angles) const;
+  std::vector<BentAngle> bend(const Filling& filling, BendMethod method) const;
+  EnergyCurve curve(const Filling& filling, const std::vector<BentAngle>& angles) const;
 
  private:
-  void bend_far(const DiagonalSprings& springs, std::vector<BentAngle>& angles) const;
+  void bend_far(const Filling& filling, std::vector<BentAngle>& angles) const;
 
   ElasticSheet panels_;
   double least_deg_, from_deg_;

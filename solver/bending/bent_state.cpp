@@ -25,6 +25,10 @@ constexpr double kCloseness = 0.5;
 // Number of steps from one load to the other, and the shortest as a share of the way.
 constexpr int kMostBendSteps = 200;
 constexpr double kLeastBendStep = 1.0 / 512;
+// Relative error of a filling's forces on panels that bend linearly, and the number of Newton steps
+// to it: one for springs, some where plates begin to wrinkle.
+constexpr double kForceError = 1e-12;
+constexpr int kMostStepsOfForces = 30;
 
 std::vector<int> coordinates_but(Index count, const std::vector<int>& held) {
   std::vector<int> free;
@@ -105,34 +109,32 @@ HeldStiffness::Step HeldStiffness::solve_unstable(const MatrixXd& a, const Vecto
   return {solution.head(n), solution(n)};
 }
 
-BentFollower::BentFollower(const ElasticSheet& sheet, const Matrix3Xd& folded_mm, double n_per_mm)
+BentFollower::BentFollower(const ElasticSheet& sheet, const Filling& filling,
+                           const Matrix3Xd& folded_mm)
     : sheet_(sheet),
-      n_per_mm_(n_per_mm),
+      filling_(filling),
       free_(coordinates_but(sheet.coordinates(), sheet.supports(folded_mm))),
-      load_{sheet.turned_mm(folded_mm), sheet.lengths_mm(folded_mm)} {
+      load_{sheet.turned_mm(folded_mm), filling.forces_n(sheet.lengths_mm(folded_mm))} {
   state_.at_mm = folded_mm;
-  assert(n_per_mm > 0 && folded_mm.cols() == sheet.vertices());
+  assert(folded_mm.cols() == sheet.vertices());
   assert(std::ssize(free_) == sheet.coordinates() - 6 && "the first panel is held still");
 }
 
 BentFollower::~BentFollower() = default;
 
-bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
-  assert(relaxed_mm.size() == sheet_.diagonals());
+bool BentFollower::follow(double turned_mm) {
   if (!held_ && !correct(load_, sheet_.panel_width_mm(), state_)) return false;
   const Load from = load_;
   double left = 1;  // remaining share of the way to the new load
   int steps = 0;
   for (double share = 1; left > 0; share = std::min(2 * share, left)) {
-    const VectorXd pushed_n = n_per_mm_ * (relaxed_mm - from.relaxed_mm);
-    const auto rate =
-        held_->solve(sheet_.length_slopes(state_.at_mm)(Eigen::all, free_).transpose() * pushed_n,
-                     turned_mm - from.turned_mm);
+    const auto rate = held_->solve(
+        sheet_.length_slopes(state_.at_mm)(Eigen::all, free_).transpose() * -from.relief_n,
+        turned_mm - from.turned_mm);
     for (;; share /= 2) {
       if (share < kLeastBendStep || ++steps > kMostBendSteps) return false;
       const double to = left > share ? 1 - left + share : 1;
-      const Load load{from.turned_mm + to * (turned_mm - from.turned_mm),
-                      from.relaxed_mm + to * (relaxed_mm - from.relaxed_mm)};
+      const Load load{from.turned_mm + to * (turned_mm - from.turned_mm), (1 - to) * from.relief_n};
       State next = state_;
       next.moment_n -= share * rate.lambda;
       const double moved_mm = move(rate.u, share, next);
@@ -144,9 +146,9 @@ bool BentFollower::follow(double turned_mm, const VectorXd& relaxed_mm) {
     }
   }
   ElasticSheet::Energy energy = sheet_.panels_energy(state_.at_mm);
-  sheet_.add_springs(state_.at_mm, n_per_mm_, relaxed_mm, energy);
+  sheet_.add_filling(state_.at_mm, filling_, load_.relief_n, energy);
   state_.n_mm = energy.n_mm;
-  state_.forces_n = n_per_mm_ * (sheet_.lengths_mm(state_.at_mm) - relaxed_mm);
+  state_.forces_n = filling_.forces_n(sheet_.lengths_mm(state_.at_mm));
   state_.saddles_mm = sheet_.saddles_mm(state_.at_mm);
   return true;
 }
@@ -158,7 +160,7 @@ bool BentFollower::correct(const Load& load, double moved_mm, State& state) {
   const Matrix3Xd predicted_mm = state.at_mm;
   for (int k = 0; k < kMostCorrectionsOfStep; ++k) {
     ElasticSheet::Energy energy = sheet_.panels_energy(state.at_mm);
-    sheet_.add_springs(state.at_mm, n_per_mm_, load.relaxed_mm, energy);
+    sheet_.add_filling(state.at_mm, filling_, load.relief_n, energy);
     sheet_.add_turned_bend(state.at_mm, -state.moment_n, energy.bend);
     const MatrixXd bend = energy.bend(free_, free_);
     const VectorXd turned_slope = sheet_.turned_slope(state.at_mm)(free_);
@@ -203,22 +205,26 @@ std::optional<Compliance> find_compliance(const ElasticSheet& sheet, const Matri
                     -sheet.saddle_slopes(folded_mm)(Eigen::all, free) * held.upper(lower)};
 }
 
-BentState bend(const Compliance& compliance, const DiagonalSprings& springs) {
-  assert(springs.n_per_mm > 0 && springs.relaxed_mm.size() == compliance.lengths_mm.size());
-  const VectorXd pull = compliance.lengths_mm - springs.relaxed_mm;
-  MatrixXd give = compliance.mm_per_n;
-  give.diagonal().array() += 1 / springs.n_per_mm;
-  BentState state;
-  state.forces_n = give.llt().solve(pull);
-  state.n_mm = state.forces_n.dot(pull) / 2;
-  state.saddles_mm = compliance.saddle_mm_per_n * state.forces_n;
-  return state;
+BentState bend(const Compliance& compliance, const Filling& filling) {
+  assert(filling.diagonals() == compliance.lengths_mm.size());
+  const MatrixXd& c = compliance.mm_per_n;
+  VectorXd lengths_mm = compliance.lengths_mm, forces_n = VectorXd::Zero(lengths_mm.size());
+  for (int step = 0; step < kMostStepsOfForces; ++step) {
+    const VectorXd off_n = filling.forces_n(lengths_mm) - forces_n;
+    if (off_n.norm() <= kForceError * forces_n.norm()) break;
+    MatrixXd by_forces = filling.stiffness_n_per_mm(lengths_mm) * c;
+    by_forces.diagonal().array() += 1;
+    forces_n += by_forces.partialPivLu().solve(off_n);
+    lengths_mm = compliance.lengths_mm - c * forces_n;
+  }
+  return {filling.energy_n_mm(lengths_mm) + forces_n.dot(c * forces_n) / 2, forces_n,
+          compliance.saddle_mm_per_n * forces_n};
 }
 
 std::optional<BentFollower::State> bend_far(const ElasticSheet& sheet, const Matrix3Xd& folded_mm,
-                                            const DiagonalSprings& springs) {
-  BentFollower follower(sheet, folded_mm, springs.n_per_mm);
-  if (!follower.follow(sheet.turned_mm(folded_mm), springs.relaxed_mm)) return {};
+                                            const Filling& filling) {
+  BentFollower follower(sheet, filling, folded_mm);
+  if (!follower.follow(sheet.turned_mm(folded_mm))) return {};
   return follower.state();
 }
 

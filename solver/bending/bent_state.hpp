@@ -1,4 +1,4 @@
-// A folded sheet whose panels bend under the springs on its diagonals, at one place of its way.
+// A folded sheet whose panels bend under the filling of its holes, at one place of its way.
 //
 // The sum over the creases of length times |fold angle| is held at its value on the rigid sheet:
 // friction works against that sum, and holding a single crease would matter where panels bend much.
@@ -14,11 +14,6 @@
 
 namespace misalign::solver {
 
-struct DiagonalSprings {
-  double n_per_mm;
-  Eigen::VectorXd relaxed_mm;  ///< length of each spring without force
-};
-
 /// Compliance of a folded sheet, linearised at rigid panels.
 struct Compliance {
   double turned_mm;
@@ -33,13 +28,14 @@ std::optional<Compliance> find_compliance(const ElasticSheet& sheet,
                                           const Eigen::Matrix3Xd& folded_mm);
 
 struct BentState {
-  double n_mm = 0;             ///< energy of springs and panels
-  Eigen::VectorXd forces_n;    ///< one per spring, positive where it pulls
+  double n_mm = 0;             ///< energy of filling and panels
+  Eigen::VectorXd forces_n;    ///< one per diagonal, positive where the filling pulls
   Eigen::VectorXd saddles_mm;  ///< q of each panel
 };
 
-/// Bends to first order: f = (1/k + C)^-1 (L - L0), energy = f . (L - L0) / 2.
-BentState bend(const Compliance& compliance, const DiagonalSprings& springs);
+/// Bends panels linearly: forces f = dE/dL of the filling at the lengths L - C f, by Newton's
+/// method; of springs f = (1/k + C)^-1 (L - L0), in one step.
+BentState bend(const Compliance& compliance, const Filling& filling);
 
 class HeldStiffness;
 
@@ -55,34 +51,36 @@ class BentFollower {
     Eigen::Matrix3Xd at_mm;
   };
 
-  /// Begins with the rigid sheet and springs without force. `sheet` must outlive this object.
-  BentFollower(const ElasticSheet& sheet, const Eigen::Matrix3Xd& folded_mm, double n_per_mm);
+  /// Begins with the rigid sheet, whose filling's forces are relieved. `sheet` and `filling` must
+  /// outlive this object.
+  BentFollower(const ElasticSheet& sheet, const Filling& filling,
+               const Eigen::Matrix3Xd& folded_mm);
   ~BentFollower();
 
-  /// Follows to another sum and other relaxed lengths of the springs, both in proportion. Returns
-  /// false where the equilibrium ends or loses its stability on the way: it then is lost.
-  bool follow(double turned_mm, const Eigen::VectorXd& relaxed_mm);
+  /// Follows to another sum, and at first to the filling's whole forces, both in proportion.
+  /// Returns false where the equilibrium ends or loses its stability on the way: it then is lost.
+  bool follow(double turned_mm);
   const State& state() const { return state_; }
 
  private:
   struct Load {
     double turned_mm;
-    Eigen::VectorXd relaxed_mm;
+    Eigen::VectorXd relief_n;  // taken off the filling's forces
   };
   bool correct(const Load& load, double moved_mm, State& state);
   double move(const Eigen::VectorXd& displacement, double share, State& state) const;
 
   const ElasticSheet& sheet_;
-  const double n_per_mm_;
+  const Filling& filling_;
   const std::vector<int> free_;
   Load load_;
   State state_;
   std::unique_ptr<const HeldStiffness> held_;  // stiffness at the last correction
 };
 
-/// Bends the rigid sheet by stretching its springs step by step.
+/// Bends the rigid sheet by the filling's forces, step by step.
 std::optional<BentFollower::State> bend_far(const ElasticSheet& sheet,
                                             const Eigen::Matrix3Xd& folded_mm,
-                                            const DiagonalSprings& springs);
+                                            const Filling& filling);
 
 }  // namespace misalign::solver

@@ -208,22 +208,34 @@ ElasticSheet::Energy ElasticSheet::panels_energy(const Matrix3Xd& at_mm) const {
   return energy;
 }
 
-void ElasticSheet::add_springs(const Matrix3Xd& at_mm, double n_per_mm, const VectorXd& relaxed_mm,
-                               Energy& energy) const {
-  for (Index d = 0; d < diagonals(); ++d) {
-    const Diagonal& at = diagonals_[static_cast<std::size_t>(d)];
-    const Vector3d between = at_mm.col(at.to) - at_mm.col(at.from);
-    const double length = between.norm(), pull = length - relaxed_mm(d);
-    const Vector3d along = between / length;
-    energy.n_mm += n_per_mm / 2 * pull * pull;
-    energy.slope.segment<3>(3 * at.to) += n_per_mm * pull * along;
-    energy.slope.segment<3>(3 * at.from) -= n_per_mm * pull * along;
-    const Matrix3d outer = along * along.transpose();
-    const Matrix3d block = n_per_mm * (outer + pull / length * (Matrix3d::Identity() - outer));
-    energy.bend.block<3, 3>(3 * at.to, 3 * at.to) += block;
-    energy.bend.block<3, 3>(3 * at.from, 3 * at.from) += block;
-    energy.bend.block<3, 3>(3 * at.to, 3 * at.from) -= block;
-    energy.bend.block<3, 3>(3 * at.from, 3 * at.to) -= block;
+void ElasticSheet::add_filling(const Matrix3Xd& at_mm, const Filling& filling,
+                               const VectorXd& relief_n, Energy& energy) const {
+  const VectorXd lengths = lengths_mm(at_mm);
+  const auto along = [&](const Diagonal& at) -> Vector3d {
+    return (at_mm.col(at.to) - at_mm.col(at.from)).normalized();
+  };
+  const auto add_block = [&](const Diagonal& row, const Diagonal& column, const Matrix3d& block) {
+    energy.bend.block<3, 3>(3 * row.to, 3 * column.to) += block;
+    energy.bend.block<3, 3>(3 * row.from, 3 * column.from) += block;
+    energy.bend.block<3, 3>(3 * row.to, 3 * column.from) -= block;
+    energy.bend.block<3, 3>(3 * row.from, 3 * column.to) -= block;
+  };
+  for (Index h = 0; h < filling.holes(); ++h) {
+    const HoleEnergy hole = filling.hole(h, lengths.segment<2>(2 * h));
+    energy.n_mm += hole.n_mm;
+    for (Index k = 0; k < 2; ++k) {
+      const Index d = 2 * h + k;
+      const Diagonal& at = diagonals_[static_cast<std::size_t>(d)];
+      const Vector3d pull = along(at);
+      const double force_n = hole.force_n(k) - relief_n(d);
+      energy.slope.segment<3>(3 * at.to) += force_n * pull;
+      energy.slope.segment<3>(3 * at.from) -= force_n * pull;
+      add_block(at, at, force_n / lengths(d) * (Matrix3d::Identity() - pull * pull.transpose()));
+      for (Index l = 0; l < 2; ++l) {
+        const Diagonal& column = diagonals_[static_cast<std::size_t>(2 * h + l)];
+        add_block(at, column, hole.n_per_mm(k, l) * pull * along(column).transpose());
+      }
+    }
   }
 }
 

@@ -1,10 +1,10 @@
 // An elastic sheet as a structure of its vertices: panels bend into saddles and stretch a little,
-// creases turn freely, springs pull on the diagonals.
+// creases turn freely, the filling pulls on the holes' diagonals.
 //
 // Creases stay straight, since each lies in a panel that is stiff in its own plane; so panels act
 // on each other through their corners, and the places x of the vertices determine everything:
 //   energy = sum over panels of K q^2 / 2 + mu q^4 / 2 + edges and shears, squared
-//          + sum over springs of k / 2 pull^2.
+//          + sum over holes of the filling's energy.
 // The first term is exact for saddles that are small beside the thickness. In larger ones the
 // panel's middle plane has to stretch: mu = E t I / area^4, with I the volume under a clamped plate
 // of that size, load over rigidity being 1 (von Karman's equation for w = q x y / area, edges free
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "solver/bending/elastic_panel.hpp"
-#include "solver/kinematics/mechanism.hpp"
+#include "solver/fill/filling.hpp"
 #include "solver/model/panels.hpp"
 
 namespace misalign::solver {
@@ -69,10 +69,11 @@ class ElasticSheet {
   /// 1e-8.
   void add_turned_bend(const Eigen::Matrix3Xd& at_mm, double factor, Eigen::MatrixXd& bend) const;
 
-  /// Energy of the panels; add_springs adds that of springs with these relaxed lengths.
+  /// Energy of the panels; add_filling adds that of the holes' filling, whose forces are less by
+  /// `relief_n`. The products of the diagonals stay as they are, since edges hardly stretch.
   Energy panels_energy(const Eigen::Matrix3Xd& at_mm) const;
-  void add_springs(const Eigen::Matrix3Xd& at_mm, double n_per_mm,
-                   const Eigen::VectorXd& relaxed_mm, Energy& energy) const;
+  void add_filling(const Eigen::Matrix3Xd& at_mm, const Filling& filling,
+                   const Eigen::VectorXd& relief_n, Energy& energy) const;
 
   /// Six coordinates of the first panel, ascending, that hold this shape still in space.
   std::vector<int> supports(const Eigen::Matrix3Xd& at_mm) const;

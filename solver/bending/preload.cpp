@@ -21,8 +21,8 @@ constexpr double kStiffer = 1e4;
 // this share of the stiffest panel's.
 constexpr double kNoPush = 1e-9;
 
-// The flat sheet in equilibrium with its springs' forces in its plane.
-Matrix3Xd settled_in_plane(const ElasticSheet& sheet, const DiagonalSprings& springs) {
+// The flat sheet in equilibrium with its filling's forces in its plane.
+Matrix3Xd settled_in_plane(const ElasticSheet& sheet, const Filling& filling) {
   Matrix3Xd at_mm = sheet.flat_shape_mm();
   const std::vector<int> held = sheet.supports(at_mm);
   std::vector<int> free;
@@ -31,7 +31,7 @@ Matrix3Xd settled_in_plane(const ElasticSheet& sheet, const DiagonalSprings& spr
   }
   for (int step = 0; step < 4; ++step) {
     ElasticSheet::Energy energy = sheet.panels_energy(at_mm);
-    sheet.add_springs(at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
+    sheet.add_filling(at_mm, filling, VectorXd::Zero(filling.diagonals()), energy);
     const MatrixXd bend = energy.bend(free, free);
     const VectorXd slope = energy.slope(free), moved = bend.ldlt().solve(slope);
     for (Index i = 0; i < moved.size(); ++i) {
@@ -51,15 +51,14 @@ std::optional<PreloadAtFlat> preload_at_flat(const Sheet& sheet, const PanelMate
   const auto near = find_compliance(panels, sheet.at(kNearFlat_deg).vertices_mm);
   if (!near) return {};
   const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2);
-  const VectorXd longer = near->lengths_mm - panels.flat_lengths_mm(),
-                 forces = shares.cwiseProduct(longer.cwiseSign());
-  return PreloadAtFlat{forces.dot(longer) / square, forces.dot(near->mm_per_n * forces) / square};
+  const VectorXd longer = near->lengths_mm - panels.flat_lengths_mm();
+  return PreloadAtFlat{shares.dot(longer) / square, shares.dot(near->mm_per_n * shares) / square};
 }
 
-FlatModes find_flat_modes(const ElasticSheet& sheet, const DiagonalSprings& springs) {
-  const Matrix3Xd at_mm = settled_in_plane(sheet, springs);
+FlatModes find_flat_modes(const ElasticSheet& sheet, const Filling& filling) {
+  const Matrix3Xd at_mm = settled_in_plane(sheet, filling);
   ElasticSheet::Energy energy = sheet.panels_energy(at_mm);
-  sheet.add_springs(at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
+  sheet.add_filling(at_mm, filling, VectorXd::Zero(filling.diagonals()), energy);
   const Index count = sheet.vertices();
   MatrixXd across(count, count), saddles(sheet.panels(), count);
   const MatrixXd slopes = sheet.saddle_slopes(at_mm);
@@ -80,11 +79,10 @@ FlatModes find_flat_modes(const ElasticSheet& sheet, const DiagonalSprings& spri
 
 BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
                          const PreloadAtFlat& at_flat, const VectorXd& shares) {
-  const VectorXd longer = way.compliances().front().lengths_mm - way.panels().flat_lengths_mm(),
-                 forces = shares.cwiseProduct(longer.cwiseSign());
+  const VectorXd& flat_mm = way.panels().flat_lengths_mm();
   const auto with = [&](double preload_n) {
-    const DiagonalSprings springs{n_per_mm,
-                                  way.panels().flat_lengths_mm() - preload_n / n_per_mm * forces};
+    const Filling springs = Filling::of_springs(VectorXd::Constant(flat_mm.size(), n_per_mm),
+                                                flat_mm - preload_n / n_per_mm * shares);
     const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
     return find_bent_friction(curve, to_deg, 0,
                               [](double) {
@@ -115,21 +113,20 @@ BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
 
 StudyResult<PreloadStudy> study_preload(const Sheet& sheet, const ReleaseOptions& deploying,
                                         const BentPanels& bent) {
-  const Springs& springs = deploying.sheet.springs;
+  const Springs& springs = deploying.sheet.springs();
   const PanelMaterial& material = bent.options.material;
   const BentWay way(sheet, material, bent.thickness_mm, bent.options.to_deg, bent.from_deg,
                     bent.options.angles);
   const EnergyModel rigid(sheet, deploying.sheet);
   const double n_per_mm = springs.stiffness_n_per_mm;
   const double preload_n = springs.preload.largest_n();
-  const VectorXd shares = springs.preload.forces_n(sheet.mechanism().diagonals) / preload_n;
+  const VectorXd shares = rigid.filling().forces_n(sheet.way()->flat_mm()) / preload_n;
   const auto at_flat = preload_at_flat(sheet, material, bent.thickness_mm, shares);
   if (!at_flat) return NoResult::panels_not_stable;
   const double pilot_rate = sheet.way()->pilot_rate(0);
   const double mass = rigid.at(0).mass / (pilot_rate * pilot_rate),  // t mm^2 by the pilot's angle
       stiffness = std::max(0.0, at_flat->stiffness_n_mm(preload_n));
-  return PreloadStudy{preload_n, *at_flat,
-                      find_flat_modes(way.panels(), {n_per_mm, rigid.relaxed_mm()}),
+  return PreloadStudy{preload_n, *at_flat, find_flat_modes(way.panels(), rigid.filling()),
                       best_preload(way, n_per_mm, bent.options.to_deg, *at_flat, shares),
                       std::sqrt(stiffness / mass) / (2 * std::numbers::pi)};
 }

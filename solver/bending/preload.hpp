@@ -13,8 +13,9 @@ namespace misalign::solver {
 /// and pushing on those that shorten, gives a moment proportional to the angle. With rho the
 /// pilot's angle, diagonals longer by L2 rho^2 and panels that give by C = C2 rho^2,
 ///   d2E/drho2 (flat) = 2 F s . L2 - F^2 s . C2 s,
-/// s the signs of L2, and of a spring with a share of F that share: too much of it bends the panels
-/// instead, and none is left at twice the best. F is that of the spring with the most.
+/// s the signs of L2, and of a diagonal with a share of F that share with its sign: too much of it
+/// bends the panels instead, and none is left at twice the best. F is that of the spring with the
+/// most.
 struct PreloadAtFlat {
   double lead_mm;        ///< s . L2, per rad^2
   double give_mm_per_n;  ///< s . C2 s, per rad^2
@@ -28,8 +29,8 @@ struct PreloadAtFlat {
 /// Angle near flat at which L2 and C2 are found, to (angle / 3)^2.
 inline constexpr double kNearFlat_deg = 1;
 
-/// Finds it for panels that only bend, from a state next to flat. `shares` of F are in the springs.
-/// None where the panels' stiffness is not positive.
+/// Finds it for panels that only bend, from a state next to flat. `shares` of F are the signed
+/// forces on the diagonals, s in the formula. None where the panels' stiffness is not positive.
 std::optional<PreloadAtFlat> preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
                                              double thickness_mm, const Eigen::VectorXd& shares);
 
@@ -39,10 +40,11 @@ std::optional<PreloadAtFlat> preload_at_flat(const Sheet& sheet, const PanelMate
 struct FlatModes {
   int rigid, unstable;
 };
-FlatModes find_flat_modes(const ElasticSheet& sheet, const DiagonalSprings& springs);
+FlatModes find_flat_modes(const ElasticSheet& sheet, const Filling& filling);
 
-/// The preload with which the least static friction over the way is largest, and that friction, by
-/// linear bending; 0 where no preload is better.
+/// The preload of springs of one rate, with these shares of it, with which the least static
+/// friction over the way is largest, and that friction, by linear bending; 0 where no preload is
+/// better.
 struct BestPreload {
   double preload_n, static_n_mm_per_mm;
 };

@@ -1,39 +1,46 @@
 #include "solver/bending/rest_stiffness.hpp"
 
+#include <Eigen/LU>
+
 #include "solver/bending/preload.hpp"
 
 namespace misalign::solver {
 
 using Eigen::VectorXd;
 
+// Forces of diagonals that are off by less are those of rounding.
+constexpr double kNoForce_mm = 1e-9;
+
 std::optional<RestStiffness> rest_stiffness(const Sheet& sheet, const ReleaseOptions& deploying,
                                             const PanelMaterial& material) {
-  const Springs& springs = deploying.sheet.springs;
-  const double thickness_mm = deploying.sheet.plates.thickness_mm;
   const FoldingWay* const way = sheet.way();
-  const bool is_preloaded = springs.preload.is_any();
-  if (!way || !springs.other_rests_deg.empty() || springs.rest_deg >= way->end_deg() ||
-      (is_preloaded && springs.rest_deg > 0)) {
-    return {};
-  }
-  if (springs.rest_deg == 0) {
-    const double preload_n = springs.preload.largest_n();
-    if (preload_n == 0) return RestStiffness{0, VectorXd::Zero(way->flat_mm().size())};
-    const VectorXd shares = springs.preload.forces_n(sheet.mechanism().diagonals) / preload_n;
-    const auto flat = preload_at_flat(sheet, material, thickness_mm, shares);
+  const double at_deg = rest_deg(deploying.sheet.fill);
+  const auto* const springs = std::get_if<Springs>(&deploying.sheet.fill);
+  if (!way || at_deg >= way->end_deg() || (springs && !springs->other_rests_deg.empty())) return {};
+  const double x = way->x_of(at_deg), thickness_mm = deploying.sheet.plates.thickness_mm;
+  VectorXd lengths_mm = way->flat_mm(), slopes_mm;
+  if (at_deg > 0) way->find_lengths(x, lengths_mm, slopes_mm);
+  const Filling filling = filling_on(*way, deploying.sheet.fill);
+  const VectorXd left_n = filling.forces_n(lengths_mm);  // by preload or pre-stretch
+  const double most_n = left_n.cwiseAbs().maxCoeff();
+  const bool is_preloaded =
+      most_n > kNoForce_mm * filling.stiffness_n_per_mm(lengths_mm).maxCoeff();
+  if (at_deg == 0) {
+    if (!is_preloaded) return RestStiffness{0, VectorXd::Zero(lengths_mm.size())};
+    const auto flat = preload_at_flat(sheet, material, thickness_mm, left_n / most_n);
     if (!flat) return {};
-    return RestStiffness{flat->stiffness_n_mm(preload_n), {}, flat->give_mm_per_n};
+    return RestStiffness{flat->stiffness_n_mm(most_n), {}, flat->give_mm_per_n};
   }
-  const double x = way->x_of(springs.rest_deg);
-  VectorXd lengths_mm, slopes_mm;
-  way->find_lengths(x, lengths_mm, slopes_mm);
+  if (is_preloaded) return {};
   slopes_mm /= way->pilot_rate(x);
   const ElasticSheet panels(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals,
                             material, thickness_mm);
-  const auto compliance = find_compliance(panels, sheet.at(springs.rest_deg).vertices_mm);
+  const auto compliance = find_compliance(panels, sheet.at(at_deg).vertices_mm);
   if (!compliance) return {};
-  const VectorXd forces_n =
-      bend(*compliance, {springs.stiffness_n_per_mm, compliance->lengths_mm - slopes_mm}).forces_n;
+  const Eigen::MatrixXd stiffness = filling.stiffness_n_per_mm(lengths_mm);
+  Eigen::MatrixXd softer = stiffness * compliance->mm_per_n;
+  softer.diagonal().array() += 1;
+  const VectorXd forces_n = softer.partialPivLu().solve(stiffness * slopes_mm);
   return RestStiffness{slopes_mm.dot(forces_n), forces_n};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "solver/certificate/energy_check.hpp"
 #include "solver/certificate/panel_check.hpp"
 
 namespace misalign::solver {
@@ -27,6 +28,11 @@ bool is_place(const Mechanism& mechanism, const PanelCheck* panels,
   const auto diagonals = static_cast<int>(mechanism.diagonals.size());
   const auto creases = static_cast<int>(mechanism.creases.size());
   const int where = certificate.where;
+  if (certificate.criterion == CertifiedBy::energy &&
+      (certificate.end == CertificateEnd::reversal ||
+       certificate.end == CertificateEnd::unclear_slope)) {
+    return where == -1;
+  }
   if (certificate.end == CertificateEnd::reversal) return where >= 0 && where < diagonals;
   if (is_event(certificate.end)) return where >= 0 && where < creases && where != mechanism.pilot;
   if (certificate.end == CertificateEnd::unclear_slope) {
@@ -40,7 +46,11 @@ bool is_place(const Mechanism& mechanism, const PanelCheck* panels,
 
 // Finds faults without any proof.
 const char* fault_of_form(const Mechanism& mechanism, const PanelCheck* panels,
-                          const Certificate& certificate) {
+                          const std::optional<Fill>& fill, const Certificate& certificate) {
+  if (certificate.criterion == CertifiedBy::energy) {
+    if (!fill) return "it is of an energy, and nothing is known of what fills the holes";
+    if (const char* why = why_not_certifiable(*fill, mechanism.springs)) return why;
+  }
   if (certificate.contact && panels == nullptr) return "nothing is known of the panels";
   if (certificate.end == CertificateEnd::contact && !certificate.contact) {
     return "it ends at a contact, and proves none";
@@ -84,17 +94,19 @@ const char* fault_of_interval(const Mechanism& mechanism, const PathInterval& in
 
 class Checker {
  public:
-  Checker(const Mechanism& mechanism, const PanelCheck* panels, const FlatVertices& vertices_mm,
-          const Certificate& certificate)
+  Checker(const Mechanism& mechanism, const PanelCheck* panels, const std::optional<Fill>& fill,
+          const FlatVertices& vertices_mm, const Certificate& certificate)
       : mechanism_(mechanism),
         panels_(panels),
+        fill_(fill),
         certificate_(certificate),
         prover_(mechanism, vertices_mm) {}
 
   std::optional<CertificateFault> run() {
-    if (const char* what = fault_of_form(mechanism_, panels_, certificate_)) {
+    if (const char* what = fault_of_form(mechanism_, panels_, fill_, certificate_)) {
       return CertificateFault{0, certificate_.certified_deg(), what};
     }
+    if (is_of_energy()) energy_.emplace(mechanism_, prover_, *fill_);
     double from_deg = 0;
     for (const PathInterval& interval : certificate_.intervals) {
       const char* what = fault_of_interval(mechanism_, interval, from_deg);
@@ -112,6 +124,8 @@ class Checker {
   }
 
  private:
+  bool is_of_energy() const { return certificate_.criterion == CertifiedBy::energy; }
+
   // Claims that must hold all over an interval.
   struct Claims {
     bool cosines, sines, slopes, contact;
@@ -128,9 +142,10 @@ class Checker {
         unproven = "a crease is not proven to keep its sign and to stay below 180 degrees";
         return folds;
       }
-      const Proof slopes = claims.slopes ? keeps_slopes(subinterval) : Proof::holds;
+      const Proof slopes = claims.slopes ? keeps_slopes(whole, subinterval) : Proof::holds;
       if (slopes != Proof::holds) {
-        unproven = "a diagonal is not proven to go on growing or shrinking";
+        unproven = is_of_energy() ? "the energy is not proven to go on rising"
+                                  : "a diagonal is not proven to go on growing or shrinking";
         return slopes;
       }
       if (!claims.contact) return slopes;
@@ -158,7 +173,8 @@ class Checker {
     return proof;
   }
 
-  Proof keeps_slopes(const ProvenInterval::Subinterval& subinterval) {
+  Proof keeps_slopes(const ProvenInterval& whole, const ProvenInterval::Subinterval& subinterval) {
+    if (energy_) return is_positive(energy_->slope(whole, subinterval));
     if (signs_.empty()) {
       for (const CheckModel& slope : subinterval.slopes) {
         signs_.push_back(value_at(slope, ArbNumber(0.0)) < ArbNumber(0.0) ? -1 : 1);
@@ -230,19 +246,21 @@ class Checker {
   }
 
   const char* check_closing(const PathInterval& closing) {
-    assert(is_event(certificate_.end) && certificate_.where >= 0);
+    assert(is_event(certificate_.end) && (certificate_.where >= 0 || is_of_energy()));
     // A crease must end as claimed: its sine keeps its sign while its cosine changes, or its cosine
     // while its sine does.
     const Claims claims{certificate_.end == CertificateEnd::sign_changed,
                         certificate_.end == CertificateEnd::over_folded, false, false,
                         certificate_.where};
     if (const char* what = check(closing, claims)) return what;
-    const auto where = static_cast<std::size_t>(certificate_.where);
+    const auto where = static_cast<std::size_t>(certificate_.where);  // -1 only of an energy
     const ProvenInterval::Subinterval& subinterval = last_.subintervals.back();
     const ArbNumber place =
         (last_.to - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
     ArbNumber value;
-    if (certificate_.end == CertificateEnd::reversal) {
+    if (certificate_.end == CertificateEnd::reversal && energy_) {
+      value = value_at(energy_->slope(last_, subinterval), place);
+    } else if (certificate_.end == CertificateEnd::reversal) {
       value = value_at(times(signs_[where], subinterval.slopes[where]), place);
     } else if (certificate_.end == CertificateEnd::over_folded) {
       value = value_at(subinterval.cosines[where], place);
@@ -255,8 +273,10 @@ class Checker {
 
   const Mechanism& mechanism_;
   const PanelCheck* const panels_;
+  const std::optional<Fill>& fill_;
   const Certificate& certificate_;
   IntervalProver prover_;
+  std::optional<EnergyCheck> energy_;  // none: each diagonal
   ProvenInterval last_;
   std::vector<int> signs_;  // signs of the diagonals' slopes
 };
@@ -265,16 +285,18 @@ class Checker {
 
 std::optional<CertificateFault> check_certificate(const Mechanism& mechanism,
                                                   const FlatVertices& vertices_mm,
-                                                  const Certificate& certificate) {
-  return Checker(mechanism, nullptr, vertices_mm, certificate).run();
+                                                  const Certificate& certificate,
+                                                  const std::optional<Fill>& fill) {
+  return Checker(mechanism, nullptr, fill, vertices_mm, certificate).run();
 }
 
 std::optional<CertificateFault> check_certificate(const Model& model,
                                                   const FlatVertices& vertices_mm,
-                                                  const Certificate& certificate) {
+                                                  const Certificate& certificate,
+                                                  const std::optional<Fill>& fill) {
   const Panels panels = panels_of(model.base(), model.mechanism());
   const PanelCheck check(model.shape(), panels);
-  return Checker(model.mechanism(), &check, vertices_mm, certificate).run();
+  return Checker(model.mechanism(), &check, fill, vertices_mm, certificate).run();
 }
 
 }  // namespace misalign::solver

@@ -2,8 +2,10 @@
 // bits (FLINT's arb) instead of Taylor models of doubles. Slow and simple.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "solver/fill/fill.hpp"
 #include "solver/model/model.hpp"
 #include "solver/records/certificate.hpp"
 
@@ -15,14 +17,17 @@ struct CertificateFault {
   std::string what;         ///< "the state in its middle is not the path's", ...
 };
 
-/// None where every claim holds for the sheet with these vertices.
+/// None where every claim holds for the sheet with these vertices. Certificates of an energy need
+/// the filling whose energy it is.
 std::optional<CertificateFault> check_certificate(const Model& model,
                                                   const FlatVertices& vertices_mm,
-                                                  const Certificate& certificate);
+                                                  const Certificate& certificate,
+                                                  const std::optional<Fill>& fill = {});
 
 /// The same for a linkage whose panels are not known: claims that no panels meet are refused.
 std::optional<CertificateFault> check_certificate(const Mechanism& mechanism,
                                                   const FlatVertices& vertices_mm,
-                                                  const Certificate& certificate);
+                                                  const Certificate& certificate,
+                                                  const std::optional<Fill>& fill = {});
 
 }  // namespace misalign::solver

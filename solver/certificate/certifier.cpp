@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/certificate/conditions.hpp"
+#include "solver/certificate/energy_slope.hpp"
 #include "solver/certificate/panel_proof.hpp"
 #include "solver/records/record_sheet.hpp"
 
@@ -32,16 +33,18 @@ constexpr double kClosingInterval_deg = 0.9 * kClosing_deg;
 }  // namespace
 
 struct Certifier::Workspace {
-  Workspace(const Model& m, bool proves_contact)
+  Workspace(const Model& m, bool proves_contact, const std::optional<Fill>& its_fill)
       : model(m),
         panels(panels_of(m.base(), m.mechanism())),
         proof(m.shape(), panels),
-        contact(proves_contact) {}
+        contact(proves_contact),
+        fill(its_fill) {}
 
   const Model& model;
   const Panels panels;
   const PanelProof proof;
   const bool contact;
+  const std::optional<Fill> fill;
 };
 
 namespace {
@@ -49,9 +52,10 @@ namespace {
 // Makes one sheet's certificate.
 class TubeContinuation {
  public:
-  /// `panels` proves that none meet; null: not requested.
-  TubeContinuation(const Model& model, const PanelProof* panels, const FlatVertices& vertices_mm,
-                   double asked_deg)
+  /// `panels` proves that none meet; null: not requested. `fill`: its energy rises; none: every
+  /// diagonal is monotone.
+  TubeContinuation(const Model& model, const PanelProof* panels, const std::optional<Fill>& fill,
+                   const FlatVertices& vertices_mm, double asked_deg)
       : model_(model),
         mechanism_(model.mechanism()),
         panels_(panels),
@@ -59,6 +63,9 @@ class TubeContinuation {
         prover_(mechanism_, vertices_mm) {
     certificate_.asked_deg = asked_deg;
     certificate_.contact = panels != nullptr;
+    if (!fill) return;
+    certificate_.criterion = CertifiedBy::energy;
+    energy_.emplace(mechanism_, *fill, prover_.flat_diagonals());
   }
 
   Certificate run() {
@@ -116,12 +123,8 @@ class TubeContinuation {
     PathTube tube;
     const PathInterval interval{0, to_deg, true, 0, std::move(middle)};
     if (prover_.prove(interval, kLargestBox, tube) != TubeProver::End::proven) return false;
-    const std::vector<PathModel> slopes = prover_.find_slopes(tube);
-    directions_.clear();
-    for (const PathModel& slope : slopes) {
-      directions_.push_back(value_at(slope, Ball(-1.0)).c[0] > 0 ? 1 : -1);
-    }
-    const Obstacle first = first_obstacle(tube, slopes, 1e-3);
+    set_directions(prover_.find_diagonals(tube).slopes);
+    const Obstacle first = first_obstacle(tube, 1e-3);
     if (first.until < 1) {
       // The branch is proven: a diagonal stands still, unless a shorter interval shows otherwise.
       if (first.kind == CertificateEnd::reversal) {
@@ -134,6 +137,23 @@ class TubeContinuation {
     accept(std::move(tube));
     begin_next(to_deg * std::min(1.0, prover_.better_length()));
     return true;
+  }
+
+  // Sets the directions in which diagonals start; energies rise.
+  void set_directions(const std::vector<PathModel>& slopes) {
+    directions_ = {1};
+    if (energy_) return energy_->begin(slopes);
+    directions_.clear();
+    for (const PathModel& slope : slopes) {
+      directions_.push_back(value_at(slope, Ball(-1.0)).c[0] > 0 ? 1 : -1);
+    }
+  }
+
+  // The slopes that must keep their signs: each diagonal's, or the energy's.
+  std::vector<PathModel> driving_slopes(const PathTube& tube) const {
+    DiagonalsAlong diagonals = prover_.find_diagonals(tube);
+    if (energy_) return {energy_->over(tube, diagonals)};
+    return std::move(diagonals.slopes);
   }
 
   // Begins a new interval at the end of the last one.
@@ -196,14 +216,15 @@ class TubeContinuation {
     int where = -1;
     bool happens = false;  // true: it certainly happens by the end of the interval
   };
-  Obstacle first_obstacle(const PathTube& tube, const std::vector<PathModel>& slopes,
-                          double resolution) const {
+  Obstacle first_obstacle(const PathTube& tube, double resolution) const {
     Obstacle first;
-    for (const Condition& condition : conditions_of(mechanism_, tube, slopes, directions_)) {
+    for (const Condition& condition :
+         conditions_of(mechanism_, tube, driving_slopes(tube), directions_)) {
       const double s = positive_until(condition.value, resolution);
       if (s >= first.until) continue;
       first = {s, condition.broken, condition.where, is_negative_at_end(condition.value)};
     }
+    if (energy_ && first.kind == CertificateEnd::reversal) first.where = -1;
     if (panels_ == nullptr) return first;
     const PanelProof::Apart apart = panels_->prove(prover_, tube, resolution);
     if (apart.until < first.until) {
@@ -217,7 +238,7 @@ class TubeContinuation {
     const double from = at_deg(), width = tube.chart.interval().to_deg - from;
     assert(width > 0 && tube.chart.interval().to_deg <= certificate_.asked_deg);
     const double resolution = std::min(0.01, 0.02 * kClosing_deg / width);
-    const Obstacle first = first_obstacle(tube, prover_.find_slopes(tube), resolution);
+    const Obstacle first = first_obstacle(tube, resolution);
     if (first.until == 1) {
       accept(std::move(tube));
       begin_next(width * prover_.better_length());
@@ -271,6 +292,7 @@ class TubeContinuation {
   const PanelProof* panels_;
   const FlatVertices& vertices_mm_;
   TubeProver prover_;
+  std::optional<EnergySlope> energy_;  // none: each diagonal
   Certificate certificate_;
   PathTube last_;
   std::vector<int> directions_;
@@ -282,8 +304,8 @@ class TubeContinuation {
 
 }  // namespace
 
-Certifier::Certifier(const Model& model, bool contact)
-    : workspace_(new Workspace(model, contact)) {}
+Certifier::Certifier(const Model& model, bool contact, const std::optional<Fill>& fill)
+    : workspace_(new Workspace(model, contact, fill)) {}
 Certifier::~Certifier() = default;
 
 Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg) {
@@ -292,10 +314,11 @@ Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg
   if (!rounds_as_proven()) {
     Certificate nothing;
     nothing.asked_deg = asked_deg;
+    nothing.criterion = workspace_->fill ? CertifiedBy::energy : CertifiedBy::diagonals;
     return nothing;
   }
   return TubeContinuation(workspace_->model, workspace_->contact ? &workspace_->proof : nullptr,
-                          vertices_mm, asked_deg)
+                          workspace_->fill, vertices_mm, asked_deg)
       .run();
 }
 

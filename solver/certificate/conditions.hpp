@@ -1,6 +1,6 @@
 // The conditions that must stay positive all along a path: every diagonal's rate of change in its
-// direction, and the cosine and, by its mountain or valley, the sine of half of every crease's fold
-// angle.
+// direction or the energy's, and the cosine and, by its mountain or valley, the sine of half of
+// every crease's fold angle.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct Condition {
   PathModel value;        ///< all over a tube
 };
 
-/// `directions`: +1 or -1 for each diagonal.
+/// `slopes`: of each diagonal, or of the energy alone; `directions`: +1 or -1 for each.
 std::vector<Condition> conditions_of(const Mechanism& mechanism, const PathTube& tube,
                                      const std::vector<PathModel>& slopes,
                                      const std::vector<int>& directions);

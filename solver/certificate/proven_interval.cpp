@@ -78,6 +78,12 @@ IntervalProver::IntervalProver(const Mechanism& mechanism, const FlatVertices& v
   solver::place(mechanism, vertices_mm, geometry_);
 }
 
+std::array<ArbNumber, 2> IntervalProver::flat_diagonal(const Diagonal& diagonal) const {
+  const int p = spring_vertex(mechanism_, diagonal.loop, diagonal.from_corner),
+            q = spring_vertex(mechanism_, diagonal.loop, diagonal.to_corner);
+  return {arb_geometry_.x[q] - arb_geometry_.x[p], arb_geometry_.y[q] - arb_geometry_.y[p]};
+}
+
 void IntervalProver::begin(ProvenInterval& interval) const {
   assert(interval.interval.from_deg < interval.interval.to_deg);
   // Both ends must lie within [-1, 1] for certain: this exceeds the middle's rounding.
@@ -228,7 +234,7 @@ Proof IntervalProver::cover(ProvenInterval& interval, double low, double high,
   assert(depth <= kMostCuts);
   // Cuts are uneven, so that neither an interval's middle nor a place of interest lies on one.
   constexpr double kCut = 0.4375;
-  Subinterval subinterval{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}};
+  Subinterval subinterval{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}, {}};
   Proof proof = Proof::unclear;
   if (prove_subinterval(interval, start, subinterval)) proof = question(interval, subinterval);
   if (proof == Proof::holds) {

@@ -33,6 +33,7 @@ struct ProvenInterval {
     Eigen::VectorXd radius;  ///< one per unknown: radius of the tube in which states are unique
     Eigen::VectorXd error;   ///< largest distance of the path from the guess
     std::vector<CheckModel> cosines, sines;  ///< per crease, of its half angle; scaled by > 0
+    std::vector<CheckModel> stretches;       ///< per diagonal: PoseClosure::squared_elongation
     std::vector<CheckModel> slopes;  ///< per diagonal: rate of its squared length; scaled by > 0
   };
 
@@ -73,6 +74,9 @@ class IntervalProver {
                                                                      const Subinterval& subinterval,
                                                                      const FoldedShape& shape,
                                                                      const Panels& panels) const;
+
+  /// The vector of a diagonal, or of its spring, in the flat sheet; panel widths.
+  std::array<ArbNumber, 2> flat_diagonal(const Diagonal& diagonal) const;
 
   JointPlaces places(const ProvenInterval& interval, const std::vector<ArbNumber>& unknowns,
                      const ArbNumber& tau) const;

@@ -318,7 +318,9 @@ bool IntervalProver::find_slopes(const ProvenInterval& interval, Subinterval& su
   }
   const PoseClosure closure(mechanism_, arb_geometry_, interval.lines, sigma, x);
   for (const Diagonal& diagonal : mechanism_.diagonals) {
-    subinterval.slopes.push_back(sigma(closure.squared_elongation(diagonal)).rate);
+    const Moving stretch = closure.squared_elongation(diagonal);
+    subinterval.stretches.push_back(stretch.value);
+    subinterval.slopes.push_back(sigma(stretch).rate);
   }
   for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
     subinterval.cosines.push_back(closure.cosine(i).value);
@@ -341,9 +343,7 @@ bool IntervalProver::prove_subinterval(const ProvenInterval& interval, const Eig
   if (!find_middle(interval, start, subinterval)) return false;
   find_guess(interval, subinterval);
   arb_inverse_.clear();
-  for (Eigen::Index i = 0; i < inverse_.rows(); ++i) {
-    for (Eigen::Index j = 0; j < inverse_.cols(); ++j) arb_inverse_.emplace_back(inverse_(i, j));
-  }
+  for (const double entry : inverse_.transpose().reshaped()) arb_inverse_.emplace_back(entry);
   return enclose(interval, subinterval) && find_slopes(interval, subinterval);
 }
 

@@ -192,4 +192,24 @@ inline Ball square_root(const Ball& x) {
                                         : std::numeric_limits<double>::infinity());
 }
 
+/// Square root of a function; its radius is infinite where that is not known to be positive. For
+/// any polynomial g of at least m > 0: |sqrt(f) - g| = |f - g^2| / (sqrt(f) + g) <= |f - g^2| / m.
+/// Here g has the root's powers.
+template <int Degree>
+TaylorModel<Degree> square_root(const TaylorModel<Degree>& f) {
+  TaylorModel<Degree> g;
+  g.c[0] = std::sqrt(f.c[0]);
+  double least = g.c[0];
+  for (int k = 1; k <= Degree; ++k) {
+    double rest = f.c[k];
+    for (int i = 1; i < k; ++i) rest -= g.c[i] * g.c[k - i];
+    g.c[k] = rest / (2 * g.c[0]);
+    least -= kUp * std::abs(g.c[k]);
+  }
+  const double off = (f - g * g).bound();
+  const bool is_positive = least > 0 && off < 0.5 * (least * least);
+  g.radius = is_positive ? kUp * (off / least) : std::numeric_limits<double>::infinity();
+  return g;
+}
+
 }  // namespace misalign::solver

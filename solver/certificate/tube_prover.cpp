@@ -5,6 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
+#include <utility>
+
+#include "solver/certificate/spring_vertex.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -60,10 +64,10 @@ double TubeProver::better_length() const {
 
 TubeProver::TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm)
     : mechanism_(mechanism),
-      path_sheet_(convert<PathModel>(place_exactly(mechanism, vertices_mm))),
-      jacobian_sheet_(convert<JacobianModel>(place_exactly(mechanism, vertices_mm))),
-      moving_sheet_(
-          convert<Dual<PathModel>>(convert<PathModel>(place_exactly(mechanism, vertices_mm)))),
+      exact_sheet_(place_exactly(mechanism, vertices_mm)),
+      path_sheet_(convert<PathModel>(exact_sheet_)),
+      jacobian_sheet_(convert<JacobianModel>(exact_sheet_)),
+      moving_sheet_(convert<Dual<PathModel>>(path_sheet_)),
       krawczyk_(mechanism) {
   place(mechanism, vertices_mm, sheet_);
   half_sheet_ = convert<Polynomial<kHalfDegree>>(sheet_);
@@ -216,7 +220,28 @@ TubeProver::End TubeProver::prove(const PathInterval& interval, double box, Path
   return End::proven;
 }
 
-std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {
+FlatDiagonals TubeProver::flat_diagonals() const {
+  const auto ends = [&](const Diagonal& diagonal) {
+    return std::pair(spring_vertex(mechanism_, diagonal.loop, diagonal.from_corner),
+                     spring_vertex(mechanism_, diagonal.loop, diagonal.to_corner));
+  };
+  const auto product = [&](const Diagonal& a, const Diagonal& b) {
+    const auto [p, q] = ends(a);
+    const auto [r, t] = ends(b);
+    const auto& [x, y] = std::tie(exact_sheet_.x, exact_sheet_.y);
+    return (x[q] - x[p]) * (x[t] - x[r]) + (y[q] - y[p]) * (y[t] - y[r]);
+  };
+  FlatDiagonals flat;
+  for (const Diagonal& diagonal : mechanism_.diagonals) {
+    flat.squares.push_back(product(diagonal, diagonal));
+  }
+  for (std::size_t k = 1; k < mechanism_.diagonals.size(); k += 2) {
+    flat.products.push_back(product(mechanism_.diagonals[k - 1], mechanism_.diagonals[k]));
+  }
+  return flat;
+}
+
+DiagonalsAlong TubeProver::find_diagonals(const PathTube& tube) const {
   assert(std::ssize(tube.path) == mechanism_.unknowns);
   using Moving = Dual<PathModel>;
   const int n = mechanism_.equations;
@@ -228,11 +253,13 @@ std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {
   if (!tube.chart.is_graded()) x[n] = Moving(PathModel::line(0, half_width), half_width);
   const Moving s(PathModel::line(0, 1), 1.0);
   std::vector<Moving> residual(n);
-  std::vector<PathModel> slopes;
+  DiagonalsAlong along;
+  auto& slopes = along.slopes;
   with_closure<Moving>(tube.chart, moving_sheet_, x.data(), s, [&](const auto& closure) {
     closure.evaluate(residual.data(), nullptr);
     for (const Diagonal& diagonal : mechanism_.diagonals) {
       const Moving g = closure.squared_elongation(diagonal);
+      along.stretches.push_back(g.value);
       // The slope is that of sigma g, where graded.
       slopes.push_back(tube.chart.is_graded()
                            ? (PathModel(tube.chart.sigma()) + half_width * s.value) * g.rate +
@@ -251,7 +278,7 @@ std::vector<PathModel> TubeProver::find_slopes(const PathTube& tube) const {
     for (int j = 0; j < n; ++j) most += rate_bounds_(j, static_cast<Eigen::Index>(d)) * errors[j];
     slopes[d].radius = kUp * (slopes[d].radius + scale * most);
   }
-  return slopes;
+  return along;
 }
 
 std::vector<std::array<GradedVector<JacobianModel>, 4>> TubeProver::place_panels(

@@ -18,6 +18,18 @@
 
 namespace misalign::solver {
 
+/// Squares of the flat sheet's diagonals, and the products of each hole's two: panel widths
+/// squared.
+struct FlatDiagonals {
+  std::vector<Ball> squares, products;
+};
+
+/// All diagonals all over a tube.
+struct DiagonalsAlong {
+  std::vector<PathModel> stretches;  ///< GradedClosure::squared_elongation
+  std::vector<PathModel> slopes;     ///< derivatives of the squared lengths by s
+};
+
 class TubeProver {
  public:
   enum class End {
@@ -36,9 +48,10 @@ class TubeProver {
   /// Factor by which the last interval, proven or not, should have been longer.
   double better_length() const;
 
-  /// Derivatives of all diagonals' squared lengths, times positive numbers, all over the tube,
-  /// which must be the last proven one.
-  std::vector<PathModel> find_slopes(const PathTube& tube) const;
+  FlatDiagonals flat_diagonals() const;
+
+  /// Finds all diagonals all over the tube, which must be the last proven one.
+  DiagonalsAlong find_diagonals(const PathTube& tube) const;
 
   /// Corners of the panels all over a tube, from GradedClosure::place_panels.
   std::vector<std::array<GradedVector<JacobianModel>, 4>> place_panels(const PathTube& tube,
@@ -64,6 +77,7 @@ class TubeProver {
                   int steps, Eigen::MatrixXd& path) const;
 
   const Mechanism& mechanism_;
+  const SheetGeometry<Ball> exact_sheet_;
   const SheetGeometry<PathModel> path_sheet_;
   const SheetGeometry<JacobianModel> jacobian_sheet_;
   const SheetGeometry<Dual<PathModel>> moving_sheet_;

@@ -42,6 +42,16 @@ StudyResult<ContactStudy> contact(const Sheet& sheet, const ContactOptions& opti
     study.thickness =
         largest_thickness(sheet.panels(), *motion, way.x_of(study.reach_deg), study.trim_mm);
   }
+  if (options.springs) {
+    const auto outlines = trimmed_panels(sheet.panels(), way.from_a1_mm(), study.trim_mm);
+    auto springs = spring_clearance(sheet, *motion, outlines, *options.springs,
+                                    way.x_of(study.reach_deg), study.pilot_deg);
+    if (!springs) return springs.obstacle();
+    study.springs = *std::move(springs);
+    if (options.offsets == OffsetTrial::tried && !study.springs->springs.touching.empty()) {
+      study.offsets = offset_ends(sheet, *motion, *options.springs, study.reach_deg);
+    }
+  }
   return study;
 }
 

@@ -117,18 +117,19 @@ double first_touch(GapWalk& walk, double touch_mm, double end) {
   }
 }
 
-bool lower_to_least(GapWalk& walk, double slack, double end, double& least_mm, double& at_x) {
-  assert(slack > 0 && slack < 1 && end >= 0);
+bool lower_to_least(GapWalk& walk, const GapSlack& slack, double end, double& least_mm,
+                    double& at_x) {
+  assert(slack.share >= 0 && slack.share < 1 && slack.share + slack.mm > 0 && end >= 0);
   assert(least_mm > 0);
   bool is_less = false;
-  for (double x = 0;; x = walk.certain_until((1 - slack) * least_mm, end)) {
+  for (double x = 0;; x = walk.certain_until((1 - slack.share) * least_mm - slack.mm, end)) {
     const double gap_mm = walk.move_to(x);
     if (gap_mm < least_mm) {
       least_mm = gap_mm;
       at_x = x;
       is_less = true;
     }
-    if (x >= end || gap_mm <= 0) return is_less;
+    if (x >= end || gap_mm <= slack.mm) return is_less;
   }
 }
 

@@ -86,8 +86,14 @@ class PolygonWalk : public GapWalk {
 /// half of that. Infinity: it exceeds that half all the way.
 double first_touch(GapWalk& walk, double touch_mm, double end);
 
+/// Difference between a least gap and a bound of all gaps: a share of it, and a length.
+struct GapSlack {
+  double share, mm = 0;
+};
+
 /// Returns whether the gap falls below `least_mm` up to `end`. If so, lowers that to a gap that is
-/// reached at `at_x`; all others are larger, except for the share `slack`.
-bool lower_to_least(GapWalk& walk, double slack, double end, double& least_mm, double& at_x);
+/// reached at `at_x`; all others are larger, except for the slack.
+bool lower_to_least(GapWalk& walk, const GapSlack& slack, double end, double& least_mm,
+                    double& at_x);
 
 }  // namespace misalign::solver

@@ -90,18 +90,21 @@ void compare_with_face(const PolygonCorners& face, const PolygonCorners& points,
 }  // namespace
 
 Separation separation_of(const PolygonCorners& a, const PolygonCorners& b) {
-  assert(a.cols() >= 3 && b.cols() >= 2);
+  assert(a.cols() >= 2 && b.cols() >= 2);
   Separation closest{std::numeric_limits<double>::infinity(), {}, {}, {}};
-  compare_with_face(a, b, [&](const Vector3d& on_a, const Vector3d& on_b, const Vector3d& normal) {
-    keep_closer(on_a, on_b, normal, closest);
-  });
+  if (a.cols() > 2) {
+    compare_with_face(a, b,
+                      [&](const Vector3d& on_a, const Vector3d& on_b, const Vector3d& normal) {
+                        keep_closer(on_a, on_b, normal, closest);
+                      });
+  }
   if (b.cols() > 2) {
     compare_with_face(b, a,
                       [&](const Vector3d& on_b, const Vector3d& on_a, const Vector3d& normal) {
                         keep_closer(on_a, on_b, normal, closest);
                       });
   }
-  for (Index i = 0; i < a.cols(); ++i) {
+  for (Index i = 0; i < a.cols() - (a.cols() == 2); ++i) {
     const Vector3d p = a.col(i), u = a.col((i + 1) % a.cols()) - p;
     for (Index k = 0; k < b.cols() - (b.cols() == 2); ++k) {
       const Vector3d q = b.col(k), v = b.col((k + 1) % b.cols()) - q;

@@ -17,7 +17,7 @@ struct Separation {
   Eigen::Vector3d direction;
 };
 
-/// `a` has three corners or more. Disjoint polygons have the least distance of any corner to the
+/// Disjoint polygons have the least distance of any corner to the
 /// other polygon and of any two edges (Ericson, Real-Time Collision Detection, 5.1). Where polygons
 /// cross, an edge of one goes through the other.
 Separation separation_of(const PolygonCorners& a, const PolygonCorners& b);

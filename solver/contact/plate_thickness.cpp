@@ -201,7 +201,7 @@ PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion
   }
   for (auto& [walk, pair] : walks) {
     if (least_mm <= 0) break;
-    if (lower_to_least(walk, kThicknessSlack, end, least_mm, at_x)) result.pair = pair;
+    if (lower_to_least(walk, {kThicknessSlack}, end, least_mm, at_x)) result.pair = pair;
   }
   result.clear_mm = (1 - kThicknessSlack) * std::max(least_mm, 0.0);
   result.taper_mm = taper.thickness_mm;

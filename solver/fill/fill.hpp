@@ -56,14 +56,21 @@ struct SingleSpring {
   }
 };
 
+/// Diagonals that have springs.
+enum class SpringsOn {
+  all,
+  one_a_hole  ///< the diagonal that lengthens next to flat, otherwise the hole's first
+};
+
 /// Springs on the diagonals (Saito, Tsukahara & Okabe 2016, section 5).
 struct Springs {
   double stiffness_n_per_mm = 50;  ///< the paper's springs
   /// The pilot angle at which they are relaxed, and the diagonals that are relaxed at other angles.
   double rest_deg = 0;
-  std::vector<std::pair<int, double>> other_rests_deg;
+  std::vector<std::pair<int, double>> other_rests_deg = {};
   bool pull_only = false;  ///< true of wires: no force where they are shorter than relaxed
-  Preload preload;
+  SpringsOn on = SpringsOn::all;
+  Preload preload = {};
   std::vector<SingleSpring> single = {};  ///< diagonals with springs of their own, or none
 };
 

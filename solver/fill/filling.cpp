@@ -1,6 +1,7 @@
 #include "solver/fill/filling.hpp"
 
 #include <cassert>
+#include <cmath>
 
 namespace misalign::solver {
 namespace {
@@ -15,11 +16,21 @@ const SingleSpring* single_on(const Springs& springs, const Diagonal& diagonal) 
   return at == springs.single.end() ? nullptr : &*at;
 }
 
-VectorXd rates_of(const Springs& springs, const std::vector<Diagonal>& diagonals) {
+// Returns whether a diagonal has none of these springs, because its hole has one alone.
+bool is_left_out(const Springs& springs, Index d, const VectorXd& sides) {
+  if (springs.on == SpringsOn::all) return false;
+  const Index first = d - d % 2;
+  return d != (sides(first) <= 0 && sides(first + 1) > 0 ? first + 1 : first);
+}
+
+VectorXd rates_of(const Springs& springs, const std::vector<Diagonal>& diagonals,
+                  const VectorXd& sides) {
   VectorXd rates(std::ssize(diagonals));
   for (Index d = 0; d < rates.size(); ++d) {
-    const SingleSpring* const own = single_on(springs, diagonals[static_cast<std::size_t>(d)]);
-    rates(d) = own ? own->stiffness_n_per_mm : springs.stiffness_n_per_mm;
+    const SingleSpring* const single = single_on(springs, diagonals[static_cast<std::size_t>(d)]);
+    rates(d) = single                           ? single->stiffness_n_per_mm
+               : is_left_out(springs, d, sides) ? 0
+                                                : springs.stiffness_n_per_mm;
     assert(rates(d) >= 0);
   }
   return rates;
@@ -30,9 +41,9 @@ VectorXd free_lengths_mm(const Springs& springs, const VectorXd& rates_n_per_mm,
   VectorXd free_mm = holes.rest_mm;
   const VectorXd preload_n = springs.preload.forces_n(diagonals);
   for (Index d = 0; d < free_mm.size(); ++d) {
-    const SingleSpring* const own = single_on(springs, diagonals[static_cast<std::size_t>(d)]);
-    if (own && own->free_mm) {
-      free_mm(d) = *own->free_mm;
+    const SingleSpring* const single = single_on(springs, diagonals[static_cast<std::size_t>(d)]);
+    if (single && single->free_mm) {
+      free_mm(d) = *single->free_mm;
     } else if (preload_n(d) != 0 && rates_n_per_mm(d) > 0) {
       free_mm(d) -= holes.sides(d) * preload_n(d) / rates_n_per_mm(d);
     }
@@ -40,18 +51,26 @@ VectorXd free_lengths_mm(const Springs& springs, const VectorXd& rates_n_per_mm,
   return free_mm;
 }
 
-// Ratios of the cut-outs' diagonals to those of the hole at rest.
-VectorXd ratios_of(const RubberPlates& plates, const HoleDiagonals& holes) {
-  assert(plates.prestretch > 0);
-  VectorXd ratios = VectorXd::Constant(holes.rest_mm.size(), 1 / plates.prestretch);
-  for (const CutOut& own : plates.cut_outs) {
-    assert(own.hole >= 0 && 2 * own.hole + 1 < ratios.size());
-    for (int k = 0; k < 2; ++k) {
-      const Index d = 2 * own.hole + k;
-      ratios(d) = own.of_flat[static_cast<std::size_t>(k)] * holes.flat_mm(d) / holes.rest_mm(d);
-    }
+// The stress-free shapes: the holes at rest over the pre-stretch, or cut-outs of the flat holes.
+std::vector<HoleShape> cut_outs_of(const RubberPlates& plates, const HoleDiagonals& holes) {
+  assert(plates.prestretch > 0 && holes.product_mm2.size() == holes.rest_mm.size() / 2);
+  const auto scaled = [&](const VectorXd& lengths_mm, Index hole, double first_ratio,
+                          double second_ratio) {
+    const double first_mm = first_ratio * lengths_mm(2 * hole),
+                 second_mm = second_ratio * lengths_mm(2 * hole + 1);
+    return HoleShape{first_mm * first_mm, second_mm * second_mm,
+                     first_ratio * second_ratio * holes.product_mm2(hole)};
+  };
+  std::vector<HoleShape> shapes;
+  for (Index h = 0; h < holes.product_mm2.size(); ++h) {
+    shapes.push_back(scaled(holes.rest_mm, h, 1 / plates.prestretch, 1 / plates.prestretch));
   }
-  return ratios;
+  for (const CutOut& cut_out : plates.cut_outs) {
+    assert(cut_out.hole >= 0 && cut_out.hole < std::ssize(shapes));
+    shapes[static_cast<std::size_t>(cut_out.hole)] =
+        scaled(holes.flat_mm, cut_out.hole, cut_out.of_flat[0], cut_out.of_flat[1]);
+  }
+  return shapes;
 }
 
 }  // namespace
@@ -73,22 +92,26 @@ Filling::Filling(const Fill& fill, const std::vector<Diagonal>& diagonals,
     : relaxed_mm_(holes.rest_mm), product_mm2_(holes.product_mm2) {
   assert(holes.rest_mm.size() == std::ssize(diagonals) && diagonals.size() % 2 == 0);
   if (const auto* const springs = std::get_if<Springs>(&fill)) {
-    rates_n_per_mm_ = rates_of(*springs, diagonals);
+    rates_n_per_mm_ = rates_of(*springs, diagonals, holes.sides);
     relaxed_mm_ = free_lengths_mm(*springs, rates_n_per_mm_, diagonals, holes);
     pull_only_ = springs->pull_only;
   } else if (const auto* const plates = std::get_if<RubberPlates>(&fill)) {
-    assert(product_mm2_.size() == holes.rest_mm.size() / 2);
-    const VectorXd ratios = ratios_of(*plates, holes);
-    relaxed_mm_ = relaxed_mm_.cwiseProduct(ratios);
-    for (Index h = 0; h < product_mm2_.size(); ++h) {
-      const double first_mm = relaxed_mm_(2 * h), second_mm = relaxed_mm_(2 * h + 1);
-      plates_.emplace_back(plates->shear_mpa * plates->thickness_mm,
-                           HoleShape{first_mm * first_mm, second_mm * second_mm,
-                                     ratios(2 * h) * ratios(2 * h + 1) * product_mm2_(h)});
+    for (const HoleShape& cut_out : cut_outs_of(*plates, holes)) {
+      const auto h = std::ssize(plates_);
+      relaxed_mm_.segment<2>(2 * h) << std::sqrt(cut_out.first_mm2), std::sqrt(cut_out.second_mm2);
+      plates_.emplace_back(plates->shear_mpa * plates->thickness_mm, cut_out);
     }
   } else {
     rates_n_per_mm_.setZero(relaxed_mm_.size());
   }
+}
+
+Filling Filling::of_springs(const VectorXd& rates_n_per_mm, const VectorXd& free_mm) {
+  assert(rates_n_per_mm.size() == free_mm.size() && free_mm.size() % 2 == 0);
+  Filling filling;
+  filling.rates_n_per_mm_ = rates_n_per_mm;
+  filling.relaxed_mm_ = free_mm;
+  return filling;
 }
 
 HoleEnergy Filling::hole(Index hole, const Vector2d& lengths_mm) const {

@@ -29,6 +29,9 @@ class Filling {
   /// Single springs and cut-outs must be on diagonals and holes of the sheet.
   Filling(const Fill& fill, const std::vector<Diagonal>& diagonals, const HoleDiagonals& holes);
 
+  /// Springs with these rates and free lengths, one a diagonal.
+  static Filling of_springs(const Eigen::VectorXd& rates_n_per_mm, const Eigen::VectorXd& free_mm);
+
   Eigen::Index diagonals() const { return relaxed_mm_.size(); }
   Eigen::Index holes() const { return diagonals() / 2; }
   bool is_springs() const { return plates_.empty(); }
@@ -50,6 +53,8 @@ class Filling {
   const PlateLaw& plate(Eigen::Index hole) const;
 
  private:
+  Filling() = default;
+
   Eigen::VectorXd relaxed_mm_, rates_n_per_mm_, product_mm2_;
   bool pull_only_ = false;
   std::vector<PlateLaw> plates_;

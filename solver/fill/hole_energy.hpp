@@ -28,7 +28,7 @@ struct HoleShape {
 enum class Tension {
   both,      ///< tense in both directions
   wrinkled,  ///< tense in one direction, wrinkled across it
-  slack      ///< without stress
+  slack      ///< no stress
 };
 
 /// A plate of incompressible neo-Hookean rubber under the mean deformation of its hole. With
@@ -44,6 +44,8 @@ class PlateLaw {
   /// stress.
   PlateLaw(double shear_n_per_mm, const HoleShape& rest);
 
+  /// The hole's shape that is free of stress.
+  const HoleShape& rest() const { return rest_; }
   HoleEnergy at(const Eigen::Vector2d& lengths_mm, double product_mm2) const;
 
   struct Stretches {
@@ -53,10 +55,12 @@ class PlateLaw {
   Stretches stretches(const HoleShape& shape) const;
 
  private:
-  double invariant(const HoleShape& shape) const;
+  // C - 1 in a frame of the plane at rest.
+  Eigen::Matrix2d strain(const HoleShape& shape) const;
 
   HoleShape rest_;
-  double factor_n_mm_;  // G t A0 / 2
+  double factor_n_mm_;            // G t A0 / 2
+  Eigen::Matrix2d to_diagonals_;  // the frame's axes as sums of the diagonals at rest, by columns
 };
 
 }  // namespace misalign::solver

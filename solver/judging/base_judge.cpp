@@ -25,6 +25,12 @@ BaseJudge::BaseJudge(const Model& model)
   assert(2 * holes_.size() == model.mechanism().diagonals.size());
   lengths_.resize(2 * holes_.size());
   slopes_ = lengths_;
+  if (!model.criterion().energy) return;
+  for (const Station& station : model.path().stations) {
+    if (station.sample == 0) continue;
+    states_.push_back(base_state(model.mechanism(), model.base().folding,
+                                 model.base().sheet.vertices_mm, station.pilot));
+  }
 }
 
 Verdict BaseJudge::judge(const FlatVertices& vertices_mm) {
@@ -34,7 +40,8 @@ Verdict BaseJudge::judge(const FlatVertices& vertices_mm) {
   for (std::size_t d = 0; d < lengths_.size(); ++d) {
     lengths_[d] = motions_[d / 2].flat_mm(static_cast<int>(d % 2)) / width_mm;
   }
-  judge_.begin(lengths_);
+  place(model_.mechanism(), vertices_mm, geometry_);
+  judge_.begin(lengths_, &geometry_);
   const FlatVertices shifts_mm = vertices_mm - model_.base().sheet.vertices_mm;
   if (parallel_misfit(model_.base(), shifts_mm).mm > kMemberWithin_mm) {
     return judge_.conclude({PathEnd::start_lost, 0, 0, 0, 0});
@@ -57,7 +64,9 @@ Verdict BaseJudge::judge(const FlatVertices& vertices_mm) {
         break;
       }
     }
-    if (!judge_.see(station, nullptr, lengths_, &slopes_)) break;
+    const FoldState<double>* const state =
+        states_.empty() ? nullptr : &states_[static_cast<std::size_t>(station.sample - 1)];
+    if (!judge_.see(station, state, lengths_, &slopes_)) break;
     before = station.pilot;
   }
   return judge_.conclude({PathEnd::end_reached, model_.path().stations.back().pilot_deg, 0, 0, 0});

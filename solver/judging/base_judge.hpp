@@ -32,6 +32,8 @@ class BaseJudge {
   std::vector<HoleMotion> motions_;
   std::vector<double> lengths_, slopes_;  // panel widths; per radian of pilot
   Judge judge_;
+  SheetGeometry<double> geometry_;
+  std::vector<FoldState<double>> states_;  // at the samples, if the criterion needs them
 };
 
 }  // namespace misalign::solver

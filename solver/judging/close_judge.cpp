@@ -36,9 +36,10 @@ CloseJudge::CloseJudge(const Model& model, BetweenSolver& solver)
 CloseJudge::~CloseJudge() = default;
 CloseJudge::CloseJudge(CloseJudge&&) = default;
 
-void CloseJudge::begin(const std::vector<double>& flat_lengths, bool finds_extremes) {
+void CloseJudge::begin(const std::vector<double>& flat_lengths,
+                       const SheetGeometry<double>& geometry, bool finds_extremes) {
   finds_extremes_ = finds_extremes;
-  judge_.begin(flat_lengths);
+  judge_.begin(flat_lengths, &geometry);
   is_over_ = false;
   last_deg_ = 0;
   if (!looks_between()) return;

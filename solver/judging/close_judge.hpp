@@ -19,7 +19,9 @@ class CloseJudge {
   CloseJudge(CloseJudge&&);
 
   /// Begins a path; `finds_extremes` requests its extremes, also beyond faults.
-  void begin(const std::vector<double>& flat_lengths, bool finds_extremes = false);
+  /// `geometry` as for Judge::begin.
+  void begin(const std::vector<double>& flat_lengths, const SheetGeometry<double>& geometry,
+             bool finds_extremes = false);
   /// Judges the next sample, with its slopes if they are needed; returns false once a fault is
   /// known. `geometry` is the sheet's, needed if looks_between().
   bool see(const Station& station, const PathPoint& point, bool with_slopes,

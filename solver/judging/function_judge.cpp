@@ -18,6 +18,9 @@ constexpr double kInactiveError_widths = 1e-9, kLimitError_rad = 1e-8;
 // below 1e-3, and above 1e-4 in eleven, most next to the path's end.
 constexpr double kStiffnessError = 0.05;
 
+// Relative error bound of the slopes' norm, half of the stiffness's.
+constexpr double kSlopesError = 0.025;
+
 }  // namespace
 
 FunctionJudge::FunctionJudge(const Mechanism& mechanism, const Criterion& criterion)
@@ -36,7 +39,8 @@ FunctionJudge::FunctionJudge(const Mechanism& mechanism, const Criterion& criter
 FunctionJudge::~FunctionJudge() = default;
 FunctionJudge::FunctionJudge(const FunctionJudge&) = default;
 
-void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_lengths) {
+void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_lengths,
+                          const SheetGeometry<double>* geometry) {
   assert(flat_lengths.size() == last_.size());
   plan_ = &plan;
   next_ = 0;
@@ -49,7 +53,7 @@ void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_
   last_ = flat_lengths;
   std::fill(last_errors_.begin(), last_errors_.end(), 0.0);
   std::fill(before_last_errors_.begin(), before_last_errors_.end(), 0.0);
-  judge_.begin(flat_lengths);
+  judge_.begin(flat_lengths, geometry);
   if (bumps_) bumps_->begin(flat_lengths);
 }
 
@@ -114,7 +118,8 @@ ObserverResult FunctionJudge::see_sample(const Station& station, double x, bool 
     know_last_better(function);
     if (!is_decisive()) return unsure();
   }
-  fault_known_ = !judge_.is_in_order(creases_in_order ? nullptr : &state_, estimate_.lengths);
+  fault_known_ = !judge_.is_in_order(creases_in_order ? nullptr : &state_, estimate_.lengths,
+                                     &estimate_.length_errors);
   if (fault_known_ && !score_is_certain(x, function)) {
     judge_.reconsider();
     fault_known_ = false;
@@ -144,8 +149,35 @@ ObserverResult FunctionJudge::see_sample(const Station& station, double x, bool 
       return ObserverResult::enough;
     }
   }
+  if (judge_.energy() && station.sample <= judge_.energy()->from_sample()) {
+    const ObserverResult driven = see_drive(station, x, function);
+    if (driven != ObserverResult::go_on) return driven;
+  }
   judge_.take(station, estimate_.lengths);
   return ObserverResult::go_on;
+}
+
+// Judges the margins of the energy criterion at the threshold.
+ObserverResult FunctionJudge::see_drive(const Station& station, double x,
+                                        const PathFunction& function) {
+  EnergyJudge& energy = *judge_.energy();
+  if (energy.asks_for_turning()) {
+    const double error = function.find_creases(x, state_.creases);
+    energy.set_creases(state_.creases, error);
+  }
+  if (energy.asks_for_moment() && station.pilot_deg >= kInactiveFrom_deg) {
+    function.look(x, again_);
+    energy.set_slopes(again_.slopes, kSlopesError);
+  }
+  if (station.sample < energy.from_sample()) return ObserverResult::go_on;
+  const DriveRatio drive = energy.drive();
+  const std::optional<bool> is_met = drive.is_met();
+  if (!is_met) return unsure();
+  if (*is_met) return ObserverResult::go_on;
+  if (criterion_.scores && !drive.has_certain_score()) return unsure();
+  fault_known_ = true;
+  judge_.end(Fault::weak_drive, -1, drive.value);
+  return ObserverResult::enough;
 }
 
 // Returns whether the part by which the sample missed determines the score, if one is requested.
@@ -203,13 +235,17 @@ void FunctionJudge::know_last_better(const PathFunction& function) {
     last_errors_[d] = again_.length_errors[d];
   }
   assert(rows_.size() >= last_.size());
-  judge_.correct_last(last_);
+  judge_.correct_last(last_, &last_errors_);
   std::copy(last_.begin(), last_.end(), rows_.end() - static_cast<std::ptrdiff_t>(last_.size()));
 }
 
 // Returns whether every step differs from the band by more than both errors, and the largest step
 // back is certain.
 bool FunctionJudge::is_decisive() {
+  if (EnergyJudge* const energy = judge_.energy()) {
+    energy->look(estimate_.lengths, &estimate_.length_errors);
+    return energy->is_decisive();
+  }
   double largest = 0, second = 0, error = 0;
   for (std::size_t d = 0; d < last_.size(); ++d) {
     const double step = estimate_.lengths[d] - last_[d];

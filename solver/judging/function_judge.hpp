@@ -17,7 +17,9 @@ class FunctionJudge {
   ~FunctionJudge();
   FunctionJudge(const FunctionJudge&);
 
-  void begin(const PathPlan& plan, const std::vector<double>& flat_lengths);
+  /// `geometry` as for Judge::begin.
+  void begin(const PathPlan& plan, const std::vector<double>& flat_lengths,
+             const SheetGeometry<double>* geometry = nullptr);
   /// Judges the new samples of the newest segment; returns `enough` once a fault is known.
   ObserverResult see(const PathFunction& function);
   /// The verdict once the path has ended; none if it is not certain, or depends on the rest of a
@@ -40,6 +42,7 @@ class FunctionJudge {
   std::optional<double> find_where_goes_back(const Station& station, double rate,
                                              const PathFunction& function);
   std::optional<bool> find_stop_stiff(double x, const PathFunction& function);
+  ObserverResult see_drive(const Station& station, double x, const PathFunction& function);
   void know_last_better(const PathFunction& function);
   ObserverResult lost() {
     is_sure_ = false;

@@ -31,8 +31,8 @@ constexpr double kLate_deg[] = {130, 140, 115}, kEnoughTurnedAway = 0.75, kEarly
 template <class T, class Single>
 class ExpansionTest {
  public:
-  /// Makes no expansion where shifts are not ternary, tables would be too large, or too few sheets
-  /// could be turned away.
+  /// Makes no expansion under the energy criterion, where shifts are not ternary, tables would be
+  /// too large, or too few sheets could be turned away.
   explicit ExpansionTest(const Model& model);
 
   bool is_there() const { return expansion_ != nullptr; }
@@ -84,8 +84,9 @@ template <class T, class Single>
 ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(model.ternary_mm()) {
   const int vertices = static_cast<int>(model.shifted().size());
   // Springs beside the vertices elongate in unshifted sheets too: expansions have no such term.
-  if (model.ternary_mm() <= 0 || vertices == 0 || model.tests().empty() ||
-      !model.mechanism().springs.at_vertices() ||
+  // Its rules are those of monotone diagonals.
+  if (model.criterion().energy || model.ternary_mm() <= 0 || vertices == 0 ||
+      model.tests().empty() || !model.mechanism().springs.at_vertices() ||
       model.sample_deg() > kRejection.longest_sample_for_slopes_deg ||
       2 * vertices > ProductTable::kMostCoordinates ||
       ShiftExpansion::bytes(vertices, model.mechanism().diagonal_count()) > kMostTableBytes) {

@@ -101,8 +101,9 @@ class LaneBatch final : public Batch {
   // packed into full registers for the next. Those with a state at the far level are tested again
   // in double precision, and followed from there; the others from the middle level.
   void run_tests(const ShiftBlock& block) {
-    // The expansion knows already in which direction diagonals set out.
-    const bool near_tells = !expansion_test_->is_there();
+    // The expansion knows already in which direction diagonals set out; the energy always rises
+    // near flat.
+    const bool near_tells = !expansion_test_->is_there() && !model_.criterion().energy;
     run(single_test_, kFar, true, block, open_);
     if (near_tells) run(single_test_, kNear, false, block, open_);
     lost_ = open_;

@@ -47,6 +47,7 @@ class LaneTest {
   template <class Rules>
   bool report(int place, double farthest_deg, double pilot_deg, int sample, int sheet, int i,
               double error, Rules& rules);
+  double turning_in_lane(int i);
   void keep(double pilot_deg, bool goes_on, int next_sample, double longest_deg, int i,
             KeptStates::State& kept) const;
   double pilot_deg(int i) const {
@@ -64,7 +65,8 @@ class LaneTest {
   std::vector<T> flat_, tangent_;
   T step_ = T(0);
   HalfAngle<T> pilot_{T(1), T(0)};
-  std::vector<double> lane_flat_, lane_lengths_, lane_slopes_;
+  std::vector<double> lane_flat_, lane_lengths_, lane_slopes_, lane_creases_mm_;
+  std::vector<HalfAngle<double>> lane_creases_;
   Effort effort_;
 };
 
@@ -80,7 +82,9 @@ LaneTest<T>::LaneTest(const Model& model)
       tangent_(mechanism_.unknowns, T(0)),
       lane_flat_(flat_.size()),
       lane_lengths_(flat_.size()),
-      lane_slopes_(flat_.size()) {
+      lane_slopes_(flat_.size()),
+      lane_creases_mm_(mechanism_.creases.size()),
+      lane_creases_(mechanism_.creases.size()) {
   for (const TestPlace& place : places_) {
     rounding_.push_back(
         rounding_error(std::numeric_limits<Scalar<T>>::epsilon(), model.extent(), place));
@@ -162,10 +166,14 @@ void LaneTest<T>::run_ahead(const ShiftBlock& block, std::vector<Undecided>& ope
       effort_.solves += 1;
       effort_.iterations += 3;
       const auto error = solver_.length_error_ahead(i);
+      if (!error && kept.to_sample > 0 && rules.holds_every_step()) {
+        kept.to_sample = 0;  // where the pilot turns back, only the level leads on
+        continue;
+      }
       if (!error) {
         kept.step_deg /= 2;
         kept.to_sample = 0;
-        kept.goes_on = kept.step_deg >= kShortestStep_deg;
+        kept.goes_on = kept.step_deg >= rules.shortest_step_deg();
         continue;
       }
       const int sample = kept.to_sample;
@@ -207,10 +215,25 @@ bool LaneTest<T>::report(int place, double farthest_deg, double pilot_deg, int s
     lane_slopes_[k] = lane(solver_.slopes()[k], i);
   }
   const double pilot_rate = lane(solver_.tangent().back(), i);
-  return rules.observe(
-      sheet,
-      {pilot_deg, sample, pilot_rate, farthest_deg, lane_lengths_.data(), error + rounding_[place],
-       lane_slopes_.data(), slope_error(lane(solver_.slope_correction(), i)) + rounding_[place]});
+  return rules.observe(sheet, {pilot_deg, sample, pilot_rate, farthest_deg, lane_lengths_.data(),
+                               error + rounding_[place], lane_slopes_.data(),
+                               slope_error(lane(solver_.slope_correction(), i)) + rounding_[place],
+                               sample > 0 && rules.needs_turning() ? turning_in_lane(i) : 0});
+}
+
+// The sum of creases' lengths times |fold angle| of the sheet in this lane, mm.
+template <class T>
+double LaneTest<T>::turning_in_lane(int i) {
+  const SheetGeometry<T>& geometry = solver_.geometry();
+  for (std::size_t k = 0; k < lane_creases_.size(); ++k) {
+    const Crease& crease = mechanism_.creases[k];
+    const double dx = lane(geometry.x[crease.b], i) - lane(geometry.x[crease.a], i);
+    const double dy = lane(geometry.y[crease.b], i) - lane(geometry.y[crease.a], i);
+    lane_creases_mm_[k] = std::sqrt(dx * dx + dy * dy) * mechanism_.panel_width_mm;
+    const HalfAngle<T>& angle = solver_.state().creases[k];
+    lane_creases_[k] = {lane(angle.c, i), lane(angle.s, i)};
+  }
+  return turning_mm(lane_creases_mm_, lane_creases_);
 }
 
 template <class T>

@@ -19,7 +19,7 @@ void FunctionObserver::begin(const SheetBlock& block, std::vector<Verdict>& verd
 }
 
 void FunctionObserver::begin_sheet(PathStart& start, int lane) {
-  judges_[lane].begin(*start.plan, flat_);
+  judges_[lane].begin(*start.plan, flat_, start.geometry);
 }
 
 void FunctionObserver::ended(PathResult path, int lane) {
@@ -56,7 +56,9 @@ void JudgingObserver::begin(const SheetBlock& block) {
   queue_.begin(block);
 }
 
-void JudgingObserver::begin_sheet(PathStart&, int lane) { judges_[lane].begin(flat_); }
+void JudgingObserver::begin_sheet(PathStart& start, int lane) {
+  judges_[lane].begin(flat_, *start.geometry);
+}
 
 bool JudgingObserver::see(const Station& station, int lane) {
   if (station.sample == 0) return true;

@@ -47,7 +47,7 @@ class JudgingObserver final : public QueueObserver {
   void only(const std::vector<int>& sheets) { queue_.begin_again(sheets); }
   PathPoint& point() { return point_; }
   bool wants_slopes() const {
-    return model_.bumps() != BumpRule::ignored || model_.criterion().asks_for_stop();
+    return model_.bumps() != BumpRule::ignored || model_.criterion().asks_for_slopes();
   }
   bool see(const Station& station, int lane);
   void ended(PathResult path, int lane);

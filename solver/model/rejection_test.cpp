@@ -56,7 +56,9 @@ RejectionTest::RejectionTest(const Model& model)
       diagonals_(model.mechanism().diagonals.size()),
       threshold_deg_(model.threshold_sample() * model.sample_deg()),
       slopes_until_deg_(last_sample_of_slopes(model.threshold_sample(), model.sample_deg()) *
-                        model.sample_deg()) {}
+                        model.sample_deg()) {
+  if (model.criterion().energy) energy_.emplace(model);
+}
 
 RejectionTest::~RejectionTest() = default;
 
@@ -69,6 +71,7 @@ void RejectionTest::begin(int sheets) {
   earlier_exact_.assign(count, false);
   earlier_error_.assign(count, 0);
   direction_.assign(count * diagonals_, 0);
+  if (energy_) energy_->begin(sheets);
 }
 
 void RejectionTest::set_flat(int sheet, const double* lengths) {
@@ -83,6 +86,15 @@ void RejectionTest::expect(int sheet, const signed char* directions, bool both, 
 }
 
 int RejectionTest::next_sample(double pilot_deg) const {
+  // Energies are compared at samples, a step apart.
+  if (energy_) {
+    constexpr double kShare = 0.8;  // of a step: a sheet's pilot may be slower than the base's
+    const double far_deg = model_.tests()[0].pilot_deg;
+    const double to_deg = pilot_deg + kShare * step_ahead_deg(pilot_deg, far_deg);
+    const int next = static_cast<int>(pilot_deg / model_.sample_deg() * (1 + 1e-12)) + 1;
+    return std::min(model_.threshold_sample(),
+                    std::max(next, static_cast<int>(to_deg / model_.sample_deg())));
+  }
   return std::max(last_sample_of_slopes(model_.threshold_sample(), model_.sample_deg()),
                   static_cast<int>(pilot_deg / model_.sample_deg() * (1 + 1e-12)) + 1);
 }
@@ -97,8 +109,13 @@ bool RejectionTest::observe(int sheet, const Observation& seen) {
   }
   if (!(seen.pilot_rate > 0 && seen.pilot_deg <= threshold_deg_)) return false;
   if (seen.sample == 0 && !(seen.pilot_deg <= slopes_until_deg_)) return true;
-  if (sees_both(sheet, seen)) {
-    rejections_[sheet] = {Fault::not_monotone, sample_of(seen.pilot_deg)};
+  const Fault fault =
+      energy_                  ? energy_->fault_of(sheet, seen,
+                                                   flat_.data() + static_cast<std::size_t>(sheet) * diagonals_)
+      : sees_both(sheet, seen) ? Fault::not_monotone
+                               : Fault::none;
+  if (fault != Fault::none) {
+    rejections_[sheet] = {fault, sample_of(seen.pilot_deg)};
     return false;
   }
   earlier_deg_[sheet] = seen.pilot_deg;

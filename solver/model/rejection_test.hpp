@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "solver/model/energy_rejection.hpp"
 #include "solver/model/model.hpp"
 #include "solver/model/rejection.hpp"
 #include "solver/model/rejection_tolerances.hpp"
@@ -24,8 +25,11 @@ double rounding_error(double epsilon, double extent, const TestPlace& test);
 /// Length of the next step along a path from a state with this pilot angle (degrees of the base
 /// folding's pilot); sheets depart from the base folding at `far_deg`.
 double step_ahead_deg(double pilot_deg, double far_deg);
-/// Bounds of a step; steps that lose the path are halved down to the shortest.
-inline constexpr double kShortestStep_deg = 0.5, kLongestStep_deg = 7.5;
+/// Bounds of a step; steps that lose the path are halved down to the shortest. Under the energy
+/// criterion a third of the paths end at a sharp fold limit, which takes shorter ones: at 0.5 twice
+/// as many sheets are left to full paths as at 0.1.
+inline constexpr double kShortestStep_deg = 0.5, kShortestStepByEnergy_deg = 0.1,
+                        kLongestStep_deg = 7.5;
 /// Largest pilot angle between two states `step` apart on a path (deg) with these rates: half as
 /// far again as the point where the path's tangents meet.
 double farthest_between(double from_deg, double from_rate, double to_deg, double to_rate,
@@ -38,18 +42,7 @@ double slope_error(double correction);
 /// State of a block of sheets while they are tested.
 class RejectionTest {
  public:
-  /// One state of a sheet, its diagonals in panel widths and per radian of arc length along its
-  /// path.
-  struct Observation {
-    double pilot_deg;
-    int sample;           ///< sample of this exact angle; 0: none
-    double pilot_rate;    ///< pilot's rate per arc length; not positive: it turned back
-    double farthest_deg;  ///< largest pilot angle on the way to this state
-    const double* lengths;
-    double length_error;
-    const double* slopes;
-    double slope_error;
-  };
+  using Observation = ObservedState;
 
   explicit RejectionTest(const Model& model);
   ~RejectionTest();
@@ -61,7 +54,8 @@ class RejectionTest {
   /// Sets the certain directions of a sheet's diagonals at samples up to `sample`, before any
   /// state: 1 if it grows somewhere, -1 if it shrinks. Rejects the sheet if one does both.
   void expect(int sheet, const signed char* directions, bool both, int sample);
-  /// Rejects the sheet if a diagonal was seen both growing and shrinking, or if its pilot has
+  /// Rejects the sheet if a diagonal was seen both growing and shrinking, or under the energy
+  /// criterion if the energy falls on the way from flat or a margin is missed, or if its pilot has
   /// turned back short of the threshold. Returns true if it is undecided and states beyond may
   /// decide.
   bool observe(int sheet, const Observation& observation);
@@ -74,6 +68,13 @@ class RejectionTest {
   /// The next sample beyond this pilot angle to be solved exactly because slopes do not suffice:
   /// the last one whose slopes count, and each after it.
   int next_sample(double pilot_deg) const;
+  /// Returns whether every step ahead that can ends at a sample.
+  bool holds_every_step() const { return energy_.has_value(); }
+  double shortest_step_deg() const {
+    return energy_ ? kShortestStepByEnergy_deg : kShortestStep_deg;
+  }
+  /// Returns whether states at samples need the turning of their creases.
+  bool needs_turning() const { return energy_ && energy_->needs_turning(); }
   const std::vector<Rejection>& results() const { return rejections_; }
   bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
 
@@ -89,11 +90,12 @@ class RejectionTest {
   const std::size_t diagonals_;
   const double threshold_deg_, slopes_until_deg_;
   std::vector<Rejection> rejections_;
-  std::vector<double> flat_, earlier_;  // per sheet and diagonal
-  std::vector<double> earlier_deg_;     // per sheet: pilot; 0: no state yet
-  std::vector<char> earlier_exact_;     // per sheet: true if that is a sample
-  std::vector<double> earlier_error_;   // per sheet
-  std::vector<signed char> direction_;  // per sheet and diagonal; 0: no motion seen
+  std::vector<double> flat_, earlier_;     // per sheet and diagonal
+  std::vector<double> earlier_deg_;        // per sheet: pilot; 0: no state yet
+  std::vector<char> earlier_exact_;        // per sheet: true if that is a sample
+  std::vector<double> earlier_error_;      // per sheet
+  std::vector<signed char> direction_;     // per sheet and diagonal; 0: no motion seen
+  std::optional<EnergyRejection> energy_;  // under the energy criterion
 };
 
 }  // namespace misalign::solver

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "solver/continuation/path.hpp"
+#include "solver/motion/sheet_filling.hpp"
 #include "solver/records/metrics.hpp"
 
 namespace misalign::solver {
@@ -53,7 +54,9 @@ void find_weakest(const FoldingHistory& history, Actuation& actuation) {
   }
   if (rows.empty()) return;
   const Eigen::MatrixXd moments = actuation.moment_by_n_mm(rows, Eigen::all);
-  if (moments.rowwise().sum().minCoeff() > 0) actuation.few = few_diagonals(moments, kShareOfFew);
+  if (moments.rowwise().sum().minCoeff() > 0) {
+    actuation.few = few_diagonals(moments, kShareOfFew, actuation.actuators.never_both);
+  }
 }
 
 void find_over_stroke(const FoldingHistory& history, Actuation& actuation) {
@@ -70,20 +73,6 @@ void find_over_stroke(const FoldingHistory& history, Actuation& actuation) {
       if (at == over.end() || *at != d) over.insert(at, static_cast<int>(d));
     }
   }
-}
-
-std::vector<double> free_lengths_mm(const Sheet& sheet, const Actuators& actuators) {
-  const FoldingHistory& history = sheet.history();
-  std::vector<double> free_mm = history.flat_mm;
-  if (!actuators.preload.is_any() || history.length_mm.rows() == 0) return free_mm;
-  assert(actuators.stiffness_n_per_mm > 0);
-  const Eigen::VectorXd preload_n = actuators.preload.forces_n(sheet.mechanism().diagonals);
-  for (std::size_t d = 0; d < free_mm.size(); ++d) {
-    const bool lengthens = history.length_mm(0, static_cast<Index>(d)) > free_mm[d];
-    free_mm[d] -=
-        (lengthens ? 1 : -1) * preload_n(static_cast<Index>(d)) / actuators.stiffness_n_per_mm;
-  }
-  return free_mm;
 }
 
 // The diagonals' rates over the span's. Both are zero in flat sheets and where a sheet lies folded
@@ -107,12 +96,12 @@ double Actuation::largest_force_n() const {
 Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<double> from_deg) {
   const FoldingHistory& history = sheet.history();
   const Index stations = history.length_mm.rows(), diagonals = history.length_mm.cols();
-  const double k = actuators.stiffness_n_per_mm;
+  const Filling filling = filling_of(sheet, actuators.fill);
   Actuation actuation{.actuators = actuators,
                       .from_deg = from_deg,
                       .from_row = row_of_use(sheet, from_deg),
                       .pilot_deg = {0},
-                      .free_mm = free_lengths_mm(sheet, actuators),
+                      .free_mm = {filling.relaxed_mm().begin(), filling.relaxed_mm().end()},
                       .force_n = {},
                       .moment_by_n_mm = {},
                       .energy_n_mm = {},
@@ -124,23 +113,22 @@ Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<
   actuation.force_n.setZero(stations + 1, diagonals);
   assert(actuation.from_row <= stations);
   actuation.moment_by_n_mm.setZero(stations + 1, diagonals);
-  using Lengths = Eigen::Map<const Eigen::RowVectorXd>;
-  const Lengths free_mm(actuation.free_mm.data(), diagonals);
-  const Eigen::RowVectorXd preloaded_mm = Lengths(history.flat_mm.data(), diagonals) - free_mm;
-  actuation.force_n.row(0) = k * preloaded_mm;
-  actuation.energy_n_mm.push_back(k / 2 * preloaded_mm.squaredNorm());
+  const auto add = [&](Index row, const Eigen::VectorXd& lengths_mm) {
+    actuation.force_n.row(row) = filling.forces_n(lengths_mm);
+    actuation.energy_n_mm.push_back(filling.energy_n_mm(lengths_mm));
+  };
+  add(0, Eigen::VectorXd::Map(history.flat_mm.data(), diagonals));
   for (Index row = 0; row < stations; ++row) {
-    const Eigen::RowVectorXd stretch_mm = history.length_mm.row(row) - free_mm;
+    add(row + 1, history.length_mm.row(row));
     actuation.pilot_deg.push_back(history.stations[row].pilot_deg);
-    actuation.force_n.row(row + 1) = k * stretch_mm;
     actuation.moment_by_n_mm.row(row + 1) =
-        k * stretch_mm.cwiseProduct(history.slope_mm_per_deg.row(row)) / kRadPerDeg;
-    actuation.energy_n_mm.push_back(k / 2 * stretch_mm.squaredNorm());
+        actuation.force_n.row(row + 1).cwiseProduct(history.slope_mm_per_deg.row(row)) / kRadPerDeg;
     actuation.moment_n_mm.push_back(actuation.moment_by_n_mm.row(row + 1).sum());
     actuation.mechanical_advantage.push_back(
         advantage(history, row, sheet.span_slope_mm_per_deg()[static_cast<std::size_t>(row)]));
   }
   find_weakest(history, actuation);
+  if (!filling.is_springs()) actuation.few.reset();
   find_over_stroke(history, actuation);
   return actuation;
 }

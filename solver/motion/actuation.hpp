@@ -14,7 +14,7 @@ namespace misalign::solver {
 /// The share of its least moment that the smallest set of diagonals must keep.
 inline constexpr double kShareOfFew = 0.5;
 
-/// Forces, energies and moments of springs along a path. Row 0 is the flat sheet, row i + 1 the
+/// Forces, energies and moments of a filling along a path. Row 0 is the flat sheet, row i + 1 the
 /// i-th row of the history. Moments are about the pilot crease: dE / d(pilot angle in radians).
 /// Forces are related by virtual work.
 struct Actuation {
@@ -22,10 +22,10 @@ struct Actuation {
   std::optional<double> from_deg;  ///< given angle of use
   Eigen::Index from_row = 0;       ///< row of the angle of use: from_deg, or D; 0 where D is zero
   std::vector<double> pilot_deg;
-  std::vector<double> free_mm;      ///< L0: length of each spring without force
-  Eigen::MatrixXd force_n;          ///< k (L - L0): positive where the spring pulls
-  Eigen::MatrixXd moment_by_n_mm;   ///< k (L - L0) dL/d(pilot): each spring's part of the moment
-  std::vector<double> energy_n_mm;  ///< k / 2 sum (L - L0)^2
+  std::vector<double> free_mm;      ///< L0: length of each spring without force; of a cut-out
+  Eigen::MatrixXd force_n;          ///< dE/dL on each diagonal, k (L - L0): positive where it pulls
+  Eigen::MatrixXd moment_by_n_mm;   ///< dE/dL dL/d(pilot): each diagonal's part of the moment
+  std::vector<double> energy_n_mm;  ///< k / 2 sum (L - L0)^2, or that of the plates
   std::vector<double> moment_n_mm;  ///< dE/d(pilot)
   /// Newtons on the sheet's span (between the two vertices farthest apart when flat) for each
   /// newton in every diagonal: sum |dL| / |dS|, from exact rates; NaN where the span stands still,
@@ -39,7 +39,8 @@ struct Actuation {
   /// The least |moment| at the samples from 5 degrees (kSlopeFrom_deg) to the angle of use; none if
   /// that angle is smaller.
   std::optional<Weakest> weakest;
-  /// The fewest diagonals that keep half of that; none also where the moment changes sign.
+  /// The fewest diagonals that keep half of that, no two of which touch; none also where the moment
+  /// changes sign, or no such set is found.
   std::optional<FewDiagonals> few;
   struct OverStroke {
     double from_deg;             ///< first sample where a spring exceeds the limit

@@ -1,4 +1,4 @@
-// Springs or wires on the diagonals of the holes.
+// The filling of a sheet's holes as the actuators of its deployment.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,16 @@
 
 namespace misalign::solver {
 
-/// One spring on every diagonal, relaxed on the flat sheet except for its preload.
+/// A filling and the stroke that its parts allow.
 struct Actuators {
-  double stiffness_n_per_mm = 50;      ///< the paper's springs
+  Fill fill = Springs{};
   std::optional<double> stroke_limit;  ///< largest |L - L0| / L0; 0.08 for the paper's Ti-Ni wires
-  Preload preload = {};
+  /// Diagonals whose springs touch: the smallest set never has both of a pair.
+  std::vector<std::pair<int, int>> never_both = {};
+
+  /// The filling must be springs.
+  const Springs& springs() const { return std::get<Springs>(fill); }
+  Springs& springs() { return std::get<Springs>(fill); }
 };
 
 }  // namespace misalign::solver

@@ -38,12 +38,12 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const ReleaseOptions&
              sheet.name() + " " + reason + " at " + shown("%.4f", end_deg) + " deg",
              "name a smaller angle"};
   };
-  const Springs& springs = options.sheet.springs;
   check("from_deg", "", options.motion.from_deg);
-  assert(springs.stiffness_n_per_mm > 0);
-  check("rest_deg", "", springs.rest_deg);
+  check("rest_deg", "", rest_deg(options.sheet.fill));
   check("hinge_rest_deg", "", options.sheet.joints.rest_deg);
-  for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
+  const auto* const springs = std::get_if<Springs>(&options.sheet.fill);
+  if (!springs) return fault;
+  for (const auto& [diagonal, rest_deg] : springs->other_rests_deg) {
     const Diagonal& at = sheet.mechanism().diagonals[static_cast<std::size_t>(diagonal)];
     check("rest", line_label(at.from, at.to) + "= ", rest_deg);
   }
@@ -51,8 +51,10 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const ReleaseOptions&
 }
 
 // A preload replaces the angle at which springs are relaxed.
-std::optional<OptionFault> preload_fault(const Springs& springs) {
-  if (!springs.preload.is_any()) return {};
+std::optional<OptionFault> preload_fault(const Fill& fill) {
+  const auto* const filled = std::get_if<Springs>(&fill);
+  if (!filled || !filled->preload.is_any()) return {};
+  const Springs& springs = *filled;
   const std::string value = shown("%g", springs.preload.largest_n());
   if (springs.rest_deg != 0 || !springs.other_rests_deg.empty()) {
     return OptionFault{"preload_n", value,
@@ -104,10 +106,10 @@ DeploymentStudy study_deployment(const Sheet& sheet, const EnergyModel::Options&
     study.forces =
         find_joint_forces(deploying, sheet.model().shape(), sheet.base(), study.run, *forces);
   }
-  if (energy.springs.rest_deg == 0) return study;
+  if (rest_deg(energy.fill) == 0) return study;
   Eigen::VectorXd lengths_mm, rates_mm;
   const FoldingWay& way = *sheet.way();
-  way.find_lengths(way.x_of(energy.springs.rest_deg), lengths_mm, rates_mm);
+  way.find_lengths(way.x_of(rest_deg(energy.fill)), lengths_mm, rates_mm);
   for (int d = 0; d < sheet.mechanism().diagonal_count(); ++d) {
     (rates_mm(d) > 0 ? study.pulls_from_above : study.pulls_from_below).push_back(d);
   }
@@ -172,7 +174,7 @@ StudyResult<ReleaseOptions> validated_release(const Sheet& sheet, const ReleaseO
     from.motion.from_deg = std::min(from.motion.from_deg, sheet.deploys_from_deg());
   }
   if (auto fault = angle_fault(sheet, from)) return *fault;
-  if (auto fault = preload_fault(options.sheet.springs)) return *fault;
+  if (auto fault = preload_fault(options.sheet.fill)) return *fault;
   return from;
 }
 
@@ -182,7 +184,7 @@ StudyResult<StaticRelease> static_release(const Sheet& sheet, const ReleaseOptio
   const FoldingWay& way = *sheet.way();
   const double from_deg = fitted->motion.from_deg;
   const EnergyModel deploying(sheet, options.sheet);
-  return StaticRelease{from_deg, deploying.at(way.x_of(from_deg)).springs_n_mm,
+  return StaticRelease{from_deg, deploying.at(way.x_of(from_deg)).filling_n_mm,
                        find_friction_limits(deploying, from_deg)};
 }
 
@@ -190,15 +192,11 @@ std::optional<double> springs_n_mm(const Sheet& sheet, const ReleaseOptions& opt
   if (const auto study = static_release(sheet, options)) return study->springs_n_mm;
   // The energy comes from the solved state: ways are inexact next to folded flat.
   if (!sheet.way() || sheet.rows_up_to_d() == 0 || options.from_deg != sheet.deploys_from_deg() ||
-      preload_fault(options.sheet.springs)) {
+      preload_fault(options.sheet.fill)) {
     return {};
   }
-  const EnergyModel deploying(sheet, options.sheet);
-  const Springs& springs = options.sheet.springs;
-  Eigen::VectorXd longer_mm =
-      sheet.history().length_mm.row(sheet.rows_up_to_d() - 1).transpose() - deploying.relaxed_mm();
-  if (springs.pull_only) longer_mm = longer_mm.cwiseMax(0.0);
-  return springs.stiffness_n_per_mm * longer_mm.squaredNorm() / 2;
+  return filling_of(sheet, options.sheet.fill)
+      .energy_n_mm(sheet.history().length_mm.row(sheet.rows_up_to_d() - 1));
 }
 
 StudyResult<DeploymentStudy> deploy(const Sheet& sheet, const ReleaseOptions& options) {

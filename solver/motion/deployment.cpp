@@ -137,8 +137,7 @@ class Run {
   // Returns whether it stays at rest there: friction holds it, or nothing drives it.
   bool is_held(double x) const {
     const EnergyAt energy = sheet_.at(x);
-    const bool relaxed =
-        std::sqrt(2 * sheet_.unit_springs(x).energy) < kRelaxed_mm && sheet_.all_else(x).slope == 0;
+    const bool relaxed = sheet_.is_filling_relaxed(x, kRelaxed_mm) && sheet_.all_else(x).slope == 0;
     return relaxed || std::abs(energy.slope) <= energy.friction;
   }
   Outcome held_at(double x) const {
@@ -237,7 +236,7 @@ class Run {
     const EnergyAt energy = sheet_.at(at.x);
     const double rate = at.rate / unit_s_, moving = kinetic(energy, at.rate);
     run_.rows.push_back({at.time * unit_s_, at.x, rate, way_.pilot_deg(at.x),
-                         way_.pilot_rate(at.x) * rate / kRadPerDeg, energy.springs_n_mm, moving,
+                         way_.pilot_rate(at.x) * rate / kRadPerDeg, energy.filling_n_mm, moving,
                          energy.potential + moving, event});
   }
 

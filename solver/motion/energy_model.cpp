@@ -11,23 +11,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd relaxed_lengths(const FoldingWay& way, const Springs& springs) {
-  VectorXd relaxed_mm, lengths_mm, rates;
-  way.find_lengths(way.x_of(springs.rest_deg), relaxed_mm, rates);
-  if (springs.rest_deg == 0) relaxed_mm = way.flat_mm();
-  for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
-    assert(diagonal >= 0 && diagonal < relaxed_mm.size());
-    way.find_lengths(way.x_of(rest_deg), lengths_mm, rates);
-    relaxed_mm(diagonal) = lengths_mm(diagonal);
-  }
-  if (springs.preload.is_any()) {
-    assert(springs.stiffness_n_per_mm > 0);
-    const VectorXd forces_n = springs.preload.forces_n(way.mechanism().diagonals);
-    relaxed_mm -= forces_n.cwiseProduct(sides_of_diagonals(way)) / springs.stiffness_n_per_mm;
-  }
-  return relaxed_mm;
-}
-
 VectorXd relaxed_angles(const FoldingWay& way, double rest_deg) {
   VectorXd angles_rad, rates;
   way.find_creases(way.x_of(rest_deg), angles_rad, rates);
@@ -76,31 +59,25 @@ VectorXd crease_lengths_mm(const FoldingWay& way) {
   return lengths_mm;
 }
 
-VectorXd sides_of_diagonals(const FoldingWay& way) {
-  VectorXd lengths_mm, rates;
-  way.find_lengths(way.x_of_station(0), lengths_mm, rates);
-  return (lengths_mm - way.flat_mm()).cwiseSign();
-}
-
 EnergyModel::EnergyModel(const FoldingWay& way, const FoldedShape& shape,
                          const PerforatedSheet& base, const Options& options)
     : way_(way),
       options_(options),
       mass_t_(mass_of_all(way, base, options.plates)),
+      filling_(filling_on(way, options.fill)),
       crease_mm_(crease_lengths_mm(way)),
-      rest_mm_(relaxed_lengths(way, options.springs)),
       rest_rad_(relaxed_angles(way, options.joints.rest_deg)),
       masses_(masses_on_the_way(way, shape, base, options)) {}
 
-void EnergyModel::find_lengths(double x) const {
+EnergyModel::Potential EnergyModel::filled(double x) const {
   way_.find_lengths(x, lengths_, length_rates_);
-  lengths_ -= rest_mm_;
-  if (options_.springs.pull_only) lengths_ = lengths_.cwiseMax(0.0);
-}
-
-EnergyModel::Potential EnergyModel::unit_springs(double x) const {
-  find_lengths(x);
-  return {lengths_.squaredNorm() / 2, lengths_.dot(length_rates_)};
+  Potential sum{0, 0};
+  for (Index h = 0; h < filling_.holes(); ++h) {
+    const HoleEnergy hole = filling_.hole(h, lengths_.segment<2>(2 * h));
+    sum.energy += hole.n_mm;
+    sum.slope += hole.force_n.dot(length_rates_.segment<2>(2 * h));
+  }
+  return sum;
 }
 
 EnergyModel::Potential EnergyModel::all_else(double x) const {
@@ -121,9 +98,20 @@ EnergyModel::Potential EnergyModel::all_else(double x) const {
   return sum;
 }
 
-VectorXd EnergyModel::spring_forces_n(double x) const {
-  find_lengths(x);
-  return options_.springs.stiffness_n_per_mm * lengths_;
+VectorXd EnergyModel::filling_forces_n(double x) const {
+  way_.find_lengths(x, lengths_, length_rates_);
+  return filling_.forces_n(lengths_);
+}
+
+bool EnergyModel::is_filling_relaxed(double x, double within_mm) const {
+  if (filling_.diagonals() == 0) return true;
+  const VectorXd forces_n = filling_forces_n(x);
+  return forces_n.norm() <= within_mm * filling_.stiffness_n_per_mm(lengths_).cwiseAbs().maxCoeff();
+}
+
+HoleEnergy EnergyModel::hole(Index hole, double x) const {
+  way_.find_lengths(x, lengths_, length_rates_);
+  return filling_.hole(hole, lengths_.segment<2>(2 * hole));
 }
 
 VectorXd EnergyModel::crease_moments_n_mm(double x, double x_rate) const {
@@ -142,17 +130,16 @@ EnergyModel::Turning EnergyModel::turning(double x) const {
 }
 
 EnergyAt EnergyModel::at(double x) const {
-  assert(options_.springs.stiffness_n_per_mm >= 0 && options_.joints.stiffness_n_mm_per_mm >= 0);
+  assert(options_.joints.stiffness_n_mm_per_mm >= 0);
   EnergyAt energy{};
   masses_.find(x, 0, 1, mass_, mass_rate_);
   energy.mass = mass_(0);
   energy.mass_slope = mass_rate_(0);
-  const double stiffness = options_.springs.stiffness_n_per_mm;
-  const Potential springs = unit_springs(x), rest = all_else(x);
-  energy.springs_n_mm = stiffness * springs.energy;
-  energy.potential = energy.springs_n_mm + rest.energy;
-  energy.slope = stiffness * springs.slope + rest.slope;
-  assert(energy.springs_n_mm >= 0 && std::isfinite(energy.potential));
+  const Potential filled = this->filled(x), rest = all_else(x);
+  energy.filling_n_mm = filled.energy;
+  energy.potential = filled.energy + rest.energy;
+  energy.slope = filled.slope + rest.slope;
+  assert(energy.filling_n_mm >= 0 && std::isfinite(energy.potential));
   const JointResistance& joints = options_.joints;
   if (!joints.slows_down()) return energy;
   const Turning turning = this->turning(x);  // sets angle_rates_

@@ -4,11 +4,9 @@
 #pragma once
 
 #include <optional>
-#include <utility>
-#include <vector>
 
-#include "solver/fill/filling.hpp"
 #include "solver/motion/plates.hpp"
+#include "solver/motion/sheet_filling.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
@@ -35,7 +33,7 @@ struct HeldPanel {
 /// Energies and resistances at one x. Derivatives are by x.
 struct EnergyAt {
   double mass, mass_slope;  ///< t mm^2
-  double springs_n_mm;      ///< energy of the springs
+  double filling_n_mm;      ///< energy of the filling
   double potential, slope;  ///< total energy, N mm
   double friction;          ///< N mm: always opposes the motion
   double damping;           ///< N mm s
@@ -44,16 +42,17 @@ struct EnergyAt {
 /// Lengths of all creases.
 Eigen::VectorXd crease_lengths_mm(const FoldingWay& way);
 
-/// Sign of each diagonal's change next to flat, and up to D: 1 longer, -1 shorter.
-Eigen::VectorXd sides_of_diagonals(const FoldingWay& way);
-
 class EnergyModel {
  public:
   struct Options {
-    Springs springs;
+    Fill fill = Springs{};
     JointResistance joints;
     Plates plates;
     std::optional<HeldPanel> held;  ///< none: free in space
+
+    /// The filling must be springs.
+    const Springs& springs() const { return std::get<Springs>(fill); }
+    Springs& springs() { return std::get<Springs>(fill); }
   };
 
   /// The sheet's way must be there, and outlive this object. Rest angles must lie on it.
@@ -66,19 +65,21 @@ class EnergyModel {
   const FoldingWay& way() const { return way_; }
   const Options& options() const { return options_; }
   double mass_t() const { return mass_t_; }
-  /// Length of each spring without force.
-  const Eigen::VectorXd& relaxed_mm() const { return rest_mm_; }
+  const Filling& filling() const { return filling_; }
 
   EnergyAt at(double x) const;
-  /// An energy and its derivative. unit_springs() is for springs of 1 N/mm, all_else() for the
-  /// rest.
+  /// An energy and its derivative: of the filling, and of all else.
   struct Potential {
     double energy, slope;
   };
-  Potential unit_springs(double x) const;
+  Potential filled(double x) const;
   Potential all_else(double x) const;
-  /// Force of each spring, positive where it pulls.
-  Eigen::VectorXd spring_forces_n(double x) const;
+  /// Force on each diagonal, positive where the filling pulls.
+  Eigen::VectorXd filling_forces_n(double x) const;
+  /// Returns whether its forces are no larger than those of diagonals off by `within_mm`.
+  bool is_filling_relaxed(double x, double within_mm) const;
+  /// Energy and derivatives of one hole's filling.
+  HoleEnergy hole(Eigen::Index hole, double x) const;
   /// Moment with which each crease resists an increase of its fold angle, at this dx/dt.
   Eigen::VectorXd crease_moments_n_mm(double x, double x_rate) const;
 
@@ -90,13 +91,11 @@ class EnergyModel {
   Turning turning(double x) const;
 
  private:
-  // Sets lengths_ to the change of each spring's length from its relaxed one.
-  void find_lengths(double x) const;
-
   const FoldingWay& way_;
   const Options options_;
   double mass_t_;
-  Eigen::VectorXd crease_mm_, rest_mm_, rest_rad_;
+  const Filling filling_;
+  Eigen::VectorXd crease_mm_, rest_rad_;
   SmoothTable masses_;  // generalised mass; centre of mass x, y, z
   mutable Eigen::VectorXd lengths_, length_rates_, angles_, angle_rates_, others_, speeds_, mass_,
       mass_rate_;

@@ -13,15 +13,16 @@ constexpr int kPerStation = 4;
 // Closer to flat (in x) the potential is symmetric.
 constexpr double kFlat = 1e-6;
 
-// Springs whose lengths change by no more than this have no equilibria but those of rounding: the
+// Diagonals whose lengths change by no more than this have no equilibria but those of rounding: the
 // error of ways is 1e-11 panel widths.
 constexpr double kStill_mm = 1e-8;
 
-// Bound of such springs' change of energy along the way.
+// Bound of such a filling's change of energy along the way.
 double still_n_mm(const EnergyModel& sheet) {
-  const Springs& springs = sheet.options().springs;
-  return kStill_mm * static_cast<double>(sheet.relaxed_mm().size()) *
-         (springs.stiffness_n_per_mm * kStill_mm + springs.preload.largest_n());
+  const Filling& filling = sheet.filling();
+  const Eigen::VectorXd& flat_mm = sheet.way().flat_mm();
+  return kStill_mm * (filling.forces_n(flat_mm).cwiseAbs().sum() +
+                      kStill_mm * filling.stiffness_n_per_mm(flat_mm).cwiseAbs().sum());
 }
 
 double root_of_slope(const EnergyModel& sheet, double low, double high) {
@@ -46,16 +47,16 @@ Equilibrium equilibrium_at(const EnergyModel& sheet, double x, bool is_well) {
 // Energy released on the way from the start to flat, and the joints' turning.
 struct Descent {
   double x;
-  double springs, else_n_mm;  // fall of the unit springs' energy, and of all else
-  double creases_mm, balls;   // integrals of EnergyModel::Turning
+  double filling_n_mm, else_n_mm;  // fall of the filling's energy, and of all else
+  double creases_mm, balls;        // integrals of EnergyModel::Turning
 };
 
 class DescentToFlat {
  public:
   DescentToFlat(const EnergyModel& sheet, double from_x)
       : sheet_(sheet),
-        springs_(sheet.unit_springs(from_x).energy),
-        else_(sheet.all_else(from_x).energy) {
+        filling_n_mm_(sheet.filled(from_x).energy),
+        else_n_mm_(sheet.all_else(from_x).energy) {
     const int count = kPerStation * static_cast<int>(sheet.way().stations().size());
     path_.push_back({from_x, 0, 0, 0, 0});
     for (int k = 1; k <= count; ++k) {
@@ -71,7 +72,7 @@ class DescentToFlat {
     const auto& [u, v, w] =
         std::tuple(sheet_.turning(before.x), sheet_.turning((x + before.x) / 2), sheet_.turning(x));
     const double sixth = (before.x - x) / 6;
-    return {x, springs_ - sheet_.unit_springs(x).energy, else_ - sheet_.all_else(x).energy,
+    return {x, filling_n_mm_ - sheet_.filled(x).energy, else_n_mm_ - sheet_.all_else(x).energy,
             before.creases_mm + sixth * (u.creases_mm + 4 * v.creases_mm + w.creases_mm),
             before.balls + sixth * (u.balls + 4 * v.balls + w.balls)};
   }
@@ -79,13 +80,12 @@ class DescentToFlat {
   Descent at_start() const {
     const double x = path_.front().x;
     const EnergyModel::Turning turning = sheet_.turning(x);
-    return {x, sheet_.unit_springs(x).slope, sheet_.all_else(x).slope, turning.creases_mm,
-            turning.balls};
+    return {x, sheet_.filled(x).slope, sheet_.all_else(x).slope, turning.creases_mm, turning.balls};
   }
 
  private:
   const EnergyModel& sheet_;
-  const double springs_, else_;
+  const double filling_n_mm_, else_n_mm_;
   std::vector<Descent> path_;
 };
 
@@ -178,12 +178,10 @@ FrictionLimits find_friction_limits(const EnergyModel& sheet, double from_deg) {
   const double from_x = sheet.way().x_of(from_deg);
   assert(from_x > 0);
   const DescentToFlat descent(sheet, from_x);
-  const double stiffness = sheet.options().springs.stiffness_n_per_mm;
   const JointResistance& joints = sheet.options().joints;
   FrictionLimits limits;
   const Least critical = least_over(descent, [&](const Descent& at) {
-    return (stiffness * at.springs + at.else_n_mm - joints.ball_friction_n_mm * at.balls) /
-           at.creases_mm;
+    return (at.filling_n_mm + at.else_n_mm - joints.ball_friction_n_mm * at.balls) / at.creases_mm;
   });
   if (critical.value > 0) {
     limits.critical_n_mm_per_mm = critical.value;
@@ -191,14 +189,17 @@ FrictionLimits find_friction_limits(const EnergyModel& sheet, double from_deg) {
   }
   if (joints.friction_n_mm_per_mm <= 0 && joints.ball_friction_n_mm <= 0) return limits;
   limits.static_stall_deg = stall_of(sheet, descent.path());
-  bool springs_drive = true;
+  const auto* const springs = std::get_if<Springs>(&sheet.options().fill);
+  bool springs_drive = springs;
   const Least least = least_over(descent, [&](const Descent& at) {
-    springs_drive = springs_drive && at.springs > 0;
+    springs_drive = springs_drive && at.filling_n_mm > 0;
     return -(joints.friction_n_mm_per_mm * at.creases_mm + joints.ball_friction_n_mm * at.balls -
              at.else_n_mm) /
-           at.springs;
+           at.filling_n_mm;
   });
-  if (springs_drive) limits.stiffness_needed_n_per_mm = std::max(-least.value, 0.0);
+  if (springs_drive) {
+    limits.stiffness_needed_n_per_mm = std::max(-least.value, 0.0) * springs->stiffness_n_per_mm;
+  }
   return limits;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace misalign::solver {
@@ -20,7 +22,9 @@ struct FewDiagonals {
 /// place along the way (at least one) and a column for each diagonal; the least sum of all columns
 /// must be positive. Up to 16 columns every set is compared; of more, columns are removed one by
 /// one, each time the one whose loss costs least, and the set is proven only if no smaller one
-/// reaches the share in the worst row alone.
-FewDiagonals few_diagonals(const Eigen::MatrixXd& moments, double share);
+/// reaches the share in the worst row alone. No set has both diagonals of a pair of `never_both`,
+/// such as springs that touch; none: no such set was found that reaches the share.
+std::optional<FewDiagonals> few_diagonals(const Eigen::MatrixXd& moments, double share,
+                                          const std::vector<std::pair<int, int>>& never_both = {});
 
 }  // namespace misalign::solver

@@ -31,7 +31,8 @@ class Reactions {
   int rank() const { return rank_; }
 
   // Fills the matrices' rows at one angle.
-  void find(const Deployment::Row& at, Index row, JointForces& forces);
+  void find(const Deployment::Row& at, const std::optional<VectorXd>& filling_forces_n, Index row,
+            JointForces& forces);
 
  private:
   Eigen::MatrixXd reactions_matrix() const;
@@ -142,9 +143,10 @@ VectorXd Reactions::solve(const VectorXd& loads) {
   return factors.solve(wanted);
 }
 
-void Reactions::find(const Deployment::Row& at, Index row, JointForces& forces) {
+void Reactions::find(const Deployment::Row& at, const std::optional<VectorXd>& filling_forces_n,
+                     Index row, JointForces& forces) {
   loads_.pose(at);
-  const VectorXd reactions = solve(loads_.find());
+  const VectorXd reactions = solve(loads_.find(filling_forces_n));
 
   const Vector3d seen(1, 1,
                       mechanism_.side);  // a mirror keeps forces and reverses moments
@@ -173,9 +175,11 @@ JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape
                               const PerforatedSheet& base, const Deployment& deployment,
                               const JointForces::Options& options) {
   const Mechanism& mechanism = sheet.way().mechanism();
-  std::vector<const Deployment::Row*> rows;
-  for (const Deployment::Row& row : deployment.rows) {
-    if (std::abs(row.pilot_deg) >= options.from_deg) rows.push_back(&row);
+  assert(options.filling_forces_n.empty() ||
+         options.filling_forces_n.size() == deployment.rows.size());
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < deployment.rows.size(); ++k) {
+    if (std::abs(deployment.rows[k].pilot_deg) >= options.from_deg) rows.push_back(k);
   }
   const auto count = static_cast<Index>(rows.size());
   const auto creases = static_cast<Index>(mechanism.creases.size());
@@ -186,9 +190,12 @@ JointForces find_joint_forces(const EnergyModel& sheet, const FoldedShape& shape
   forces.crease_axis.resize(count, 3 * creases);
   forces.ball_force_n.resize(count, 3 * static_cast<Index>(mechanism.balls.size()));
   for (Index k = 0; k < count; ++k) {
-    const Deployment::Row& row = *rows[static_cast<std::size_t>(k)];
-    forces.pilot_deg.push_back(row.pilot_deg);
-    reactions.find(row, k, forces);
+    const std::size_t at = rows[static_cast<std::size_t>(k)];
+    forces.pilot_deg.push_back(deployment.rows[at].pilot_deg);
+    reactions.find(deployment.rows[at],
+                   options.filling_forces_n.empty() ? std::nullopt
+                                                    : std::optional(options.filling_forces_n[at]),
+                   k, forces);
   }
   forces.crease_shared.assign(mechanism.creases.size(), false);
   for (const Loop& loop : mechanism.loops) {

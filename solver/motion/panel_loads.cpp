@@ -1,9 +1,11 @@
 #include "solver/motion/panel_loads.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "solver/fill/edge_forces.hpp"
 #include "solver/kinematics/diagonals.hpp"
 
 namespace misalign::solver {
@@ -85,10 +87,10 @@ void PanelLoads::pose(const Deployment::Row& at) {
   }
 }
 
-VectorXd PanelLoads::find() {
+VectorXd PanelLoads::find(const std::optional<VectorXd>& filling_forces_n) {
   assert(hinges_.size() == mechanism().creases.size() && "the sheet is posed");
   VectorXd loads = VectorXd::Zero(kOfPanel * panels());
-  add_springs(loads);
+  add_filling(filling_forces_n, loads);
   add_joints(loads);
   add_weight(loads);
   if (in_motion_) add_inertia(loads);
@@ -123,35 +125,67 @@ void PanelLoads::add_inertia(VectorXd& loads) const {
 }
 
 // A spring's force acts on the panel that carries its end, or at a vertex in equal parts on all
-// panels that meet there.
-void PanelLoads::add_springs(VectorXd& loads) const {
-  const VectorXd forces_n = sheet_.spring_forces_n(x_);
+// panels that meet there; a plate's forces on the panels that it is bonded to.
+void PanelLoads::add_filling(const std::optional<VectorXd>& forces_n, VectorXd& loads) const {
   const bool at_vertices = mechanism().springs.at_vertices();
-  for (int d = 0; d < mechanism().diagonal_count(); ++d) {
-    const Diagonal& diagonal = mechanism().diagonals[static_cast<std::size_t>(d)];
-    const Loop& loop = mechanism().loops[static_cast<std::size_t>(diagonal.loop)];
-    const auto panels_at = [&](int corner) {
-      const auto at = static_cast<std::size_t>(corner);
-      if (!at_vertices) return std::vector<int>{panel_of(loop.carriers[at].facet)};
-      return panels_at_[static_cast<std::size_t>(loop.corners[at])];
-    };
-    const auto at_from = panels_at(diagonal.from_corner), at_to = panels_at(diagonal.to_corner);
-    assert(!at_from.empty() && !at_to.empty());
-    const auto end_mm = [&](int panel, int corner) {
-      if (at_vertices) return place_mm(panel, loop.corners[static_cast<std::size_t>(corner)]);
-      const Vec3<double> end = spring_end(mechanism(), way_.geometry(), loop, corner);
-      return mover_.carried_mm(panel, mechanism().panel_width_mm * Vector3d(end.x, end.y, end.z));
-    };
-    const Vector3d from_mm = end_mm(at_from.front(), diagonal.from_corner),
-                   to_mm = end_mm(at_to.front(), diagonal.to_corner);
-    const Vector3d pull_n = forces_n(d) * (to_mm - from_mm).normalized();
-    for (const int panel : at_from) {
-      add(panel, from_mm, pull_n / static_cast<double>(at_from.size()), Vector3d::Zero(), loads);
+  const auto push = [&](const Loop& loop, int corner, const Vector3d& force_n) {
+    const auto at = static_cast<std::size_t>(corner);
+    std::vector<int> panels{at_vertices ? -1 : panel_of(loop.carriers[at].facet)};
+    if (at_vertices) panels = panels_at_[static_cast<std::size_t>(loop.corners[at])];
+    assert(!panels.empty());
+    const Vector3d end_mm = end_mm_at(loop, corner);
+    for (const int panel : panels) {
+      add(panel, end_mm, force_n / static_cast<double>(panels.size()), Vector3d::Zero(), loads);
     }
-    for (const int panel : at_to) {
-      add(panel, to_mm, -pull_n / static_cast<double>(at_to.size()), Vector3d::Zero(), loads);
+  };
+  for (int d = 0; d < mechanism().diagonal_count(); d += 2) {
+    HoleEnergy hole = sheet_.hole(d / 2, x_);
+    if (forces_n) hole.force_n = forces_n->segment<2>(d);
+    const Diagonal* const both = mechanism().diagonals.data() + d;
+    const Loop& loop = mechanism().loops[static_cast<std::size_t>(both->loop)];
+    if (!sheet_.filling().is_springs()) {
+      add_plate(hole, loop, both[0].from_corner, loads);
+      continue;
+    }
+    for (int k = 0; k < 2; ++k) {
+      const Vector3d along_mm =
+          end_mm_at(loop, both[k].to_corner) - end_mm_at(loop, both[k].from_corner);
+      const Vector3d pull_n = hole.force_n(k) * along_mm.normalized();
+      push(loop, both[k].from_corner, pull_n);
+      push(loop, both[k].to_corner, -pull_n);
     }
   }
+}
+
+void PanelLoads::add_plate(const HoleEnergy& plate, const Loop& loop, int first_corner,
+                           VectorXd& loads) const {
+  HoleCorners corners_mm;
+  for (int k = 0; k < 4; ++k) corners_mm.col(k) = end_mm_at(loop, (first_corner + k) % 4);
+  const auto forces_n = edge_forces_n(plate, corners_mm);
+  for (int k = 0; k < 4; ++k) {
+    const auto corner = [&](int at) {
+      return loop.corners[static_cast<std::size_t>((first_corner + at) % 4)];
+    };
+    const std::pair<int, int> ends = std::minmax({corner(k), corner(k + 1)});
+    const auto is_this = [&](const Edge& edge) { return std::minmax({edge.a, edge.b}) == ends; };
+    const auto edge = std::ranges::find_if(mechanism().edges, is_this);
+    assert(edge != mechanism().edges.end());
+    add(panel_of(edge->left == loop.hole ? edge->right : edge->left),
+        (corners_mm.col(k) + corners_mm.col((k + 1) % 4)) / 2, forces_n.col(k), Vector3d::Zero(),
+        loads);
+  }
+}
+
+// Place of the end of a diagonal, carried by the panel of its corner.
+Vector3d PanelLoads::end_mm_at(const Loop& loop, int corner) const {
+  const auto at = static_cast<std::size_t>(corner);
+  if (mechanism().springs.at_vertices()) {
+    const int vertex = loop.corners[at];
+    return place_mm(panels_at_[static_cast<std::size_t>(vertex)].front(), vertex);
+  }
+  const Vec3<double> end = spring_end(mechanism(), way_.geometry(), loop, corner);
+  return mover_.carried_mm(panel_of(loop.carriers[at].facet),
+                           mechanism().panel_width_mm * Vector3d(end.x, end.y, end.z));
 }
 
 // The right panel turns by -rho about a -> b: moments that resist rho push it on.

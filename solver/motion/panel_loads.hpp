@@ -1,4 +1,4 @@
-// Loads on each panel of a sheet besides its joints' reactions: springs, weight, inertia, and the
+// Loads on each panel of a sheet besides its joints' reactions: filling, weight, inertia, and the
 // resistance of creases and ball joints.
 #pragma once
 
@@ -24,8 +24,9 @@ class PanelLoads {
 
   /// Places the panels as in this row.
   void pose(const Deployment::Row& at);
-  /// Loads on the posed sheet: six a panel, N and N mm.
-  Eigen::VectorXd find();
+  /// Loads on the posed sheet: six a panel, N and N mm. Springs pull with `filling_forces_n`, or
+  /// where there are none with those of the rigid sheet.
+  Eigen::VectorXd find(const std::optional<Eigen::VectorXd>& filling_forces_n = {});
 
   const EnergyModel& sheet() const { return sheet_; }
   const FoldingWay& way() const { return way_; }
@@ -45,7 +46,10 @@ class PanelLoads {
     double rate, acceleration;  // derivatives of x
   };
   void add_inertia(Eigen::VectorXd& loads) const;
-  void add_springs(Eigen::VectorXd& loads) const;
+  void add_filling(const std::optional<Eigen::VectorXd>& forces_n, Eigen::VectorXd& loads) const;
+  void add_plate(const HoleEnergy& plate, const Loop& loop, int first_corner,
+                 Eigen::VectorXd& loads) const;
+  Eigen::Vector3d end_mm_at(const Loop& loop, int corner) const;
   void add_joints(Eigen::VectorXd& loads) const;
   void add_weight(Eigen::VectorXd& loads) const;
 

@@ -205,6 +205,7 @@ void Ascent::find_limits() {
   if (best.end != LinearOptimum::StopReason::optimal) return;
   Optimised::Limits limits;
   limits.per_floor.resize(options_.floors.size());
+  double most_of_energy = 0;
   for (std::size_t k = 0; k < inside.reached.size(); ++k) {
     const LocalModel::Row& constraint = *inside.reached[k];
     const double price = inside.price(best, static_cast<Index>(k));
@@ -219,6 +220,12 @@ void Ascent::find_limits() {
         break;
       case LocalModel::Row::Kind::direction:
         limits.turning.push_back({constraint.where, constraint.pilot_deg, price});
+        break;
+      case LocalModel::Row::Kind::energy:
+        if (price > most_of_energy) {
+          most_of_energy = price;
+          limits.energy_deg = constraint.pilot_deg;
+        }
         break;
       case LocalModel::Row::Kind::amplitude:
         limits.per_mm_of_amplitude += price;

@@ -84,12 +84,12 @@ VectorXd Coordinates::row(const Eigen::RowVectorXd& by_vertices, double by_stiff
 }
 
 DesignPoint point_of(const Eigen::Matrix2Xd& shifts_mm, const OptimiseOptions& options) {
-  const Springs& springs = options.deploying.sheet.springs;
+  const Springs& springs = options.deploying.sheet.springs();
   return {shifts_mm, springs.stiffness_n_per_mm, springs.preload.each_n};
 }
 
 void set_springs(OptimiseOptions& options, const DesignPoint& point) {
-  Springs& springs = options.deploying.sheet.springs;
+  Springs& springs = options.deploying.sheet.springs();
   springs.stiffness_n_per_mm = point.stiffness_n_per_mm;
   springs.preload.each_n = point.preload_n;
 }

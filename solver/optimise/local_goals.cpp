@@ -55,8 +55,7 @@ std::vector<GoalTerm> rigid_energies(SheetChanges& changes) {
     const double angle_deg = *changes.options.deploying.from_deg * k / kGoalAngles;
     const double x = changes.sheet.way()->x_of(angle_deg);
     all.push_back(energy_at(changes, springs, k == 0 ? changes.flat : changes.at(angle_deg),
-                            springs.n_per_mm() * springs.rigid().unit_springs(x).energy,
-                            springs.rigid().spring_forces_n(x)));
+                            springs.rigid().filled(x).energy, springs.rigid().filling_forces_n(x)));
   }
   return all;
 }
@@ -207,7 +206,7 @@ std::vector<GoalTerm> local_rest_stiffness(SheetChanges& changes) {
   const ReleaseOptions& deploying = changes.options.deploying;
   const auto now = rest_stiffness(changes.sheet, deploying, changes.options.bending.material);
   if (!now) return {};
-  const Springs& springs = deploying.sheet.springs;
+  const Springs& springs = deploying.sheet.springs();
   if (springs.rest_deg > 0) {
     const auto slopes = changes.gradients.slopes(springs.rest_deg);
     if (!slopes) return {};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
@@ -36,7 +38,7 @@ class Builder {
 
   std::optional<LocalModel> build() {
     add_room();
-    add_directions();
+    add_way();
     model_.goals = linearization_of(*options_.goal, changes_);
     add_floors();
     if (!changes_.is_known || model_.goals.empty()) return {};
@@ -83,10 +85,23 @@ class Builder {
     return angles_deg;
   }
 
-  void add_directions() {
-    PathGradients::AtAngle last = flat_;
+  void add_way() {
     const double to_deg = sheet_.sample_deg(options_.deploys_from_sample);
     const PathGradients::AtAngle end = changes_.at(to_deg, to_deg >= kFoldedFar_deg);
+    if (const auto& energy = sheet_.model().criterion().energy) {
+      add_rises(end, std::get<Springs>(energy->fill));
+    } else {
+      add_directions(end);
+      if (options_.slope_at_every_angle && !options_.ternary) add_low_slopes(to_deg);
+    }
+    if (to_deg >= kFoldedFar_deg) add_folds(end);
+    if (options_.stroke_limit) add_strokes(*options_.stroke_limit);
+    if (options_.largest_force_n) add_forces(*options_.largest_force_n);
+  }
+
+  void add_directions(const PathGradients::AtAngle& end) {
+    PathGradients::AtAngle last = flat_;
+    const double to_deg = end.pilot_deg;
     const VectorXd longer_mm = end.length_mm - flat_.length_mm;
     for (const double pilot_deg : angles_of_directions(to_deg)) {
       PathGradients::AtAngle at_angle = pilot_deg == to_deg ? end : changes_.at(pilot_deg);
@@ -101,10 +116,23 @@ class Builder {
       }
       last = std::move(at_angle);
     }
-    if (options_.slope_at_every_angle && !options_.ternary) add_low_slopes(to_deg);
-    if (to_deg >= kFoldedFar_deg) add_folds(end);
-    if (options_.stroke_limit) add_strokes(*options_.stroke_limit);
-    if (options_.largest_force_n) add_forces(*options_.largest_force_n);
+  }
+
+  // Rows are the rise of the energy from angle to angle, N mm.
+  void add_rises(const PathGradients::AtAngle& end, const Springs& criterion) {
+    const SpringChanges springs(changes_, criterion);
+    const auto energy_at = [&](const PathGradients::AtAngle& at_angle) {
+      const VectorXd forces_n = springs.forces_n(at_angle);
+      return std::pair(forces_n.squaredNorm() / (2 * springs.n_per_mm()),
+                       springs.energy_row(at_angle, forces_n));
+    };
+    auto last = energy_at(flat_);
+    for (const double pilot_deg : angles_of_directions(end.pilot_deg)) {
+      auto at_angle = energy_at(pilot_deg == end.pilot_deg ? end : changes_.at(pilot_deg));
+      model_.rows.push_back({LocalModel::Row::Kind::energy, 0, pilot_deg,
+                             at_angle.first - last.first, at_angle.second - last.second});
+      last = std::move(at_angle);
+    }
   }
 
   // Rows are the diagonal's change in a degree there.
@@ -137,17 +165,33 @@ class Builder {
     }
   }
 
-  // Diagonals are monotone up to D: their largest elongation is there.
+  // Rows are for the angle where a diagonal is farthest from flat: D if it is monotone.
   void add_strokes(double limit) {
-    const PathGradients::AtAngle at_angle = changes_.at(sheet_.deploys_from_deg());
-    for (Index d = 0; d < at_angle.length_mm.size(); ++d) {
-      const double longer_mm = at_angle.length_mm(d) - flat_.length_mm(d);
-      const double side = longer_mm < 0 ? -1 : 1;
-      add(LocalModel::Row::Kind::stroke, d, at_angle.pilot_deg,
-          limit * flat_.length_mm(d) - side * longer_mm,
-          limit * flat_.length_by_mm.row(d) -
-              side * (at_angle.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
+    const std::vector<double> angles_deg = angles_of_directions(sheet_.deploys_from_deg());
+    VectorXd most_mm = VectorXd::Zero(flat_.length_mm.size()), lengths_mm, rates;
+    std::vector<std::size_t> most_at(static_cast<std::size_t>(most_mm.size()));
+    for (std::size_t k = 0; k < angles_deg.size(); ++k) {
+      sheet_.way()->find_lengths(sheet_.way()->x_of(angles_deg[k]), lengths_mm, rates);
+      for (Index d = 0; d < most_mm.size(); ++d) {
+        const double off_mm = std::abs(lengths_mm(d) - flat_.length_mm(d));
+        if (off_mm >= most_mm(d)) most_mm(d) = off_mm, most_at[static_cast<std::size_t>(d)] = k;
+      }
     }
+    for (const std::size_t k : std::set(most_at.begin(), most_at.end())) {
+      const PathGradients::AtAngle at_angle = changes_.at(angles_deg[k]);
+      for (Index d = 0; d < at_angle.length_mm.size(); ++d) {
+        if (most_at[static_cast<std::size_t>(d)] == k) add_stroke(at_angle, d, limit);
+      }
+    }
+  }
+
+  void add_stroke(const PathGradients::AtAngle& at_angle, Index d, double limit) {
+    const double longer_mm = at_angle.length_mm(d) - flat_.length_mm(d);
+    const double side = longer_mm < 0 ? -1 : 1;
+    add(LocalModel::Row::Kind::stroke, d, at_angle.pilot_deg,
+        limit * flat_.length_mm(d) - side * longer_mm,
+        limit * flat_.length_by_mm.row(d) -
+            side * (at_angle.length_by_mm.row(d) - flat_.length_by_mm.row(d)));
   }
 
   void add_forces(double most_n) {

@@ -11,7 +11,16 @@ namespace misalign::solver {
 struct LocalModel {
   /// An inequality: slack + row . (change of the coordinates) >= 0.
   struct Row {
-    enum class Kind { direction, stroke, force, fold_limit, fold_angle, amplitude, floor } kind;
+    enum class Kind {
+      direction,
+      energy,
+      stroke,
+      force,
+      fold_limit,
+      fold_angle,
+      amplitude,
+      floor
+    } kind;
     int where;         ///< diagonal, crease, coordinate of a shift, or floor
     double pilot_deg;  ///< pilot angle
     double slack;

@@ -14,15 +14,17 @@ constexpr double kFromFlat_deg = 1e-4;
 
 // Stroke as in catalogues.
 double stroke(const Sheet& sheet) {
-  return measure(sheet.base(), sheet.vertices_mm(), sheet.record(), sheet.model().sample_deg())
-      .stroke_max;
+  return measure(sheet.model(), sheet.vertices_mm(), sheet.record()).stroke_max;
 }
 
 double force_n(const Sheet& sheet, const ReleaseOptions& deploying) {
   assert(sheet.way() && deploying.from_deg);
   const EnergyModel rigid(sheet, deploying.sheet);
-  return rigid.spring_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
+  return rigid.filling_forces_n(sheet.way()->x_of(*deploying.from_deg)).cwiseAbs().maxCoeff();
 }
+
+// Returns whether the sheet is judged by its total energy: then diagonals need not be monotone.
+bool is_by_energy(const Sheet& sheet) { return sheet.model().criterion().energy.has_value(); }
 
 // Returns whether all goals with floors keep them.
 bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
@@ -49,7 +51,7 @@ bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
   assert(sheet.way() && options.deploys_from_sample > 0);
   const double to_deg = sheet.sample_deg(options.deploys_from_sample);
   const auto& reverses_deg = sheet.record().extremes.reverses_deg;
-  if (reverses_deg && *reverses_deg <= to_deg) return false;
+  if (!is_by_energy(sheet) && reverses_deg && *reverses_deg <= to_deg) return false;
   if (sheet.way()->end_deg() < to_deg) return true;  // its end is the sample, except for rounding
   // The pose is solved: ways are inexact by thousandths of a degree between stations, next to
   // limits by more.
@@ -58,7 +60,7 @@ bool goes_all_the_way(const Sheet& sheet, const OptimiseOptions& options) {
 }
 
 bool keeps_slope(const Sheet& sheet, const Sheet& before, const OptimiseOptions& options) {
-  if (!options.slope_at_every_angle || options.ternary) return true;
+  if (is_by_energy(sheet) || !options.slope_at_every_angle || options.ternary) return true;
   const double to_deg = sheet.sample_deg(options.deploys_from_sample),
                least = least_slope_mm_per_deg(sheet, to_deg);
   return least >= options.least_slope_mm_per_deg || least >= least_slope_mm_per_deg(before, to_deg);

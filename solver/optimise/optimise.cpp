@@ -45,12 +45,26 @@ std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOption
   return {};
 }
 
+bool has_equal_springs(const Fill& fill) {
+  const auto* const springs = std::get_if<Springs>(&fill);
+  return springs && springs->single.empty();
+}
+
 }  // namespace
 
 StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& options) {
   assert(!options.shifted.empty() && options.deploys_from_sample > 0);
   assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
   if (start.model().is_overconstrained()) return NoResult::overconstrained;
+  const auto& energy = start.model().criterion().energy;
+  if (!has_equal_springs(options.deploying.sheet.fill) ||
+      (energy && !has_equal_springs(energy->fill))) {
+    return OptionFault{
+        "fill",
+        {},
+        "an ascent follows the forces of springs of one rate on all diagonals",
+        "give such springs, and choose others or plates for the sheet that it finds"};
+  }
   const StudyResult<ReleaseOptions> fitted = validated_release(start, options.deploying);
   if (!fitted) return fitted.obstacle();
   if (auto fault = shifts_fault(start, options)) return *fault;

@@ -69,6 +69,7 @@ struct Optimised {
       double pilot_deg, per_mm;
     };
     std::vector<Turning> turning;
+    std::optional<double> energy_deg;  ///< angle where the filling's energy would rise
     bool by_fold_limit = false;
   };
 

@@ -6,23 +6,33 @@ namespace misalign::solver {
 
 using Eigen::VectorXd;
 
-SpringChanges::SpringChanges(SheetChanges& changes)
+namespace {
+
+EnergyModel::Options with_springs(EnergyModel::Options options, const Springs& springs) {
+  options.fill = springs;
+  return options;
+}
+
+}  // namespace
+
+SpringChanges::SpringChanges(SheetChanges& changes, const Springs& springs)
     : changes_(changes),
-      rigid_(changes.sheet, changes.options.deploying.sheet),
+      springs_(springs),
+      rigid_(changes.sheet, with_springs(changes.options.deploying.sheet, springs)),
       side_(sides_of_diagonals(*changes.sheet.way())),
       preload_n_(
-          side_.cwiseProduct(springs().preload.forces_n(changes.sheet.mechanism().diagonals))),
+          side_.cwiseProduct(springs_.preload.forces_n(changes.sheet.mechanism().diagonals))),
       rest_mm_(changes.flat.length_mm),
       rest_by_mm_(changes.flat.length_by_mm) {
   const auto rests_at = [&](const PathGradients::AtAngle& there, Eigen::Index d) {
     rest_mm_(d) = there.length_mm(d);
     rest_by_mm_.row(d) = there.length_by_mm.row(d);
   };
-  if (springs().rest_deg > 0) {
-    const PathGradients::AtAngle there = changes.at(springs().rest_deg);
+  if (springs_.rest_deg > 0) {
+    const PathGradients::AtAngle there = changes.at(springs_.rest_deg);
     for (Eigen::Index d = 0; d < rest_mm_.size(); ++d) rests_at(there, d);
   }
-  for (const auto& [diagonal, rest_deg] : springs().other_rests_deg) {
+  for (const auto& [diagonal, rest_deg] : springs_.other_rests_deg) {
     rests_at(changes.at(rest_deg), diagonal);
   }
 }

@@ -41,11 +41,13 @@ struct SheetChanges {
 /// next to flat and F the preload.
 class SpringChanges {
  public:
-  /// `changes` must outlive this object.
-  explicit SpringChanges(SheetChanges& changes);
+  /// Springs of the options, or others of one rate. `changes` must outlive this object.
+  explicit SpringChanges(SheetChanges& changes)
+      : SpringChanges(changes, changes.options.deploying.sheet.springs()) {}
+  SpringChanges(SheetChanges& changes, const Springs& springs);
 
   const EnergyModel& rigid() const { return rigid_; }
-  double n_per_mm() const { return springs().stiffness_n_per_mm; }
+  double n_per_mm() const { return springs_.stiffness_n_per_mm; }
   /// Forces with panels rigid, N.
   Eigen::VectorXd forces_n(const PathGradients::AtAngle& at_angle) const;
   /// Gradient of the weighted sum of the forces by the coordinates; `weights`: one per spring.
@@ -57,9 +59,8 @@ class SpringChanges {
                              const Eigen::VectorXd& forces_n) const;
 
  private:
-  const Springs& springs() const { return changes_.options.deploying.sheet.springs; }
-
   SheetChanges& changes_;
+  const Springs springs_;
   const EnergyModel rigid_;
   Eigen::VectorXd side_, preload_n_, rest_mm_;  // s, F s, L_rest
   Eigen::MatrixXd rest_by_mm_;

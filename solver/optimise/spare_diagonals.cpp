@@ -27,10 +27,10 @@ std::optional<SpareDiagonals> spare_diagonals(const Sheet& sheet, const EnergyMo
   for (Index row = 0; row < moments.rows(); ++row) {
     const double x = way.x_of(result.pilot_deg(row));
     way.find_lengths(x, lengths_mm, rates_mm);
-    moments.row(row) = rigid.spring_forces_n(x).cwiseProduct(rates_mm) / way.pilot_rate(x);
+    moments.row(row) = rigid.filling_forces_n(x).cwiseProduct(rates_mm) / way.pilot_rate(x);
   }
   if (moments.rowwise().sum().minCoeff() <= 0) return {};
-  result.few = few_diagonals(moments, kShareOfFew);
+  result.few = *few_diagonals(moments, kShareOfFew);
   const auto spare = static_cast<double>(moments.cols() - std::ssize(result.few.diagonals));
   result.amount = spare + std::clamp(result.few.share_of_fewer / kShareOfFew, 0.0, 1.0);
   return result;

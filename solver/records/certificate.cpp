@@ -13,6 +13,8 @@ constexpr std::array<const char*, kCertificateEnds> kNames = {
     "to_the_end", "reversal",   "over_folded",   "sign_changed",
     "contact",    "fold_limit", "unclear_slope", "flat_branch"};
 
+constexpr std::array<const char*, 2> kBy = {"diagonals", "energy"};
+
 template <class Bits>
 void put_bits(std::string& bytes, Bits bits) {
   for (std::size_t i = 0; i < sizeof bits; ++i) {
@@ -98,6 +100,22 @@ bool read(const Mechanism& mechanism, Reader& reader, double from_deg, PathInter
 
 }  // namespace
 
+const char* name_of(CertifiedBy criterion) { return kBy[static_cast<std::size_t>(criterion)]; }
+
+std::optional<CertifiedBy> certified_by(std::string_view name) {
+  for (std::size_t k = 0; k < kBy.size(); ++k) {
+    if (name == kBy[k]) return static_cast<CertifiedBy>(k);
+  }
+  return std::nullopt;
+}
+
+std::optional<CertifiedBy> certified_by_of(std::string_view bytes) {
+  constexpr std::size_t kPlace = 4 * 4 + 3;
+  if (bytes.size() < kHeadBytes) return std::nullopt;
+  const auto criterion = static_cast<unsigned char>(bytes[kPlace]);
+  return criterion < kBy.size() ? std::optional(static_cast<CertifiedBy>(criterion)) : std::nullopt;
+}
+
 const char* name_of(CertificateEnd end) { return kNames[static_cast<std::size_t>(end)]; }
 
 std::optional<CertificateEnd> certificate_end(std::string_view name) {
@@ -126,7 +144,7 @@ std::string encode(const Mechanism& mechanism, const Certificate& certificate) {
   put_bits(bytes, static_cast<std::uint8_t>(certificate.end));
   put_bits<std::uint8_t>(bytes, certificate.contact ? 1 : 0);
   put_bits<std::uint8_t>(bytes, certificate.closing ? 1 : 0);
-  put_bits<std::uint8_t>(bytes, 0);
+  put_bits(bytes, static_cast<std::uint8_t>(certificate.criterion));
   put_bits(bytes, static_cast<std::uint32_t>(certificate.where));
   put(bytes, certificate.asked_deg);
   for (const PathInterval& interval : certificate.intervals) put(bytes, interval);
@@ -142,9 +160,11 @@ std::optional<Certificate> decode(const Mechanism& mechanism, std::string_view b
   if (reader.bits<std::uint32_t>() != mechanism.balls.size()) return std::nullopt;
   const auto intervals = reader.bits<std::uint32_t>();
   const auto end = reader.bits<std::uint8_t>(), contact = reader.bits<std::uint8_t>();
-  const auto closing = reader.bits<std::uint8_t>(), nothing = reader.bits<std::uint8_t>();
-  if (end >= kCertificateEnds || contact > 1 || closing > 1 || nothing != 0) return std::nullopt;
+  const auto closing = reader.bits<std::uint8_t>(), criterion = reader.bits<std::uint8_t>();
+  if (end >= kCertificateEnds || contact > 1 || closing > 1 || criterion >= kBy.size())
+    return std::nullopt;
   Certificate certificate;
+  certificate.criterion = static_cast<CertifiedBy>(criterion);
   certificate.end = static_cast<CertificateEnd>(end);
   certificate.contact = contact == 1;
   certificate.where = static_cast<std::int32_t>(reader.bits<std::uint32_t>());

@@ -1,6 +1,6 @@
 // Defines a certificate: a proof that from flat to an angle a sheet folds in one way, and every
-// diagonal of its holes only grows or only shrinks. solver/certificate/README.md has its claims and
-// its method.
+// diagonal of its holes only grows or only shrinks, or the energy of what fills them grows.
+// solver/certificate/README.md has its claims and its method.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,19 @@
 
 namespace misalign::solver {
 
+/// The property of the diagonals that a certificate proves.
+enum class CertifiedBy {
+  diagonals,  ///< each of them only grows or only shrinks
+  energy      ///< the total energy of what fills the holes only grows
+};
+/// Names as in files: "diagonals", "energy".
+const char* name_of(CertifiedBy criterion);
+std::optional<CertifiedBy> certified_by(std::string_view name);
+
 /// Reason for which a certificate ends.
 enum class CertificateEnd {
   to_the_end,     ///< it reaches the requested angle
-  reversal,       ///< a diagonal turns back within the closing interval: proven
+  reversal,       ///< a diagonal, or the energy, turns back within the closing interval: proven
   over_folded,    ///< a crease reaches +-180 degrees within the closing interval: proven
   sign_changed,   ///< a crease becomes flat within the closing interval: proven
   contact,        ///< panels meet, or cannot be proven not to, within kClosing_deg
@@ -54,9 +63,11 @@ inline constexpr double kClosing_deg = 1e-4;
 
 struct Certificate {
   double asked_deg = 0;  ///< the requested angle
+  CertifiedBy criterion = CertifiedBy::diagonals;
   CertificateEnd end = CertificateEnd::flat_branch;
   /// The diagonal of `reversal` and `unclear_slope` (-1: a crease was unclear), the crease of
-  /// `over_folded` and `sign_changed`, the pair of pairs_of(panels) of `contact`; else -1.
+  /// `over_folded` and `sign_changed`, the pair of pairs_of(panels) of `contact`; else -1, as where
+  /// the energy turns back.
   int where = -1;
   bool contact = false;  ///< true if it also proves that no panels meet
   /// Intervals from flat, each beginning where the one before ends.
@@ -70,11 +81,14 @@ struct Certificate {
 };
 
 /// Encodes as bytes, all numbers little-endian:
-///   u32 version (1), u32 creases, u32 balls, u32 intervals, u8 end, u8 contact, u8 closing, u8 0,
+///   u32 version (1), u32 creases, u32 balls, u32 intervals, u8 end, u8 contact, u8 closing, u8 by,
 ///   i32 where, f64 asked_deg; then each interval, the closing one last: f64 to_deg, f32 box, u8
 ///   graded, 3 x u8 0, for each crease f32 tan(fold angle / 4), for each ball joint 3 x f32 (x, y,
 ///   z) / (1 + w) of its quaternion with w >= 0.
 std::string encode(const Mechanism& mechanism, const Certificate& certificate);
+
+/// Returns the property that the certificate of these bytes proves; none where they do not say.
+std::optional<CertifiedBy> certified_by_of(std::string_view bytes);
 
 /// None if the bytes are no certificate of such a sheet: wrong sizes, numbers that are not finite,
 /// angles that do not ascend from 0 to 180.

@@ -19,6 +19,7 @@ struct FoldingHistory {
   Between between;
   std::optional<PathExtremes> extremes;  ///< if requested, without bumps
   std::vector<double> flat_mm;           ///< per diagonal
+  std::vector<double> crease_mm;         ///< lengths of the creases
   std::vector<Station> stations;
   Eigen::MatrixXd length_mm;         ///< stations x diagonals
   Eigen::MatrixXd slope_mm_per_deg;  ///< stations x diagonals: rates of change

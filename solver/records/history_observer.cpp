@@ -57,7 +57,8 @@ void HistoryObserver::begin_sheet(PathStart& start, int lane) {
   slopes_mm_per_deg.clear();
   angles_deg.clear();
   history = {};
-  judge.begin(flat_, finds_extremes_);
+  judge.begin(flat_, *start.geometry, finds_extremes_);
+  find_crease_lengths(model_.mechanism(), *start.geometry, history.crease_mm);
   for (const double length : flat_) {
     history.flat_mm.push_back(length * model_.mechanism().panel_width_mm);
   }

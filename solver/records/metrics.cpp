@@ -18,6 +18,36 @@ double corner_angle_deg(const CreasePattern& sheet, const FlatVertices& vertices
   return std::atan2(out.x() * in.y() - out.y() * in.x(), out.dot(in)) / kRadPerDeg;
 }
 
+// Finds what the filling's energy shows at the samples of the record.
+void measure_energy(const Model& model, const FlatVertices& vertices_mm, const PathRecord& record,
+                    Metrics& m) {
+  EnergyCriterion criterion = model.criterion().energy.value_or(EnergyCriterion{});
+  criterion.from_sample = model.threshold_sample();
+  const bool has_turning = criterion.from_sample > 0 && !record.turning_mm.empty();
+  criterion.least_friction_n_mm_per_mm = has_turning ? 1 : 0;
+  SheetGeometry<double> geometry;
+  place(model.mechanism(), vertices_mm, geometry);
+  EnergyJudge judge(model.mechanism(), criterion);
+  judge.begin(record.flat, &geometry);
+  m.energy_deploys_from_sample = 0;
+  std::vector<double> lengths(record.flat.size());
+  for (int k = 1; k <= record.verdict.deploys_from_sample; ++k) {
+    const auto row = static_cast<std::ptrdiff_t>(lengths.size()) * (k - 1);
+    std::copy_n(record.lengths.begin() + row, lengths.size(), lengths.begin());
+    judge.look(lengths);
+    if (!judge.rises()) return;
+    if (has_turning) judge.set_turning(record.turning_mm[static_cast<std::size_t>(k - 1)]);
+    m.energy_deploys_from_sample = k;
+    m.energy_deploys_from_deg = k * model.sample_deg();
+    if (has_turning && k == criterion.from_sample) {
+      const double friction_n_mm_per_mm = judge.drive().value;
+      if (std::isfinite(friction_n_mm_per_mm))
+        m.critical_friction_n_mm_per_mm = friction_n_mm_per_mm;
+    }
+    judge.take();
+  }
+}
+
 }  // namespace
 
 double kawasaki_defect_deg(const PerforatedSheet& base, const FlatVertices& vertices_mm) {
@@ -36,13 +66,15 @@ double kawasaki_defect_deg(const PerforatedSheet& base, const FlatVertices& vert
   return worst;
 }
 
-Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
-                const PathRecord& record, double sample_deg) {
+Metrics measure(const Model& model, const FlatVertices& vertices_mm, const PathRecord& record) {
+  const PerforatedSheet& base = model.base();
+  const double sample_deg = model.sample_deg();
   const int samples = record.verdict.deploys_from_sample;
   assert(samples > 0);
   const double width_mm = base.sheet.panel_width_mm;
   assert(vertices_mm.cols() == base.sheet.vertex_count() && sample_deg > 0);
   assert(record.lengths.size() >= static_cast<std::size_t>(samples) * record.flat.size());
+  const bool needs_monotone = !model.criterion().energy;
   Metrics m{};
   m.deploys_from_sample = samples;
   m.deploys_from_deg = samples * sample_deg;
@@ -58,7 +90,7 @@ Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
       m.elongation_min = std::min(m.elongation_min, elongation);
       m.elongation_max = std::max(m.elongation_max, elongation);
       stroke = std::max(stroke, std::abs(elongation));
-      if (k * sample_deg >= kSlopeFrom_deg) {
+      if (needs_monotone && k * sample_deg >= kSlopeFrom_deg) {
         const double slope = std::abs(length - previous) * width_mm / sample_deg;
         m.slope_min_mm_per_deg = std::min(m.slope_min_mm_per_deg.value_or(slope), slope);
       }
@@ -70,15 +102,16 @@ Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
     ++(elongation > 0 ? m.increasing : m.decreasing);
     m.elongation.push_back(elongation);
   }
-  if (std::isfinite(record.extremes.least_slope)) {
+  if (needs_monotone && std::isfinite(record.extremes.least_slope)) {
     m.slope_between_min_mm_per_deg = record.extremes.least_slope * width_mm * kRadPerDeg;
   }
   m.bump_deg = record.extremes.bump_deg;
   m.reverses_at_deg = record.extremes.reverses_deg;
-  m.miscut_margin_mm = record.miscut_margin_mm;
+  if (needs_monotone) m.miscut_margin_mm = record.miscut_margin_mm;
   m.singular_value_min = record.singular_value_min;
   m.residual_max = record.residual_max;
   m.isometry_error_mm = record.isometry_error * width_mm;
+  measure_energy(model, vertices_mm, record, m);
   m.kawasaki_defect_deg = kawasaki_defect_deg(base, vertices_mm);
   for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
     if (vertices_mm.col(v) != base.sheet.vertices_mm.col(v)) ++m.shifted_vertices;

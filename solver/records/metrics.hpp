@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "solver/model/model.hpp"
 #include "solver/records/path_record.hpp"
 
 namespace misalign::solver {
@@ -20,7 +21,8 @@ inline constexpr double kSlopeFrom_deg = kInactiveFrom_deg;
 /// and bump_deg of the path as a function; singular_value_min, residual_max and isometry_error over
 /// the states that were solved. 7: slope_between_min and reverses_at where they are solved,
 /// whatever followed the path; bump_deg is that of the fault, too.
-inline constexpr int kMetricsVersion = 7;
+/// 8: with energy_deploys_from_sample and critical_friction.
+inline constexpr int kMetricsVersion = 8;
 
 /// Metrics over the samples up to D. schema/catalogue/metric_table has their units, their meanings
 /// and the cases without value.
@@ -40,14 +42,20 @@ struct Metrics {
   double residual_max;
   double isometry_error_mm;
   double kawasaki_defect_deg;
+  /// D and critical friction of the campaign's filling, or else of springs of the paper's stiffness
+  /// relaxed flat. D goes as far as the record; the friction is from the model's threshold, none
+  /// without.
+  int energy_deploys_from_sample;
+  double energy_deploys_from_deg;
+  std::optional<double> critical_friction_n_mm_per_mm;
   int shifted_vertices;
   int increasing, decreasing;
   std::vector<double> elongation;  ///< per diagonal at D; not in the table
 };
 
-/// Metrics of a path with D >= 1 on samples of `sample_deg`.
-Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
-                const PathRecord& record, double sample_deg);
+/// Metrics of a path with D >= 1 of the model's sheet with these vertices. Under the energy
+/// criterion diagonals may reverse, and the two slopes and the miscut margin have no value.
+Metrics measure(const Model& model, const FlatVertices& vertices_mm, const PathRecord& record);
 
 /// |theta_1 + theta_3 - 180 deg| (Kawasaki's condition), the largest over vertices whose four
 /// facets are all kept: zero if all these are flat-foldable.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace misalign::solver {
 
@@ -28,6 +29,12 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) 
     for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
       record.lengths.push_back(history.length_mm(row, d) / width_mm);
     }
+    double turning_mm = 0;
+    for (std::size_t c = 0; c < history.crease_mm.size(); ++c) {
+      turning_mm += history.crease_mm[c] * kRadPerDeg *
+                    std::abs(history.fold_angle_deg(row, static_cast<Eigen::Index>(c)));
+    }
+    record.turning_mm.push_back(turning_mm);
     record.singular_value_min = std::min(record.singular_value_min, history.singular_value_min[i]);
     record.residual_max = std::max(record.residual_max, history.open_by[i]);
     record.isometry_error =

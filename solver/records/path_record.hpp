@@ -14,6 +14,9 @@ struct PathRecord {
   std::vector<double> flat;  ///< lengths of the diagonals, panel widths
   /// Lengths at the samples up to D, sample by sample.
   std::vector<double> lengths;
+  /// Sum of the creases' lengths times |fold angle| at the same samples (turning_mm); empty if
+  /// the model has no threshold.
+  std::vector<double> turning_mm;
   PathExtremes extremes;
   /// Metrics of these names over the states that were solved for them, up to D.
   double singular_value_min = std::numeric_limits<double>::infinity();

@@ -26,7 +26,8 @@ RecordObserver::RecordObserver(const Model& model, const QueueLanes& lanes)
       lanes_(lanes.count, Lane{FunctionJudge(model.mechanism(), model.criterion()),
                                ExtremeFinder(model.mechanism().diagonal_count())}),
       estimate_(model.mechanism()),
-      near_(flat_state<double>(model.mechanism())) {
+      near_(flat_state<double>(model.mechanism())),
+      creases_(model.mechanism().creases.size()) {
   for (const Station& station : model.path().stations) {
     if (station.sample > 0) samples_.push_back(&station);
   }
@@ -44,7 +45,7 @@ void RecordObserver::begin(const SheetBlock& block) {
 
 void RecordObserver::begin_sheet(PathStart& start, int lane) {
   Lane& observed = lanes_[lane];
-  observed.judge.begin(*start.plan, flat_);
+  observed.judge.begin(*start.plan, flat_, start.geometry);
   observed.function = nullptr;
   observed.record = {};
   observed.record.record.flat = flat_;
@@ -53,6 +54,9 @@ void RecordObserver::begin_sheet(PathStart& start, int lane) {
   observed.fault_seen = false;
   observed.least_step = std::numeric_limits<double>::infinity();
   observed.finder.begin(flat_);
+  if (model_.threshold_sample() > 0) {
+    find_crease_lengths(model_.mechanism(), *start.geometry, observed.creases_mm);
+  }
 }
 
 ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
@@ -118,6 +122,10 @@ void RecordObserver::evaluate_up_to(double end_deg, const PathFunction& function
       if (station.sample == 1) request(Purpose::first, station, function, lane);
       if (station.sample <= 2) request(Purpose::second, station, function, lane);
       note_least_step(station, lane);
+      if (!lane.creases_mm.empty()) {
+        function.find_creases(x, creases_);
+        lane.record.record.turning_mm.push_back(turning_mm(lane.creases_mm, creases_));
+      }
     }
     const bool had_reversed = lane.has_reversed();
     lane.finder.see(station.pilot_deg, is_in_order, x, estimate_, lane.judge.judge(), function);

@@ -50,6 +50,7 @@ class RecordObserver final : public QueueObserver {
     std::size_t next = 0;                    // station
     bool fault_seen = false;
     double least_step = 0;
+    std::vector<double> creases_mm{};
 
     bool has_reversed() const { return finder.first_reversal().diagonal >= 0; }
   };
@@ -82,6 +83,7 @@ class RecordObserver final : public QueueObserver {
   std::vector<NearState> near_states_;
   PathFunction::Estimate estimate_;
   const FoldState<double> near_;  // a state of the right size
+  std::vector<HalfAngle<double>> creases_;
 };
 
 }  // namespace misalign::solver

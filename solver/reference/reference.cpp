@@ -31,7 +31,7 @@ Reference::Reference(const Mechanism& mechanism, const PathPlan& plan, const Cri
 Verdict Reference::judge(const FlatVertices& vertices_mm) {
   place(mechanism_, vertices_mm, geometry_);
   flat_lengths(mechanism_, geometry_, point_.lengths.data());
-  judge_.begin(point_.lengths);
+  judge_.begin(point_.lengths, &geometry_);
   if (criterion_.bumps == BumpRule::exact) {
     std::fill(point_.slopes.begin(), point_.slopes.end(), 0.0);
     point_.pilot_rate = 0;
@@ -49,7 +49,9 @@ bool Reference::see(const Station& station, const FoldState<double>& state) {
     return see_exactly(station);
   }
   if (station.sample == 0) return true;
-  if (criterion_.bumps == BumpRule::by_cubic || station.sample == criterion_.stop_sample) {
+  const bool for_moment = criterion_.energy && criterion_.energy->least_moment_n_mm > 0;
+  if (criterion_.bumps == BumpRule::by_cubic || station.sample == criterion_.stop_sample ||
+      for_moment) {
     dense_state_.find(geometry_, state, point_);
     return judge_.see(station, &point_.state, point_.lengths, &point_.slopes, point_.pilot_rate);
   }

@@ -91,7 +91,7 @@ std::optional<Metrics> Sheet::measure(const FoldingHistory& history) const {
   if (history.verdict.deploys_from_sample == 0) return {};
   PathRecord record = record_of(history, mechanism());
   record.extremes = extremes_of(history);
-  return solver::measure(model().base(), vertices_mm_, record, model().sample_deg());
+  return solver::measure(model(), vertices_mm_, record);
 }
 
 const Metrics* Sheet::metrics() const {

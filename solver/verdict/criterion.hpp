@@ -9,6 +9,11 @@
 
 namespace misalign::solver {
 
+/// A step shorter than this neither sets nor breaks a diagonal's direction (8e-11 mm on 80 mm
+/// panels): converged lengths differ by less, and without a band patterns with few shifts would be
+/// decided by rounding.
+inline constexpr double kStepBand_widths = 1e-12;
+
 /// Springs of stiffness k on all diagonals, relaxed at one pilot angle, store k/2 sum (L - L0)^2.
 /// Its second derivative by the pilot angle is k times this sum of squares of the diagonals' slopes
 /// (panel widths^2 per radian^2 for panel widths per radian).
@@ -44,6 +49,10 @@ struct Criterion {
   std::optional<EnergyCriterion> energy = {};
 
   bool asks_for_stop() const { return stop_sample > 0; }
+  /// Returns whether it needs the diagonals' slopes at samples.
+  bool asks_for_slopes() const {
+    return asks_for_stop() || (energy && energy->least_moment_n_mm > 0);
+  }
   /// Returns whether the sheet is to stop at this sample and the stop is too soft with these
   /// slopes.
   bool finds_soft_stop(int sample, const std::vector<double>& slopes) const {

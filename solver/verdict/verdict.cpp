@@ -7,9 +7,13 @@
 namespace misalign::solver {
 
 Judge::Judge(const Mechanism& mechanism, const Criterion& criterion)
-    : mechanism_(mechanism), criterion_(criterion) {}
+    : mechanism_(mechanism), criterion_(criterion) {
+  if (!criterion.energy) return;
+  assert(criterion.bumps == BumpRule::ignored);
+  energy_.emplace(mechanism, *criterion.energy);
+}
 
-void Judge::begin(const std::vector<double>& flat_lengths) {
+void Judge::begin(const std::vector<double>& flat_lengths, const SheetGeometry<double>* geometry) {
   assert(std::ssize(flat_lengths) == mechanism_.diagonal_count());
   samples_in_order_ = 0;
   last_pilot_deg_ = 0;
@@ -22,6 +26,7 @@ void Judge::begin(const std::vector<double>& flat_lengths) {
   back_since_deg_.assign(flat_lengths.size(), 0);
   last_slopes_.assign(flat_lengths.size(), 0);  // lengths begin like the square of the angle
   between_ = {};
+  if (energy_) energy_->begin(flat_lengths, geometry);
 }
 
 bool Judge::see(const Station& station, const FoldState<double>* state,
@@ -47,8 +52,24 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
     last_slopes_ = *slopes;
     last_pilot_rate_ = pilot_rate;
   }
+  if (energy_ && !drives_enough(station, state, slopes)) return false;
   take(station, lengths);
   return true;
+}
+
+// Judges the margins where the next sample is the threshold.
+bool Judge::drives_enough(const Station& station, const FoldState<double>* state,
+                          const std::vector<double>* slopes) {
+  if (station.sample > energy_->from_sample()) return true;
+  assert(state || !energy_->asks_for_turning());
+  if (state) energy_->set_creases(state->creases);
+  assert(slopes || !energy_->asks_for_moment());
+  if (slopes && station.pilot_deg >= kInactiveFrom_deg) energy_->set_slopes(*slopes);
+  if (station.sample < energy_->from_sample()) return true;
+  const double ratio = energy_->drive().value;
+  if (ratio >= 1) return true;
+  end(Fault::weak_drive, -1, ratio);
+  return false;
 }
 
 void Judge::end_between(int where, double rate, double from_deg) {
@@ -60,10 +81,11 @@ void Judge::end_between(int where, double rate, double from_deg) {
   between_.bump_deg = from_deg;
 }
 
-bool Judge::is_in_order(const FoldState<double>* state, const std::vector<double>& lengths) {
+bool Judge::is_in_order(const FoldState<double>* state, const std::vector<double>& lengths,
+                        const std::vector<double>* errors) {
   assert(!state || state->creases.size() == mechanism_.creases.size());
   if (fault_ != Fault::none) return false;
-  fault_ = fault_in(state, lengths, where_);
+  fault_ = fault_in(state, lengths, errors, where_);
   if (fault_ == Fault::none) return true;
   if (criterion_.scores) missed_part_ = missed_part(state, lengths).value();
   return false;
@@ -74,6 +96,7 @@ void Judge::take(const Station& station, const std::vector<double>& lengths) {
     least_[i] = std::min(least_[i], lengths[i]);
     most_[i] = std::max(most_[i], lengths[i]);
   }
+  if (energy_) energy_->take();
   std::swap(last_, before_last_);
   last_ = lengths;
   ++samples_in_order_;
@@ -81,20 +104,42 @@ void Judge::take(const Station& station, const std::vector<double>& lengths) {
 }
 
 Fault Judge::fault_in(const FoldState<double>* state, const std::vector<double>& lengths,
-                      int& where) {
-  const int creases = state ? static_cast<int>(mechanism_.creases.size()) : 0;
+                      const std::vector<double>* errors, int& where) {
+  if (state) {
+    const Fault fault = fault_of_creases(*state, where);
+    if (fault != Fault::none) return fault;
+  }
+  int reverses = -1;
+  const bool steps_back = longest_step_back(lengths, reverses) > 0;
+  if (!energy_) {
+    if (steps_back) where = reverses;
+    return steps_back ? Fault::not_monotone : Fault::none;
+  }
+  energy_->look(lengths, errors);
+  if (energy_->rises()) return Fault::none;
+  where = energy_->pulls_back();
+  return Fault::energy_rises;
+}
+
+Fault Judge::fault_of_creases(const FoldState<double>& state, int& where) const {
+  const int creases = static_cast<int>(mechanism_.creases.size());
   for (int i = 0; i < creases; ++i) {
-    if (state->creases[i].c < kLeastCosine) {
+    if (state.creases[i].c < kLeastCosine) {
       where = i;
       return Fault::over_folded;
     }
   }
   for (int i = 0; i < creases; ++i) {
-    if (!(state->creases[i].s * mechanism_.creases[i].assignment > 0)) {
+    if (!(state.creases[i].s * mechanism_.creases[i].assignment > 0)) {
       where = i;
       return Fault::assignment_flipped;
     }
   }
+  return Fault::none;
+}
+
+// Sets the directions of diagonals, too.
+double Judge::longest_step_back(const std::vector<double>& lengths, int& where) {
   double largest_step_back = 0;
   for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
     const double step = lengths[i] - last_[i];
@@ -106,7 +151,7 @@ Fault Judge::fault_in(const FoldState<double>* state, const std::vector<double>&
       where = i;
     }
   }
-  return largest_step_back > 0 ? Fault::not_monotone : Fault::none;
+  return largest_step_back;
 }
 
 LeastPart Judge::missed_part(const FoldState<double>* state, const std::vector<double>& lengths,
@@ -128,6 +173,7 @@ LeastPart Judge::missed_part(const FoldState<double>* state, const std::vector<d
     }
     return part;
   }
+  if (energy_) return energy_->missed_part();
   // If turns between samples are faults, parts count from D, not from half a sample before.
   const double earlier = criterion_.bumps == BumpRule::ignored ? 0 : 0.5;
   for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
@@ -202,14 +248,15 @@ Between Judge::seen_between(const Station& station, const std::vector<double>& l
 
 double Judge::least_span() const {
   double least = std::numeric_limits<double>::infinity();
-  if (last_pilot_deg_ < kInactiveFrom_deg) return least;
+  if (energy_ || last_pilot_deg_ < kInactiveFrom_deg) return least;
   for (std::size_t i = 0; i < least_.size(); ++i) least = std::min(least, most_[i] - least_[i]);
   return least;
 }
 
 // Inactivity comes first: a sheet with an inactive diagonal has D = 0, wherever its path is lost.
 Verdict Judge::conclude(const PathResult& path) const {
-  for (int i = 0; last_pilot_deg_ >= kInactiveFrom_deg && i < mechanism_.diagonal_count(); ++i) {
+  const bool judges_activity = !energy_ && last_pilot_deg_ >= kInactiveFrom_deg;
+  for (int i = 0; judges_activity && i < mechanism_.diagonal_count(); ++i) {
     if (most_[i] - least_[i] < kInactiveBand_widths) {
       return {0, Fault::inactive_diagonal, i, path.end};
     }

@@ -1,4 +1,5 @@
-// Judges one folding path by its samples alone (the paper's criterion, made exact).
+// Judges one folding path by its samples alone: by the paper's criterion, made exact, that every
+// diagonal is monotone, or by the filling's energy.
 #pragma once
 
 #include <limits>
@@ -6,15 +7,12 @@
 
 #include "solver/continuation/path.hpp"
 #include "solver/verdict/criterion.hpp"
+#include "solver/verdict/energy_judge.hpp"
 #include "solver/verdict/fault.hpp"
 #include "solver/verdict/score.hpp"
 
 namespace misalign::solver {
 
-/// A step shorter than this neither sets nor breaks a diagonal's direction (8e-11 mm on 80 mm
-/// panels): converged lengths differ by less, and without a band patterns with few shifts would be
-/// decided by rounding.
-inline constexpr double kStepBand_widths = 1e-12;
 /// A diagonal that varies by less than this up to D drives nothing (8e-7 mm).
 inline constexpr double kInactiveBand_widths = 1e-8;
 /// Least D for which inactivity is judged: elongations grow like rho^2, and closer to flat every
@@ -60,8 +58,10 @@ class Judge {
   /// Bumps are judged by its own cubics, or by its owner (BumpRule::exact).
   explicit Judge(const Mechanism& mechanism, const Criterion& criterion = {});
 
-  /// Starts a path whose diagonals have these flat lengths (panel widths).
-  void begin(const std::vector<double>& flat_lengths);
+  /// Starts a path whose diagonals have these flat lengths (panel widths). The energy criterion may
+  /// need the sheet's geometry (EnergyJudge::needs_geometry).
+  void begin(const std::vector<double>& flat_lengths,
+             const SheetGeometry<double>* geometry = nullptr);
   /// Judges the next sample; returns false once a fault is known, after which nothing changes.
   /// A null state means that its creases are known to be in order. The diagonals' slopes (panel
   /// widths per radian of pilot) and the pilot's entry of the unit tangent let it judge the
@@ -71,7 +71,9 @@ class Judge {
            double pilot_rate = 1);
   /// `see` in two steps, for callers that judge between samples themselves: is_in_order() judges
   /// the next sample, take() accepts it.
-  bool is_in_order(const FoldState<double>* state, const std::vector<double>& lengths);
+  /// `errors` bound those of the lengths, for energy().
+  bool is_in_order(const FoldState<double>* state, const std::vector<double>& lengths,
+                   const std::vector<double>* errors = nullptr);
   void take(const Station& station, const std::vector<double>& lengths);
   /// Ends with a fault before the next sample: a bump, an undecided one, or a soft stop.
   void end(Fault fault, int where, double missed_part = 0) {
@@ -99,17 +101,29 @@ class Judge {
   Verdict conclude(const PathResult& path) const;
   const Between& between() const { return between_; }
   /// Replaces the lengths at the last sample by more accurate ones.
-  void correct_last(const std::vector<double>& lengths) { last_ = lengths; }
+  void correct_last(const std::vector<double>& lengths,
+                    const std::vector<double>* errors = nullptr) {
+    last_ = lengths;
+    if (energy_) energy_->correct_last(lengths, errors);
+  }
+  /// The judge of the filling's energy, under the energy criterion; else null.
+  EnergyJudge* energy() { return energy_ ? &*energy_ : nullptr; }
   Fault fault() const { return fault_; }
   /// Returns whether this step is against the diagonal's direction.
   bool goes_back(int diagonal, double step) const { return direction_[diagonal] * step < 0; }
   int direction(int diagonal) const { return direction_[diagonal]; }
   int samples_in_order() const { return samples_in_order_; }
-  /// Variation of the least active diagonal; infinite below kInactiveFrom_deg.
+  /// Variation of the least active diagonal; infinite below kInactiveFrom_deg, and under the energy
+  /// criterion, by which diagonals need not be active.
   double least_span() const;
 
  private:
-  Fault fault_in(const FoldState<double>* state, const std::vector<double>& lengths, int& where);
+  Fault fault_in(const FoldState<double>* state, const std::vector<double>& lengths,
+                 const std::vector<double>* errors, int& where);
+  Fault fault_of_creases(const FoldState<double>& state, int& where) const;
+  double longest_step_back(const std::vector<double>& lengths, int& where);
+  bool drives_enough(const Station& station, const FoldState<double>* state,
+                     const std::vector<double>* slopes);
   int score(const PathResult& path) const;
   double sample_rad() const;
   Between seen_between(const Station& station, const std::vector<double>& lengths,
@@ -127,6 +141,7 @@ class Judge {
       back_since_deg_;  // per diagonal: beginning of its retreat at the last sample, else 0
   std::vector<int> direction_;
   Between between_;
+  std::optional<EnergyJudge> energy_;  // under the energy criterion
 };
 
 }  // namespace misalign::solver

@@ -46,12 +46,13 @@ bool agree(const Subject& subject, bool is_short) {
   const schema::SimulatedSheet released = release(model, folded, options, sheet.name());
   solver::ReleaseOptions deploy;
   deploy.from_deg = kFrom_deg;
-  deploy.sheet.springs.stiffness_n_per_mm = sheet.design.actuators().stiffness_n_per_mm;
+  deploy.sheet.springs().stiffness_n_per_mm = sheet.design.springs().stiffness_n_per_mm;
   const solver::DeploymentStudy study = deployed(folded, deploy);
   const double flat_s = study.run.last().time_s;
   const double angle = largest_difference(released, study.run.rows, !is_short);
-  const double by_energy = critical_by_energy(released, folded.history(),
-                                              solver::actuate(folded, sheet.design.actuators())),
+  const double by_energy = critical_by_energy(
+                   released, folded.history(),
+                   solver::actuate(folded, sheet.design.actuators(sheet.base.base))),
                in_mujoco = critical_in_mujoco(released, by_energy, flat_s);
   std::printf(
       "%s: flat after %.5f s; angles differ by %.3f %% of the start's at most; critical "

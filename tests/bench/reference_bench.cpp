@@ -64,7 +64,7 @@ void full_path_with_metrics(benchmark::State& state) {
   for (auto _ : state) {
     const auto& vertices = draws.next();
     const auto record = solver::record_path(model, vertices);
-    benchmark::DoNotOptimize(solver::measure(draws.base, vertices, record, 1));
+    benchmark::DoNotOptimize(solver::measure(model, vertices, record));
   }
 }
 BENCHMARK(full_path_with_metrics)->Unit(benchmark::kMillisecond)->Iterations(100);

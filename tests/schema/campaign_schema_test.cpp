@@ -31,6 +31,8 @@ TEST(CampaignSchema, HasTheKeysAndDefaultsOfTheCode) {
   const std::set<std::string> not_in_default = {
       "/pattern/file", "/pattern/mesh", "/pattern/mm_per_unit", "/pattern/pilot",
       "/pattern/springs", "/pattern/springs/attach",
+      // In place of design.springs.
+      "/design/fill",
       // The older name of design.springs.
       "/actuators", "/actuators/stiffness_n_per_mm", "/actuators/stroke_limit"};
   for (const auto& [at, property] : properties) {
@@ -143,6 +145,19 @@ constexpr Mutation kRefused[] = {
     {"/accept", R"({"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 0})"},
     {"/accept", R"({"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 2e9})"},
     {"/accept", R"({"stops_at_deg": "60", "stop_stiffness_mm2_per_rad2": 5})"},
+    {"/accept/by", "\"all\""},
+    {"/accept/by", "null"},
+    {"/accept/fill", "50"},
+    {"/accept/fill", R"({"stiffness_n_per_mm": 50})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "foam"}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "none"}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "rest_deg": 60}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "stiffness_n_per_mm": 0}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "shear_mpa": 1}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "plate", "prestretch": 0.09}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "plate", "preload_n": 1}})"},
+    {"/accept", R"({"by": "energy", "least_friction_n_mm_per_mm": 0})"},
+    {"/accept", R"({"by": "energy", "least_moment_n_mm": 2e9})"},
     {"/search/extra", "1"},
     {"/search/method", "\"annealing\""},
     {"/search/levels_deg", "\"automatic\""},
@@ -199,6 +214,18 @@ constexpr Mutation kRefused[] = {
     {"/design/springs/stroke_limit", "8"},
     {"/design/springs/preloads_n", R"({"A9": 1})"},
     {"/design/springs/preloads_n", R"({"A9-A15": -1})"},
+    {"/design/springs/rest_deg", "181"},
+    {"/design/springs/diameter_mm", "0"},
+    {"/design/springs/on", "\"some\""},
+    {"/design/springs/single", R"([{"from": "A9", "to": "A15"}])"},
+    {"/design/springs/single", R"([{"from": "9", "to": "A15", "stiffness_n_per_mm": 1}])"},
+    {"/design/fill", R"({"kind": "none"})"},  // beside springs
+    {"/design", R"({"fill": {"kind": "foam"}})"},
+    {"/design", R"({"fill": {"kind": "none", "shear_mpa": 1}})"},
+    {"/design", R"({"fill": {"kind": "plate", "stiffness_n_per_mm": 50}})"},
+    {"/design", R"({"fill": {"kind": "plate", "prestretch": 0.09}})"},
+    {"/design", R"({"fill": {"kind": "plate", "cut_outs": [{"hole": [1, 2], "of_flat": [1]}]}})"},
+    {"/design", R"({"fill": {"kind": "plate", "cut_outs": [{"hole": [1, 2]}]}})"},
     {"/design/hinges/extra", "1"},
     {"/design/hinges/friction_n_mm_per_mm", "-0.1"},
     {"/design/hinges/stiffness_n_mm_per_mm", "1000000001"},
@@ -244,10 +271,16 @@ TEST(CampaignSchema, RefusesEveryWrongType) {
     if (!value.is_object()) wrong.push_back(Json::object({{"a", 1}}));
     if (!value.is_string()) wrong.push_back("text");
     if (value.is_string() || value.is_object() || value.is_boolean()) wrong.push_back(7);
-    static const std::set<std::string> kNumbersOfDesign = {
-        "design.springs", "design.springs.stiffness_n_per_mm", "design.hinges",
-        "design.hinges.friction_n_mm_per_mm", "design.hinges.stiffness_n_mm_per_mm"};
+    static const std::set<std::string> kNumbersOfDesign = {"design.springs",
+                                                           "design.springs.stiffness_n_per_mm",
+                                                           "design.hinges",
+                                                           "design.hinges.friction_n_mm_per_mm",
+                                                           "design.hinges.stiffness_n_mm_per_mm",
+                                                           "design.springs.rest_deg",
+                                                           "design.springs.pull_only",
+                                                           "design.springs.on"};
     const bool may_be_null = key.find("stop.") == 0 || key.find("accept.stop") == 0 ||
+                             key == "accept.fill" || key.find("accept.least_") == 0 ||
                              key == "misalignment.grid_mm" || key == "search.from_deg" ||
                              key == "search.grid_mm" ||
                              (key.find("design.") == 0 && !kNumbersOfDesign.contains(key));
@@ -293,6 +326,11 @@ constexpr Mutation kAccepted[] = {
     {"/accept/between_samples", "\"exact\""},
     {"/accept", R"({"stops_at_deg": 170, "stop_stiffness_mm2_per_rad2": 1e-9})"},
     {"/accept", R"({"stops_at_deg": null, "stop_stiffness_mm2_per_rad2": null})"},
+    {"/accept", R"({"by": "energy", "fill": null})"},
+    {"/accept", R"({"by": "energy", "least_friction_n_mm_per_mm": 1e-9, "fill": {"kind": "springs",
+                   "stiffness_n_per_mm": 1e-6, "preload_n": 1e6, "pull_only": true}})"},
+    {"/accept", R"({"by": "energy", "least_moment_n_mm": 1e9, "fill": {"kind": "plate",
+                   "shear_mpa": 1e-6, "thickness_mm": 1000, "prestretch": 10}})"},
     {"/search", "{}"},
     {"/search", R"({"method": "splitting", "particles": 2, "sweeps": 1, "first_draws": 2})"},
     {"/search", R"({"method": "splitting", "particles": 1000000, "first_draws": 1000000000})"},
@@ -323,6 +361,17 @@ constexpr Mutation kAccepted[] = {
     {"/design/from_deg", "180"},
     {"/design/springs", "{}"},
     {"/design/springs/stroke_limit", "0.08"},
+    {"/design/springs/rest_deg", "60"},
+    {"/design/springs/pull_only", "true"},
+    {"/design/springs/on", "\"one_a_hole\""},
+    {"/design/springs/single",
+     R"([{"from": "A9", "to": "A15", "stiffness_n_per_mm": 0, "free_mm": 110}])"},
+    {"/design/springs/diameter_mm", "5"},
+    {"/design", R"({"fill": {"kind": "none"}})"},
+    {"/design", R"({"fill": {"kind": "springs", "preloads_n": {"A9-A15": 2}, "on": "all"}})"},
+    {"/design", R"({"fill": {"kind": "plate", "shear_mpa": 0.5, "thickness_mm": 1, "prestretch": 10,
+                   "rest_deg": 0, "cut_outs": [{"hole": [1, 2], "of_flat": [0.1, 10]}]}})"},
+    {"/design", R"({"fill": {"kind": "plate", "cut_outs": null}})"},
     {"/design/hinges", R"({"friction_n_mm_per_mm": 0.02, "kind": "cut"})"},
     {"/design/hinges/kind", "null"},
     {"/design/thickness_mm", "100"},

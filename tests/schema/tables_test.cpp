@@ -34,7 +34,7 @@ TEST(FaultTable, HasEveryFaultOnce) {
     labels.insert(entry.label);
     EXPECT_EQ(&solver::entry_of(entry.fault), &entry);
   }
-  const std::size_t count = static_cast<std::size_t>(solver::Fault::reverses_between) + 1;
+  const std::size_t count = static_cast<std::size_t>(solver::Fault::weak_drive) + 1;
   EXPECT_EQ(solver::fault_table().size(), count);
   EXPECT_EQ(faults.size(), count);
   EXPECT_EQ(names.size(), count);

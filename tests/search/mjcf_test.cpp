@@ -188,12 +188,13 @@ TEST(Mujoco, DeploysAsDeployDoes) {
   const solver::Sheet folded = model.sheet(shifts_of_draw(campaign, 1112));
   const SimulatedSheet sheet = release(model, folded, {}, "a sheet");
   solver::ReleaseOptions springs;
-  springs.sheet.springs.stiffness_n_per_mm = campaign.design.actuators().stiffness_n_per_mm;
+  springs.sheet.springs().stiffness_n_per_mm = campaign.design.springs().stiffness_n_per_mm;
   const solver::Deployment rigid = deployed(folded, springs).run;
   ASSERT_EQ(rigid.outcome, solver::Outcome::passed_flat);
   EXPECT_LT(largest_difference(sheet, rigid.rows, false), 1e-4);
-  const double critical = critical_by_energy(sheet, folded.history(),
-                                             solver::actuate(folded, campaign.design.actuators()));
+  const double critical =
+      critical_by_energy(sheet, folded.history(),
+                         solver::actuate(folded, campaign.design.actuators(campaign.pattern.base)));
   MujocoRun less = load(sheet, 0.99 * critical), more = load(sheet, 1.01 * critical);
   EXPECT_TRUE(gets_flat(less, rigid.last().time_s));
   EXPECT_FALSE(gets_flat(more, rigid.last().time_s));

@@ -98,12 +98,19 @@ void BatchAllocation::expect_none(const Criterion& criterion) {
   EXPECT_TRUE(with(verdicts, [](const Verdict& v) {
     return v.first_fault == Fault::fold_limit && v.deploys_from_sample == 0;
   })) << "a sheet without a start";
-  EXPECT_TRUE(
-      with(verdicts, [](const Verdict& v) { return v.first_fault == Fault::not_monotone; }));
+  const Fault usual = criterion.energy ? Fault::weak_drive : Fault::not_monotone;
+  EXPECT_TRUE(with(verdicts, [&](const Verdict& v) { return v.first_fault == usual; }));
 }
 
 TEST_P(BatchAllocation, NoneInAWarmBatch) { expect_none({}); }
 TEST_P(BatchAllocation, NoneBetweenSamples) { expect_none({BumpRule::exact}); }
+TEST_P(BatchAllocation, NoneByEnergy) {
+  Criterion springs, plates;
+  springs.energy = EnergyCriterion{Springs{}, 165, 1};
+  expect_none(springs);
+  plates.energy = EnergyCriterion{RubberPlates{.prestretch = 1.1}, 165, 1, 0.1};
+  expect_none(plates);
+}
 TEST_P(BatchAllocation, NoneForAStop) { expect_none({BumpRule::ignored, 60, 1e-3}); }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, BatchAllocation,

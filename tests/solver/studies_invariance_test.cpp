@@ -74,7 +74,7 @@ class Studies {
   }
   EnergyModel::Options sheet_options() const {
     EnergyModel::Options options;
-    options.springs.stiffness_n_per_mm /= unit_;
+    options.springs().stiffness_n_per_mm /= unit_;
     options.plates = {unit_, 2.7 / std::pow(unit_, 4)};
     return options;
   }
@@ -94,7 +94,7 @@ class Studies {
     put("singular value", metrics.singular_value_min);
     put("Kawasaki", metrics.kawasaki_defect_deg);
     Actuators springs;
-    springs.stiffness_n_per_mm /= unit_;
+    springs.springs().stiffness_n_per_mm /= unit_;
     const Actuation actuation = actuate(sheet_, springs);
     const auto at_d = static_cast<std::size_t>(sheet_.rows_up_to_d());
     for (const std::size_t row : {at_d / 2, at_d}) {

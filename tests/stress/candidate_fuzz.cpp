@@ -38,7 +38,9 @@ std::vector<Json> candidates() {
       const FoldingView view(campaign.pattern, sheet);
       Json candidate = folded_pattern_json(
           model.sampling(), view,
-          actuation_json(view, solver::actuate(sheet, campaign.design.actuators())), Json());
+          actuation_json(view,
+                         solver::actuate(sheet, campaign.design.actuators(campaign.pattern.base))),
+          Json());
       candidate.update(origin_json(campaign, draw, Json::array()));
       all.push_back(candidate);
       candidate.erase("pattern");

@@ -1,5 +1,6 @@
 // Certificates of candidates beside what fine steps say of the same sheets: a certificate ends at
-// D, or within a fine step of the first sample that shows a reversal.
+// D, or within a fine step of the first sample that shows a reversal: of a diagonal or, of a
+// campaign that accepts by energy, of the energy.
 //   certificates [--contact] [--check] SHEETS FILE...
 // A file is a catalogue, whose first candidates are looked at, or a campaign, whose first draws
 // are. --contact: proofs that no panels meet as well, beside where the folding way says that they
@@ -44,6 +45,7 @@ struct Options {
 };
 
 double median(std::vector<double> values) {
+  if (values.empty()) return 0;
   std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2),
                    values.end());
   return values[values.size() / 2];
@@ -78,6 +80,17 @@ std::vector<Sheet> sheets_of_draws(const schema::Campaign& campaign, std::size_t
   return sheets;
 }
 
+std::optional<solver::Fill> fill_of(const schema::Campaign& campaign) {
+  return campaign.sampling().energy_of;
+}
+
+// The campaign's, without margins and other samples.
+solver::Criterion fine_criterion(const schema::Campaign& campaign) {
+  solver::Criterion criterion;
+  if (const auto fill = fill_of(campaign)) criterion.energy = solver::EnergyCriterion{*fill};
+  return criterion;
+}
+
 class Study {
  public:
   Study(const schema::Campaign& campaign, const Options& options)
@@ -85,9 +98,9 @@ class Study {
         options_(options),
         model_(search::model_of(campaign)),
         fine_model_(campaign.pattern.base, solver::all_vertices(campaign.pattern.base.sheet),
-                    {kFine_deg, campaign.end_deg, 0, 1}, 0),
+                    {kFine_deg, campaign.end_deg, 0, 1}, 0, fine_criterion(campaign)),
         fine_(solver::make_batch(solver::available_instruction_sets().back(), fine_model_)),
-        certifier_(model_, {options.contact}),
+        certifier_(model_, options.contact, fill_of(campaign)),
         solver_(model_) {}
 
   void look(const std::vector<Sheet>& sheets) {
@@ -116,6 +129,7 @@ class Study {
         campaign_.name, sheets_, ends, to_d_, at_reversal_, unexplained_, 1e3 * median(seconds_),
         1e3 * *std::max_element(seconds_.begin(), seconds_.end()), median(intervals_),
         1e-3 * static_cast<double>(bytes_) / sheets_, 1e-3 * static_cast<double>(most_bytes_));
+    fmt::print("; ends {:.4f} deg from fine steps' in the median", median(gaps_deg_));
     if (options_.contact) fmt::print("; {} at the first contact", at_contact_);
     if (options_.check) {
       fmt::print("; checked again {}, of these refused {}, {:.0f} ms in the median",
@@ -171,6 +185,7 @@ class Study {
     }
     const bool same = std::abs(fine_deg - certified_deg) <= kSame_deg;
     at_reversal_ += same;
+    gaps_deg_.push_back(std::abs(fine_deg - certified_deg));
     return same;
   }
 
@@ -179,7 +194,7 @@ class Study {
     const search::Stopwatch watch;
     const auto kept = solver::decode(model_.mechanism(), bytes);
     const auto fault =
-        kept ? solver::check_certificate(model_, vertices_mm, *kept)
+        kept ? solver::check_certificate(model_, vertices_mm, *kept, fill_of(campaign_))
              : solver::CertificateFault{0, 180, "these are the bytes of no certificate"};
     check_seconds_.push_back(watch.seconds());
     if (!fault) return;
@@ -197,7 +212,7 @@ class Study {
   int sheets_ = 0, to_d_ = 0, at_reversal_ = 0, at_contact_ = 0, unexplained_ = 0, refused_ = 0;
   std::size_t bytes_ = 0, most_bytes_ = 0;
   std::map<std::string, int> ends_;
-  std::vector<double> seconds_, intervals_, check_seconds_;
+  std::vector<double> seconds_, intervals_, check_seconds_, gaps_deg_;
 };
 
 bool look_at(const std::string& path, const Options& options) {

@@ -77,6 +77,15 @@ refused 2 "--from 157: lies beyond D = 156 deg" tolerance "$table1" --amplitude 
 refused 2 "must be a whole multiple of sample_deg = 1" tolerance mine.db "$draw" --from 139.5
 refused 2 "is not a number from 0.01 to 180" contact "$table1" --from 0
 refused 2 "has no meaning without --format json" export "$table1" --format csv --from 30 --output o
+plate='{"kind": "plate", "prestretch": 1.1}'
+refused 2 "fill.prestretch = 0 (must be from 0.1 to 10)" actuators "$table1" --fill '{"kind": "plate", "prestretch": 0}'
+refused 2 "is no filling of a hole" deploy "$table1" --fill '{"kind": "foam"}'
+refused 2 "excludes --fill" card "$table1" --fill "$plate" --stiffness 20
+refused 3 "is no hole of this sheet" actuators "$table1" --fill '{"kind": "plate", "cut_outs": [{"hole": [0, 0], "of_flat": [1, 1]}]}'
+refused 2 "is no filling for" export "$table1" --fill "$plate" --format mjcf --output o
+sed "s/^{/{\"design\": {\"fill\": $plate},/" "$table1" > plates.json
+refused 2 "is of springs, and this sheet's holes have rubber plates" actuators plates.json --stiffness 20
+"$program" actuators plates.json > words && head -2 words | grep -q "rubber plates of 1 mm" || fail "plates of a file: $(cat words)"
 sed 's/"from_deg": 140/"from_deg": 200/; s/"miscut_mm": 0.05/"miscut": 0.05/' mine.json > bad.json
 "$program" config --check bad.json > err 2>&1
 [ $? = 3 ] && grep -q "design.from_deg = 200" err && grep -q "design.miscut" err || fail "faults of the block: $(cat err)"

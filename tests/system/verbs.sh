@@ -62,7 +62,7 @@ rejected=$(sql "$file" 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 
 "$program" replay "$file" 9223372036854775806 > /dev/null || fail "replay of a draw never made"
 
 "$program" tolerance "$file" "$draw" --amplitude 0.05 --trials 20 > /dev/null || fail "tolerance"
-for name in best stroke tolerant yields simplest acceptance rejections; do
+for name in best stroke strongest tolerant yields simplest acceptance rejections; do
   for style in "" --json --csv; do
     "$program" query "$file" $name $style > rows || fail "query $name $style"
     [ -s rows ] || fail "query $name $style is empty"

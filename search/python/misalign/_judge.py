@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import overload
+import json
+from typing import Any, Literal, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -49,14 +50,19 @@ class Verdicts:
 
 
 @overload
-def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike, threshold_deg: None = None) -> Verdicts: ...
+def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike, threshold_deg: None = None, *,
+          by: Literal["diagonals", "energy"] | None = None,
+          fill: dict[str, Any] | None = None) -> Verdicts: ...
 @overload
-def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike,
-          threshold_deg: float) -> npt.NDArray[np.bool_]: ...
+def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike, threshold_deg: float, *,
+          by: Literal["diagonals", "energy"] | None = None,
+          fill: dict[str, Any] | None = None) -> npt.NDArray[np.bool_]: ...
 
 
 def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike,
-          threshold_deg: float | None = None) -> Verdicts | npt.NDArray[np.bool_]:
+          threshold_deg: float | None = None, *,
+          by: Literal["diagonals", "energy"] | None = None,
+          fill: dict[str, Any] | None = None) -> Verdicts | npt.NDArray[np.bool_]:
     """Judges N sheets in lanes: the pattern with each of these shifts instead of its own.
 
     `pattern`        a campaign's sheets are judged as its draws are, and fastest
@@ -64,6 +70,11 @@ def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike,
                      are not copied
     `threshold_deg`  a whole multiple of `sample_deg`, to judge only whether sheets deploy from it. Most are
                      rejected before their path is followed, a thousand times faster than all verdicts
+    `by`             "diagonals": every diagonal is monotone. "energy": the energy of the filling falls to
+                     flat at every sample, without a margin. None: as the campaign's draws are judged
+    `fill`           filling for "energy", as in `accept.fill` of a campaign: `{"kind": "springs",
+                     "stiffness_n_per_mm": 50}` (the default) or `{"kind": "plate", "prestretch": 1.1}`,
+                     relaxed flat and equal in all holes
 
     Returns `Verdicts`, each on its full path, or with a threshold a bool array [N]: accepted or not.
     Verdicts are those of the program on any machine. For members of the parallel family, whose creases all
@@ -74,7 +85,7 @@ def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike,
     cached for further calls, for the last four.
 
     `misalign.Error` (2) for another shape, shifts that are not finite, shifts with which a facet is not
-    convex, and impossible thresholds. `misalign.UndecidedError` if a threshold is given and a sheet
+    convex, impossible thresholds, and a filling without `by="energy"`. `misalign.UndecidedError` if a threshold is given and a sheet
     cannot be judged.
 
     >>> campaign = misalign.read("search/campaigns/miura-4x4.json")
@@ -83,10 +94,17 @@ def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike,
     >>> accepted = misalign.judge(campaign, shifts_mm, threshold_deg=100)
     >>> bool((accepted == (verdicts.deploys_from_deg >= 100)).all())
     True
+    >>> driven = misalign.judge(campaign, shifts_mm, threshold_deg=100, by="energy")
+    >>> bool(driven[accepted].all() and driven.sum() > accepted.sum())
+    True
     """
+    sheet = pattern._sheet
+    if by is not None or fill is not None:
+        accept = {"by": by or "diagonals", "fill": fill}
+        sheet = _misalign.judged_by(sheet, json.dumps(accept))
     if threshold_deg is None:
-        return Verdicts(*_misalign.verdicts(pattern._sheet, shifts_mm))
-    standings = _misalign.accepted(pattern._sheet, shifts_mm, threshold_deg)
+        return Verdicts(*_misalign.verdicts(sheet, shifts_mm))
+    standings = _misalign.accepted(sheet, shifts_mm, threshold_deg)
     if standings.max(initial=0) > 1:
         raise UndecidedError(np.flatnonzero(standings == 2), standings == 1)
     return standings.view(np.bool_)

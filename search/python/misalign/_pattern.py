@@ -19,14 +19,15 @@ from misalign._folding import Folding
 def _design(from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
             stroke_limit: float | None = None, friction_n_mm_per_mm: float | None = None,
             thickness_mm: float | None = None, miscut_mm: float | None = None,
-            preload_n: float | None = None) -> str:
+            preload_n: float | None = None, fill: dict[str, Any] | None = None) -> str:
     """Returns the design of a call, which overrides the pattern's."""
     for name, value in list(locals().items()):
-        if value is not None and not (isinstance(value, (int, float, np.number)) and np.isfinite(value)):
+        if name != "fill" and value is not None and not (isinstance(value, (int, float, np.number)) and np.isfinite(value)):
             raise Error(f"{name}={value}: is no finite number; give one", 2)
     springs = {"stiffness_n_per_mm": stiffness_n_per_mm, "stroke_limit": stroke_limit, "preload_n": preload_n}
     said: dict[str, Any] = {"from_deg": from_deg, "thickness_mm": thickness_mm, "miscut_mm": miscut_mm}
-    said["springs"] = {key: value for key, value in springs.items() if value is not None}
+    said["springs"] = {key: value for key, value in springs.items() if value is not None} or None
+    said["fill"] = fill
     if friction_n_mm_per_mm is not None:
         said["hinges"] = {"friction_n_mm_per_mm": friction_n_mm_per_mm}
     return text({key: value for key, value in said.items() if value is not None})
@@ -149,11 +150,15 @@ class Pattern:
         """
         _misalign.write(self._sheet, os.fspath(path))
 
-    def contact(self, from_deg: float | None = None, trim_mm: float | None = None) -> dict[str, Any]:
-        """Studies contact of its panels and their largest thickness: the JSON of `misalign contact`.
+    def contact(self, from_deg: float | None = None, trim_mm: float | None = None, diameter_mm: float | None = None,
+                end_mm: float | None = None, offset_ends: bool = False) -> dict[str, Any]:
+        """Studies contact of its panels and springs, and largest thickness: the JSON of `misalign contact`.
 
         `from_deg`  pilot angle between which and flat the sheet is used; None for the design's, or D
         `trim_mm`   trim of the plates' corners
+        `diameter_mm` diameter of the springs, of which those that touch are found; None not to judge them
+        `end_mm`    length left out at each end of a spring; None for two diameters
+        `offset_ends` True to find the least offset of the springs' ends with which none touch
 
         All studies raise `misalign.Error`: 2 for values that do not fit the sheet, 1 if its path is lost or its panels
         are too thin to bend.
@@ -161,36 +166,44 @@ class Pattern:
         >>> pattern = misalign.read("search/patterns/table1.json")
         >>> pattern.contact(from_deg=90)["thickness"]["reaches_deg"]
         90.0
+        >>> len(pattern.contact(from_deg=90, diameter_mm=5)["springs"]["springs"]["touching"])
+        8
         """
-        return _said(_misalign.contact(self._sheet, _design(from_deg), trim_mm))
+        return _said(_misalign.contact(self._sheet, _design(from_deg), trim_mm, diameter_mm, end_mm, offset_ends))
 
     def actuators(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
-                  stroke_limit: float | None = None, preload_n: float | None = None) -> dict[str, Any]:
-        """Studies springs on its diagonals: the JSON of `misalign actuators`, with arrays for lists of numbers.
+                  stroke_limit: float | None = None, preload_n: float | None = None,
+                  fill: dict[str, Any] | None = None) -> dict[str, Any]:
+        """Studies the filling of its holes: the JSON of `misalign actuators`, with arrays for lists of numbers.
 
-        Values not given are the design's.
+        Values not given are the design's. `fill`: the holes' filling, as the key `fill` of a design.
 
         >>> springs = misalign.read("search/patterns/table1.json").actuators(from_deg=140, stiffness_n_per_mm=2)
         >>> len(springs["forces"]), springs["history"]["energy_n_mm"].shape
         (16, (157,))
+        >>> plates = misalign.read("search/patterns/table1.json").actuators(from_deg=140, fill={"kind": "plate"})
+        >>> plates["fill"]["shear_mpa"], plates["history"]["energy_n_mm"][36] > 0
+        (0.5, True)
         """
         return _said(_misalign.actuators(self._sheet, _design(
-            from_deg, stiffness_n_per_mm, stroke_limit, preload_n=preload_n)))
+            from_deg, stiffness_n_per_mm, stroke_limit, preload_n=preload_n, fill=fill)))
 
     def deploy(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
                friction_n_mm_per_mm: float | None = None, thickness_mm: float | None = None,
-               preload_n: float | None = None, bend: bool | None = None) -> dict[str, Any]:
+               preload_n: float | None = None, bend: bool | None = None,
+               fill: dict[str, Any] | None = None) -> dict[str, Any]:
         """Studies its motion after release: the JSON of `misalign deploy`, with arrays for lists of numbers.
 
         Values not given are the design's. `bend`: True to add bending panels, under "bent"; None to do so if the design
-        names a material.
+        names a material. `fill`: the holes' filling, as the key `fill` of a design.
 
         >>> let_go = misalign.read("search/patterns/table1.json").deploy(from_deg=90)
         >>> let_go["outcome"], let_go["critical_friction_n_mm_per_mm"] > 0
         ('passed_flat', True)
         """
         return _said(_misalign.deploy(self._sheet, _design(
-            from_deg, stiffness_n_per_mm, None, friction_n_mm_per_mm, thickness_mm, preload_n=preload_n), bend))
+            from_deg, stiffness_n_per_mm, None, friction_n_mm_per_mm, thickness_mm, preload_n=preload_n, fill=fill),
+            bend))
 
     def gradient(self, stations: npt.ArrayLike) -> dict[str, Any]:
         """Returns exact gradients by the vertices' flat coordinates at fixed pilot angles, by the adjoint method.
@@ -244,16 +257,17 @@ class Pattern:
             preload_within=list(preload_within), rest_deg=rest_deg, miscut_mm=miscut_mm, trials=trials))
         return Pattern(_misalign.read_document(text(said["pattern"]), "optimised")), said
 
-    def card(self, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:
+    def card(self, trials: int = 1000, jobs: int = 1, fill: dict[str, Any] | None = None) -> dict[str, Any]:
         """Judges the sheet by the requirements of its design: the JSON of `misalign card`.
 
         `trials`, `jobs`  number of miscut copies and of copies with play, and of threads
+        `fill`            the holes' filling, as the key `fill` of a design; None for the design's
 
         >>> card = misalign.read("search/patterns/table1.json").card()
         >>> card["passes"], [line["key"] for line in card["lines"]][:2]
         (True, ['deploys_from_deg', 'certified_deg'])
         """
-        return _said(_misalign.card(self._sheet, _design(), trials, jobs))
+        return _said(_misalign.card(self._sheet, _design(fill=fill), trials, jobs))
 
     def tolerance(self, amplitude_mm: float | None = None, trials: int = 1000, jobs: int = 1,
                   from_deg: float | None = None) -> dict[str, Any]:

@@ -186,7 +186,7 @@ TEST_F(CertificateTest, OlderCataloguesHaveNoneUntilTheyAreBroughtUpToDate) {
       EXPECT_EQ(database->execAndGet("SELECT count(certified_deg) FROM candidates").getInt(), 0);
       EXPECT_EQ(database->execAndGet("SELECT count(*) FROM certificate").getInt(), 0);
     }
-    const solver::Certificate nothing{170, CertificateEnd::flat_branch, -1, false, {}, {}};
+    const solver::Certificate nothing{170, {}, CertificateEnd::flat_branch, -1, false, {}, {}};
     const CertificateRecord row = certificate_row(
         campaign.pattern, mechanism, draw,
         Eigen::Matrix2Xd::Zero(2, campaign.pattern.base.sheet.vertex_count()), nothing, 0.5);

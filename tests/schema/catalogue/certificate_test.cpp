@@ -144,7 +144,9 @@ TEST_F(CertificateTest, PatternFilesThatAreNotWrittenSoAreRefused) {
   for (const auto& [key, value] : whole["certificate"].items()) {
     Json changed = whole;
     changed["certificate"].erase(key);
-    EXPECT_NE(sentence_of(changed).find(key), std::string::npos);
+    if (key != "by") {  // older files have none
+      EXPECT_NE(sentence_of(changed).find(key), std::string::npos);
+    }
     for (const Json& odd : {Json(-1), Json({1, 2}), Json::object()}) {
       changed["certificate"][key] = odd;
       EXPECT_NE(sentence_of(changed).find(key), std::string::npos);

@@ -273,7 +273,8 @@ class KnownSheets : public LadderTest {
   static constexpr std::uint64_t kThree = 3 * kTenBillion;  // sheets 3, 4 and 2
 
   CertificateRecord certificate(const Candidate& of, double certified_deg) const {
-    solver::Certificate made{certified_deg, solver::CertificateEnd::to_the_end, -1, false, {}, {}};
+    solver::Certificate made{
+        certified_deg, {}, solver::CertificateEnd::to_the_end, -1, false, {}, {}};
     made.intervals.push_back(
         {0, certified_deg, true, 0.25, solver::flat_state<double>(mechanism_)});
     return certificate_row(campaign.pattern, mechanism_, of.draw, of.shifts_mm, made, 0.5);

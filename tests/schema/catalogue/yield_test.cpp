@@ -248,7 +248,8 @@ TEST_F(YieldTest, OlderCataloguesHaveNone) {
   for (const OlderCatalogue& fixture : kOlderCatalogues) {
     const std::string old = fixture.path();
     const auto database = open_for_reading(old);
-    for (const char* name : {"best", "tolerant", "yields", "smooth", "simplest", "stroke"}) {
+    for (const char* name :
+         {"best", "tolerant", "yields", "smooth", "simplest", "stroke", "strongest"}) {
       const Refusal r =
           refusal([&] { query_table(*database, named_query(name), TableStyle::json); });
       EXPECT_EQ(r.sentence, "") << name << ", " << old;

@@ -47,7 +47,8 @@ class HistoryTable : public testing::Test {
  protected:
   const Pattern pattern_ = read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
   const solver::OwnSheet own_{pattern_.base, pattern_.shifts_mm, {1, 40, 0}};
-  const solver::Actuation actuation_ = solver::actuate(own_.sheet, {20, {}});
+  const solver::Actuation actuation_ =
+      solver::actuate(own_.sheet, {solver::Springs{.stiffness_n_per_mm = 20}, {}});
   const FoldingView view_{pattern_, own_.sheet};
   const RowKey key_{"draw", "7"};
 };

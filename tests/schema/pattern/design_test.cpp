@@ -26,7 +26,10 @@ Design read(const Json& value) {
 Json full() {
   return Json::parse(R"({"from_deg": 140.0,
     "springs": {"stiffness_n_per_mm": 2.0, "stroke_limit": 0.08, "preload_n": 3.0,
-                "preloads_n": {"A9-A15": 2.0}, "largest_force_n": 25.0},
+                "preloads_n": {"A9-A15": 2.0}, "largest_force_n": 25.0, "rest_deg": 60.0,
+                "diameter_mm": 5.0, "pull_only": true, "on": "one_a_hole",
+                "single": [{"from": "A10", "to": "A16", "stiffness_n_per_mm": 12.0,
+                            "free_mm": 110.0}]},
     "hinges": {"friction_n_mm_per_mm": 0.02, "stiffness_n_mm_per_mm": 0.3, "kind": "dash",
                "pin_friction_mm": 0.075,
                "film": {"thickness_mm": 0.05, "e_gpa": 2.5, "length_mm": 1.0, "loss": 0.01}},
@@ -47,7 +50,8 @@ TEST(Design, IsWrittenAsItIsRead) {
   const Json flat = full().flatten();
   for (const auto& [at, value] : flat.items()) {
     const auto is_of = [&](const char* block) { return at.starts_with(block); };
-    if (is_of("/material") || is_of("/hold") || is_of("/gravity") || is_of("/hinges/film")) {
+    if (is_of("/material") || is_of("/hold") || is_of("/gravity") || is_of("/hinges/film") ||
+        is_of("/springs/single")) {
       continue;
     }
     const Json one = Json({{at, value}}).unflatten();
@@ -104,16 +108,16 @@ TEST(Design, NamesWhatTheSheetHas) {
 
 TEST(Design, SaysWhatStudiesTake) {
   const Design design = read(full());
-  EXPECT_EQ(design.actuators().stiffness_n_per_mm, 2);
-  EXPECT_EQ(*design.actuators().stroke_limit, 0.08);
+  EXPECT_EQ(design.springs().stiffness_n_per_mm, 2);
+  EXPECT_EQ(*design.stroke_limit, 0.08);
   EXPECT_EQ(design.plates().thickness_mm, 1.5);
   EXPECT_EQ(design.plates().density_g_per_cm3, 0.68);
-  EXPECT_EQ(design.actuators().preload.each_n, 3);
+  EXPECT_EQ(design.springs().preload.each_n, 3);
   const solver::Diagonal named{0, 1, 3, 14, 8}, other{0, 2, 0, 8, 15};
-  EXPECT_EQ(design.actuators().preload.forces_n({other, named}), Eigen::Vector2d(3, 2));
+  EXPECT_EQ(design.springs().preload.forces_n({other, named}), Eigen::Vector2d(3, 2));
   EXPECT_EQ(design.friction_n_mm_per_mm, 0.02);
   EXPECT_EQ(design.hinge_elastic_n_mm_per_mm(), 0.3);
-  EXPECT_EQ(Design().actuators().stiffness_n_per_mm, 50) << "the paper's";
+  EXPECT_EQ(Design().springs().stiffness_n_per_mm, 50) << "the paper's";
   EXPECT_EQ(Design().plates().density_g_per_cm3, 2.7);
 }
 
@@ -147,7 +151,7 @@ TEST(Design, OptionsGoBeforeFiles) {
   EXPECT_EQ(both, wanted);
   // A preload of all goes before the file's of one.
   typed.preload_n = 0;
-  EXPECT_FALSE(typed.merged_over(file).actuators().preload.is_any());
+  EXPECT_FALSE(typed.merged_over(file).springs().preload.is_any());
 }
 
 // Older campaigns say "actuators"; of two the newer name holds.
@@ -158,12 +162,12 @@ TEST(Design, HasTheSpringsOfOlderFiles) {
     return read_campaign(json, "a test");
   };
   const Campaign older = campaign({{"actuators", {{"stiffness_n_per_mm", 3}}}});
-  EXPECT_EQ(older.design.actuators().stiffness_n_per_mm, 3);
+  EXPECT_EQ(older.design.springs().stiffness_n_per_mm, 3);
   EXPECT_EQ(identity(older), identity(campaign(Json::object())));
   const Campaign both = campaign({{"actuators", {{"stiffness_n_per_mm", 3}, {"stroke_limit", 0.5}}},
                                   {"design", {{"springs", {{"stiffness_n_per_mm", 4}}}}}});
-  EXPECT_EQ(both.design.actuators().stiffness_n_per_mm, 4);
-  EXPECT_EQ(*both.design.actuators().stroke_limit, 0.5);
+  EXPECT_EQ(both.design.springs().stiffness_n_per_mm, 4);
+  EXPECT_EQ(*both.design.stroke_limit, 0.5);
   const Campaign again = read_campaign(stored_configuration(both), "what a catalogue keeps");
   EXPECT_EQ(design_json(again.design), design_json(both.design));
   EXPECT_FALSE(stored_configuration(campaign(Json::object())).contains("design"));

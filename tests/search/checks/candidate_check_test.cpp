@@ -167,7 +167,7 @@ TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
   altered_now["bump_deg"] = 40.0;
   altered_now["slope_between_min_mm_per_deg"] = -1.0;
   EXPECT_EQ(check_.check(altered_now).findings.size(), 2u);
-  Json by_cubics = row;
+  Json by_cubics = written_by(6);
   by_cubics["reverses_at_deg"] = 40.0;
   EXPECT_TRUE(check_.check(by_cubics, 6).findings.empty());
   EXPECT_EQ(check_.check(by_cubics, 6).not_comparable, std::vector<std::string>{"reverses_at_deg"});

@@ -191,7 +191,8 @@ TEST_F(HostileLadder, SheetsThatAreNotThemselves) {
        "slope_min_mm_per_deg, stretch_sq_mm2, singular_value_min, residual_max, "
        "isometry_error_mm, kawasaki_defect_deg, shifted_vertices, increasing, decreasing, "
        "displacements_mm, elongation, slope_between_min_mm_per_deg, bump_deg, miscut_margin_mm, "
-       "reverses_at_deg FROM candidate WHERE unit = 0 LIMIT 1; INSERT INTO sheet SELECT "
+       "reverses_at_deg, energy_deploys_from_deg, energy_friction_n_mm_per_mm FROM candidate "
+       "WHERE unit = 0 LIMIT 1; INSERT INTO sheet SELECT "
        "9999999999, hash FROM sheet ORDER BY draw LIMIT 1",
        "\"that of draw"},
   };

@@ -204,8 +204,9 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
   ASSERT_GE(history.between.bump_where, 0);
   const solver::PerforatedSheet& base = evaluator.campaign().pattern.base;
   const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + evaluator.shifts_mm(kDraw);
+  const solver::Model model(base);
   const solver::Metrics metrics =
-      solver::measure(base, vertices_mm, solver::record_path(solver::Model(base), vertices_mm), 1);
+      solver::measure(model, vertices_mm, solver::record_path(model, vertices_mm));
   EXPECT_LT(*metrics.slope_between_min_mm_per_deg, 0);
   EXPECT_GT(*metrics.slope_min_mm_per_deg, 0) << "which the samples do not show";
 

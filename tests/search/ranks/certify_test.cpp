@@ -142,7 +142,7 @@ TEST(FarFromTheBase, CertificatesBeginWithThePathsOwnStates) {
   const schema::Campaign campaign =
       schema::read_campaign_file(MISALIGN_SOURCE_DIR "/search/campaigns/turned-quads-6x6.json");
   const solver::Model model = model_of(campaign);
-  RowCertifier certifier(campaign.pattern, model, false);
+  RowCertifier certifier(campaign.pattern, model);
   for (const std::uint64_t draw : {102617u, 208194u}) {
     const auto row = certifier.certify(draw, shifts_of_draw(campaign, draw), 60);
     EXPECT_EQ(row.certified_deg, 60) << draw;
@@ -179,16 +179,16 @@ TEST(CertificateRows, AnswerWhatAnotherOneWouldNotAnswerBetter) {
   schema::CertificateRecord row;
   row.asked_deg = 170;
   row.end = "reversal";
-  EXPECT_TRUE(answers(row, 170, false));
-  EXPECT_TRUE(answers(row, 160, false));
-  EXPECT_FALSE(answers(row, 171, false));
-  EXPECT_FALSE(answers(row, 170, true));
+  EXPECT_TRUE(answers(row, 170, {.contact = false}));
+  EXPECT_TRUE(answers(row, 160, {.contact = false}));
+  EXPECT_FALSE(answers(row, 171, {.contact = false}));
+  EXPECT_FALSE(answers(row, 170, {.contact = true}));
   row.contact = true;
-  EXPECT_TRUE(answers(row, 170, true));
-  EXPECT_TRUE(answers(row, 170, false));
+  EXPECT_TRUE(answers(row, 170, {.contact = true}));
+  EXPECT_TRUE(answers(row, 170, {.contact = false}));
   row.end = "contact";  // without panels it may go farther
-  EXPECT_TRUE(answers(row, 170, true));
-  EXPECT_FALSE(answers(row, 170, false));
+  EXPECT_TRUE(answers(row, 170, {.contact = true}));
+  EXPECT_FALSE(answers(row, 170, {.contact = false}));
 }
 
 // Whether the second opinion asks for an interval in which what ends a certificate happens.

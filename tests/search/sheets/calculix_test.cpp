@@ -168,8 +168,8 @@ TEST_F(Calculix, SpringsAreRelaxedWhereTheyAreToBe) {
   }
   solver::ReleaseOptions options;
   options.from_deg = 15;
-  options.sheet.springs.stiffness_n_per_mm = model_.actuators().stiffness_n_per_mm;
-  options.sheet.springs.rest_deg = 30;
+  options.sheet.springs().stiffness_n_per_mm = model_.actuators().springs().stiffness_n_per_mm;
+  options.sheet.springs().rest_deg = 30;
   const auto rigid = deployed(folded_, options).run.rows;
   EXPECT_NEAR(energy_n_mm, rigid.front().springs_n_mm, 1e-6);
   schema::DeckOptions damped;

@@ -6,6 +6,8 @@
 
 #include "search/sheets/better_sheet.hpp"
 #include "search/sheets/deploy_input.hpp"
+#include "search/sheets/study_json.hpp"
+#include "search/sheets/study_texts.hpp"
 
 namespace misalign::search {
 namespace {
@@ -54,6 +56,32 @@ TEST(Studies, SayThatAPathIsLost) {
   expect_refused([&] { contact_of(lost.sheet, {0, {}}); }, Cause::failure, start);
   expect_refused([&] { deployed(lost.sheet, {}); }, Cause::failure, start);
   expect_refused([&] { bent_sheet(lost.sheet, {}, {}); }, Cause::failure, start);
+}
+
+// Both springs of a hole cross at its middle when the sheet is flat.
+TEST(Studies, SayWhichSpringsTouch) {
+  const Subject subject =
+      subject_of({{"family", "miura"},
+                  {"rows", 4},
+                  {"columns", 4},
+                  {"displacements_mm", {{"A7", {0.4, 0.4}}, {"A13", {0.4, -0.4}}}}});
+  const double from_deg = std::min(1.0, subject.sheet.deploys_from_deg());
+  const auto judged = [&](std::optional<double> diameter_mm, std::optional<double> end_mm) {
+    return contact_of(subject.sheet, {{}, from_deg, spring_bodies({}, diameter_mm, end_mm)});
+  };
+  EXPECT_TRUE(study_json(subject, judged({}, {})).at("springs").is_null());
+  const solver::ContactStudy study = judged(4, {});
+  const Json json = study_json(subject, study).at("springs");
+  EXPECT_EQ(json.at("end_mm"), 8);
+  ASSERT_EQ(json.at("springs").at("touching").size(), subject.chosen.base.base.holes.size());
+  for (const Json& met : json.at("springs").at("touching")) {
+    EXPECT_EQ(met.at("springs").size(), 2);
+    EXPECT_NEAR(met.at("clear_mm").get<double>(), -4, solver::kSpringTouch_mm);
+  }
+  const std::string first = json.at("springs").at("touching")[0].at("springs")[0];
+  const std::string text = contact_text(subject.chosen.base, subject.sheet.panels(), study);
+  EXPECT_NE(text.find("touch          springs " + first), text.npos) << text;
+  expect_refused([&] { judged(4, 60); }, Cause::bad_request, "end_mm=60: leaves nothing");
 }
 
 TEST(Studies, SayThatPanelsAreTooThin) {

@@ -96,7 +96,7 @@ TEST_F(FunctionsOfSheets, SayWhatTheStudiesSay) {
       if (studied.deploys_from_deg() < from_deg) continue;
       solver::ReleaseOptions options;
       options.from_deg = from_deg;
-      options.sheet.springs.stiffness_n_per_mm = 2;
+      options.sheet.springs().stiffness_n_per_mm = 2;
       options.sheet.joints.friction_n_mm_per_mm = 1e-4;
       const solver::DeploymentStudy study = *solver::deploy(studied, options);
       EXPECT_EQ(of("critical_friction_n_mm_per_mm", draw),
@@ -109,7 +109,7 @@ TEST_F(FunctionsOfSheets, SayWhatTheStudiesSay) {
       EXPECT_EQ(of("first_contact_deg", draw), contact.first ? contact.first->pilot_deg : -1);
       // By its history at the samples, which shares no table with the way.
       const solver::Actuation springs =
-          solver::actuate(studied, solver::Actuators{2, {}}, from_deg);
+          solver::actuate(studied, solver::Actuators{solver::Springs{2}, {}}, from_deg);
       EXPECT_NEAR(of("energy_n_mm", draw),
                   springs.energy_n_mm[static_cast<std::size_t>(springs.from_row)], 1e-6);
     }

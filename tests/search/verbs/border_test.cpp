@@ -29,6 +29,7 @@ TEST(Border, ParametersAreOptions) {
       {"rest_deg", true, "--rest-deg "},
       {"rest", true, "--rest "},
       {"hinge_rest_deg", true, "--hinge-rest "},
+      {"stiffness_n_per_mm", true, "--stiffness "},
       {"dash_mm", true, "--dash-mm "},
       {"bore_edge_mm", false, "--bore-edge"},
       {"allow_mixed_builds", false, "--allow-mixed-builds"}};

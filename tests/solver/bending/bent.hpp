@@ -35,6 +35,9 @@ struct Bent : testing::Test {
   BentPanels bent(const ReleaseOptions& deploying, const BentPanelsOptions& options = {}) const {
     return *bend_panels(own.sheet, deploying, options);
   }
+  static Filling springs(double n_per_mm, const Eigen::VectorXd& free_mm) {
+    return Filling::of_springs(Eigen::VectorXd::Constant(free_mm.size(), n_per_mm), free_mm);
+  }
   const OwnSheet own;
 };
 

@@ -28,7 +28,7 @@ struct TwoBentPanels {
     panels.folds = {{1, 4, 0, 1, 1}};
   }
   ElasticSheet sheet(double thickness_mm, double stiffer) const {
-    return {flat_mm, panels, {{0, 0, 0, 0, 2}}, {70, kNu}, thickness_mm, stiffer};
+    return {flat_mm, panels, {{0, 0, 0, 0, 2}, {0, 0, 0, 3, 5}}, {70, kNu}, thickness_mm, stiffer};
   }
   Matrix3Xd folded(double phi) const {
     const double c = kA * std::cos(phi / 2), s = kA * std::sin(phi / 2);
@@ -59,7 +59,8 @@ TEST(BentState, TwoPanelsByHand) {
     EXPECT_NEAR(std::abs(give.saddle_mm_per_n(0, 0)), std::sin(phi / 2) / (2 * k_saddle),
                 kInPlane / k_saddle);
     const double longer = 2 * TwoBentPanels::kA * (std::cos(phi / 2) - 1);
-    const BentState state = bend(give, {3, sheet.flat_lengths_mm()});
+    const Filling one = Filling::of_springs(Eigen::Vector2d(3, 0), sheet.flat_lengths_mm());
+    const BentState state = bend(give, one);
     EXPECT_NEAR(state.n_mm / (longer * longer / 2 / (1 / 3.0 + by_hand)), 1, kInPlane);
   }
 }
@@ -108,10 +109,11 @@ TEST_F(Bent, Derivatives) {
   std::normal_distribution<double> off_mm(0, 0.3);
   Matrix3Xd at_mm = folded(50);
   for (Index i = 0; i < at_mm.size(); ++i) at_mm.data()[i] += off_mm(random);
-  const VectorXd relaxed_mm = 0.99 * sheet.flat_lengths_mm();
+  const Filling filling = springs(20, 0.99 * sheet.flat_lengths_mm());
+  const VectorXd none_n = VectorXd::Zero(sheet.diagonals());
   const auto energy_at = [&](const Matrix3Xd& place_mm) {
     ElasticSheet::Energy energy = sheet.panels_energy(place_mm);
-    sheet.add_springs(place_mm, 20, relaxed_mm, energy);
+    sheet.add_filling(place_mm, filling, none_n, energy);
     return energy;
   };
   ElasticSheet::Energy energy = energy_at(at_mm);
@@ -170,9 +172,9 @@ TEST_F(Bent, NewtonAndLinear) {
   const ElasticSheet sheet = panels();
   const auto bent_at = [&](double pilot_deg, double n_per_mm) {
     const Matrix3Xd at_mm = folded(pilot_deg);
-    return bend_far(sheet, at_mm, {n_per_mm, sheet.flat_lengths_mm()}).value();
+    return bend_far(sheet, at_mm, springs(n_per_mm, sheet.flat_lengths_mm())).value();
   };
-  const DiagonalSprings weak{1e-4, sheet.flat_lengths_mm()};
+  const Filling weak = springs(1e-4, sheet.flat_lengths_mm());
   const BentFollower::State far = bent_at(36, 1e-4);
   EXPECT_NEAR(far.n_mm / bend(find_compliance(sheet, folded(36)).value(), weak).n_mm, 1, 1e-5);
   const BentFollower::State middle = bent_at(36, 50), above = bent_at(36.01, 50),
@@ -182,7 +184,8 @@ TEST_F(Bent, NewtonAndLinear) {
   EXPECT_NEAR(sheet.turned_mm(middle.at_mm), sheet.turned_mm(folded(36)), 1e-8);
   // At rest: what is left of all forces is the multiplier's.
   ElasticSheet::Energy energy = sheet.panels_energy(middle.at_mm);
-  sheet.add_springs(middle.at_mm, 50, sheet.flat_lengths_mm(), energy);
+  sheet.add_filling(middle.at_mm, springs(50, sheet.flat_lengths_mm()),
+                    VectorXd::Zero(sheet.diagonals()), energy);
   const VectorXd left_n = energy.slope - middle.moment_n * sheet.turned_slope(middle.at_mm);
   EXPECT_LT(left_n.norm(), 1e-7 * middle.forces_n.norm());
 }
@@ -200,7 +203,7 @@ TEST_F(Bent, FromRigidToSoft) {
                   *find_friction_limits(as_rigid, 36).critical_n_mm_per_mm,
               1, 1e-4);
   EXPECT_NEAR(rigid.angles.back().bent.n_mm / rigid.angles.back().rigid_n_mm, 1, 1e-6);
-  deploying.sheet.springs.stiffness_n_per_mm = 1e5;
+  deploying.sheet.springs().stiffness_n_per_mm = 1e5;
   BentPanelsOptions linear;
   linear.method = BendMethod::linear;
   deploying.sheet.plates.thickness_mm = 0.5;
@@ -284,7 +287,7 @@ TEST(BentPanels, UsefulSprings) {
     ReleaseOptions deploying;
     deploying.from_deg = 90;
     deploying.sheet.plates.thickness_mm = 0.5;
-    deploying.sheet.springs.stiffness_n_per_mm = n_per_mm;
+    deploying.sheet.springs().stiffness_n_per_mm = n_per_mm;
     return *bend_panels(own.sheet, deploying)->friction.critical_n_mm_per_mm;
   };
   EXPECT_NEAR(critical(useful) / critical(1e6), kUseful, 0.01);

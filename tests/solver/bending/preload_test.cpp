@@ -11,21 +11,20 @@ using Eigen::VectorXd;
 // Programs that share no code found of Table 1: 1 mm best with 0.05 N, none left at 0.10; 4 mm 3
 // and 6; of 18 ways to leave flat eight or nine are unstable with any preload.
 TEST_F(Bent, PreloadOfTable1) {
-  const VectorXd all = Preload{1, {}}.forces_n(own.sheet.mechanism().diagonals);
+  const VectorXd all = sides_of_diagonals(*own.sheet.way());
   const PreloadAtFlat thin = *preload_at_flat(own.sheet, {}, 1, all),
                       thick = *preload_at_flat(own.sheet, {}, 4, all);
   EXPECT_NEAR(thin.best_n(), 0.05, 0.005);
   EXPECT_NEAR(thick.best_n(), 3, 0.3);
   const ElasticSheet sheet = panels();
-  const VectorXd signs = (sheet.lengths_mm(folded(5)) - sheet.flat_lengths_mm()).cwiseSign();
   for (const double preload_n : {0.001, 0.05, 1.0}) {
     const FlatModes modes =
-        find_flat_modes(sheet, {50, sheet.flat_lengths_mm() - preload_n / 50 * signs});
+        find_flat_modes(sheet, springs(50, sheet.flat_lengths_mm() - preload_n / 50 * all));
     EXPECT_EQ(modes.rigid, 18);
     EXPECT_GE(modes.unstable, 8);
     EXPECT_LE(modes.unstable, 9);
   }
-  EXPECT_EQ(find_flat_modes(sheet, {50, sheet.flat_lengths_mm()}).unstable, 0);
+  EXPECT_EQ(find_flat_modes(sheet, springs(50, sheet.flat_lengths_mm())).unstable, 0);
 }
 
 // The rigid sheet's moment grows with the angle under preload, and the bent one's too.
@@ -33,14 +32,14 @@ TEST_F(Bent, PreloadMovesItOnNearFlat) {
   ReleaseOptions deploying;
   deploying.sheet.plates.thickness_mm = 4;
   const double without = bent(deploying).friction.static_n_mm_per_mm;
-  deploying.sheet.springs.preload.each_n = 3;
+  deploying.sheet.springs().preload.each_n = 3;
   const BentPanels with = bent(deploying);
   EXPECT_GT(with.friction.static_n_mm_per_mm, 20 * without);
   const BentWay way(own.sheet, {}, 4, 1, 36, 16);
-  const VectorXd all = Preload{1, {}}.forces_n(own.sheet.mechanism().diagonals);
+  const VectorXd all = sides_of_diagonals(*own.sheet.way());
   const BestPreload best = best_preload(way, 50, 1, *preload_at_flat(own.sheet, {}, 4, all), all);
   EXPECT_GE(best.static_n_mm_per_mm, with.friction.static_n_mm_per_mm * (1 - 1e-6));
-  deploying.sheet.springs.rest_deg = 20;
+  deploying.sheet.springs().rest_deg = 20;
   EXPECT_EQ(bend_panels(own.sheet, deploying, {}).fault()->name, "preload_n");
 }
 
@@ -55,7 +54,7 @@ TEST_F(Bent, PreloadSwingsItAboutFlat) {
        {Preload{30, {}}, Preload{20, {own_n(0, 0), own_n(5, 60), own_n(10, 3)}}}) {
     ReleaseOptions deploying;
     deploying.from_deg = 1.5;
-    deploying.sheet.springs.preload = preload;
+    deploying.sheet.springs().preload = preload;
     BentPanelsOptions rock;
     rock.material.e_gpa = 1e11;
     const BentPanels panels = *bend_panels(own.sheet, deploying, rock);

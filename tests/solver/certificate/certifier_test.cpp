@@ -103,7 +103,7 @@ void expect_slopes_of_lengths(const PaperSheet& sheet) {
     const PathInterval& interval = sheet.certificate.intervals.at(k);
     PathTube tube;
     ASSERT_EQ(prover.prove(interval, 2 * interval.box, tube), TubeProver::End::proven);
-    const std::vector<PathModel> slopes = prover.find_slopes(tube);
+    const std::vector<PathModel> slopes = prover.find_diagonals(tube).slopes;
     const double at_deg = 0.3 * interval.from_deg + 0.7 * interval.to_deg;
     constexpr double kStep_deg = 1e-3;
     const auto behind = sheet.lengths(sheet.solved(interval.middle, at_deg - kStep_deg));

@@ -40,7 +40,7 @@ struct PinnedSheet : testing::Test {
   }
   PinStudy study(double stiffness_n_per_mm = 50, double own_mm = 0) const {
     ReleaseOptions options;
-    options.sheet.springs.stiffness_n_per_mm = stiffness_n_per_mm;
+    options.sheet.springs().stiffness_n_per_mm = stiffness_n_per_mm;
     return *study_pins(own.sheet, options, own_mm);
   }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <numeric>
+#include <random>
 
 #include "solver/linear/simplex.hpp"
 #include "tests/solver/parallel_coordinates.hpp"

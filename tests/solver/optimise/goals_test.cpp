@@ -25,7 +25,7 @@ class Goals : public Optimising {
   Goals() { options_.used_from_deg = 150; }
 
   Matrix2Xd next_start() { return Optimising::next_start(false); }
-  Springs& springs() { return options_.deploying.sheet.springs; }
+  Springs& springs() { return options_.deploying.sheet.springs(); }
 };
 
 struct GoalCase {
@@ -168,7 +168,9 @@ TEST_F(Goals, RestStiffnessIsTheCurvatureOfTheEnergy) {
     const BentWay way(sheet, {}, 1, 50, 60.2, 16);
     VectorXd relaxed_mm, rates;
     sheet.way()->find_lengths(sheet.way()->x_of(60), relaxed_mm, rates);
-    const auto bent = way.bend({n_per_mm, relaxed_mm}, BendMethod::linear);
+    const auto bent =
+        way.bend(Filling::of_springs(VectorXd::Constant(relaxed_mm.size(), n_per_mm), relaxed_mm),
+                 BendMethod::linear);
     int near = 0;
     for (const BentAngle& angle : bent) {
       const double off_rad = (angle.pilot_deg - 60) * kRadPerDeg;
@@ -182,9 +184,9 @@ TEST_F(Goals, RestStiffnessIsTheCurvatureOfTheEnergy) {
     springs().rest_deg = 0;
     springs().preload.each_n = 0.02;
     const RestStiffness flat = *rest_stiffness(sheet, options_.deploying, {});
-    const PreloadAtFlat at_flat =
-        *preload_at_flat(sheet, {}, 1, VectorXd::Ones(sheet.mechanism().diagonal_count()));
-    EXPECT_NEAR(flat.n_mm_per_rad / at_flat.stiffness_n_mm(0.02), 1, 1e-12);
+    const PreloadAtFlat at_flat = *preload_at_flat(sheet, {}, 1, sides_of_diagonals(*sheet.way()));
+    // The preload is the difference of two lengths, 4e-4 of 140 mm.
+    EXPECT_NEAR(flat.n_mm_per_rad / at_flat.stiffness_n_mm(0.02), 1, 1e-9);
     springs().rest_deg = 60;
     EXPECT_FALSE(rest_stiffness(sheet, options_.deploying, {})) << "at a stop, with a preload";
   }

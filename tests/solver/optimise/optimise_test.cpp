@@ -120,7 +120,7 @@ TEST_F(Optimising, FreeShiftsGoOnFromTernaryOnes) {
 
 TEST_F(Optimising, BentPanelsHaveTheirOwnGoals) {
   options_.ternary = true;
-  options_.deploying.sheet.springs.preload.each_n = 0.02;
+  options_.deploying.sheet.springs().preload.each_n = 0.02;
   for (const Goal* const goal : {goal_named("bent_critical_friction_n_mm_per_mm"),
                                  goal_named("static_friction_n_mm_per_mm")}) {
     options_.goal = goal;
@@ -215,7 +215,7 @@ TEST_F(Optimising, SpringsHoldEnergyAtFlatFoldedEnds) {
         return (at_mm.col(diagonal.to) - at_mm.col(diagonal.from)).norm();
       };
       const double longer_mm = length_mm(sheet.shapes_mm()[179]) - length_mm(sheet.vertices_mm());
-      n_mm += deploying.sheet.springs.stiffness_n_per_mm * longer_mm * longer_mm / 2;
+      n_mm += deploying.sheet.springs().stiffness_n_per_mm * longer_mm * longer_mm / 2;
     }
     EXPECT_NEAR(springs_n_mm(sheet, deploying).value() / n_mm, 1, 1e-6) << "seed " << seed;
     ++flat_folded;
@@ -363,7 +363,7 @@ TEST_F(Optimising, RefusesWhatDoesNotFit) {
   EXPECT_EQ(optimise(correct, options_).fault()->name, "deploys_from_deg");
   EXPECT_EQ(fault_of([](OptimiseOptions& o) {
               o.goal = goal_named("static_friction_n_mm_per_mm");
-              o.deploying.sheet.springs.preload.each_n = 5;  // panels give way to it
+              o.deploying.sheet.springs().preload.each_n = 5;  // panels give way to it
             }),
             "goal");
 }

@@ -29,7 +29,7 @@ class Optimising : public testing::Test {
       }
       const Sheet sheet(solver_, shifts_mm);
       ReleaseOptions flat = options_.deploying;
-      flat.sheet.springs = {};
+      flat.sheet.fill = Springs{};
       if (sheet.deploys_from_deg() >= 150 && friction(sheet, flat) > 0) return shifts_mm;
     }
   }

@@ -166,7 +166,7 @@ TEST_F(Table1Way, CriticalFrictionIsWhereTheMotionJustArrives) {
       }
       options.joints.friction_n_mm_per_mm = *limit;
       EXPECT_NEAR(*find_friction_limits(released(options), from_deg).stiffness_needed_n_per_mm,
-                  Actuators{}.stiffness_n_per_mm, 1e-6);
+                  Springs{}.stiffness_n_per_mm, 1e-6);
     }
   }
 }
@@ -177,7 +177,7 @@ TEST_F(Table1Way, RestsWhereSpringsAreRelaxed) {
   const FoldingHistory history = sheet.history(vertices_mm);
   for (const int rest_deg : {30, 60, 90, 120}) {
     EnergyModel::Options options;
-    options.springs.rest_deg = rest_deg;
+    options.springs().rest_deg = rest_deg;
     const EnergyModel deploying = released(options);
     const std::vector<Equilibrium> found = find_equilibria(deploying);
     ASSERT_EQ(found.size(), 3u) << rest_deg;
@@ -194,7 +194,7 @@ TEST_F(Table1Way, RestsWhereSpringsAreRelaxed) {
 
 TEST_F(Table1Way, ComesToRestThere) {
   EnergyModel::Options options;
-  options.springs.rest_deg = 60;
+  options.springs().rest_deg = 60;
   options.joints.damping_n_mm_s_per_mm = 0.01;
   const double well_x = way.x_of(60);
   for (const double from_deg : {30.0, 156.0}) {

@@ -129,7 +129,7 @@ TEST_F(Table1Sheet, FindsWhatIsFoundAnew) {
   // Its metrics are those of every sample, but for what happens between them.
   PathRecord record = record_of(history, own.model.mechanism());
   record.extremes = found.record().extremes;
-  const Metrics metrics = measure(sheet.base, found.vertices_mm(), record, 1);
+  const Metrics metrics = measure(own.model, found.vertices_mm(), record);
   EXPECT_EQ(found.metrics()->elongation, metrics.elongation);
   EXPECT_EQ(found.metrics()->singular_value_min, metrics.singular_value_min);
   EXPECT_EQ(found.metrics()->slope_between_min_mm_per_deg, metrics.slope_between_min_mm_per_deg);

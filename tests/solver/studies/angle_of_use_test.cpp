@@ -77,7 +77,7 @@ TEST_F(UsedTable1, PlatesFoldAsFarAsTheyAreUsed) {
 TEST_F(UsedTable1, SpringsAreJudgedUpToThere) {
   constexpr double kFrom_deg = 89.75;
   const OwnSheet table1 = own(kFrom_deg);
-  const Actuators wires{2, 0.01};
+  const Actuators wires{Springs{2}, 0.01};
   const Actuation used = actuate(table1.sheet, wires, kFrom_deg),
                   whole = actuate(table1.sheet, wires);
   EXPECT_EQ(used.pilot_deg[static_cast<std::size_t>(used.from_row)], kFrom_deg);

@@ -51,7 +51,7 @@ TEST(StudyResult, IsNoneWherePanelsAreTooThin) {
   const TestSheet sheet(4, 4);
   const OwnSheet own(sheet.base, member_of(sheet.base, 4, true, 1));
   ReleaseOptions deploying;
-  deploying.sheet.springs.preload.each_n = 1e-6;
+  deploying.sheet.springs().preload.each_n = 1e-6;
   BentPanelsOptions options;
   options.method = BendMethod::linear;
   const auto with_thickness = [&](double mm) {

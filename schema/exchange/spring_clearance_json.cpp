@@ -1,0 +1,95 @@
+#include "schema/exchange/spring_clearance_json.hpp"
+
+#include "schema/files/json_values.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using Diagonals = std::vector<solver::Diagonal>;
+
+std::string spring_label(const Diagonals& diagonals, int diagonal) {
+  const solver::Diagonal& line = diagonals[static_cast<std::size_t>(diagonal)];
+  return solver::line_label(line.from, line.to);
+}
+
+Json panel_place(const Pattern& base, const solver::Panels& panels, int panel) {
+  return facet_json(base, panels.facets[static_cast<std::size_t>(panel)]);
+}
+
+Json meeting_json(const Pattern& base, const solver::Panels& panels, const Diagonals& diagonals,
+                  const solver::SpringMeeting& met) {
+  Json json = {{"springs", {spring_label(diagonals, met.spring)}},
+               {"apart_mm", met.apart_mm},
+               {"clear_mm", met.clear_mm},
+               {"pilot_deg", met.pilot_deg}};
+  if (met.other >= 0) json["springs"].push_back(spring_label(diagonals, met.other));
+  if (met.panel >= 0) json["panel"] = panel_place(base, panels, met.panel);
+  return json;
+}
+
+Json meetings_json(const Pattern& base, const solver::Panels& panels, const Diagonals& diagonals,
+                   const solver::SpringMeetings& meetings) {
+  Json touching = Json::array();
+  for (const solver::SpringMeeting& met : meetings.touching) {
+    touching.push_back(meeting_json(base, panels, diagonals, met));
+  }
+  return {{"closest",
+           meetings.closest ? meeting_json(base, panels, diagonals, *meetings.closest) : Json()},
+          {"touching", touching}};
+}
+
+Json offset_json(const Pattern& base, const solver::Panels& panels, const Diagonals& diagonals,
+                 const solver::OffsetEnds& ends) {
+  Json json = {{"kind", offset_name(ends.kind)},
+               {"inset_mm", ends.inset_mm},
+               {"offset_mm", ends.offset_mm ? Json(*ends.offset_mm) : Json()}};
+  if (!ends.offset_mm) return json;
+  json["deploys_from_deg"] = ends.deploys_from_deg;
+  json["monotone"] = ends.monotone;
+  json["diagonals"] = ends.diagonals;
+  json["closest"] = meetings_json(base, panels, diagonals, ends.springs).at("closest");
+  return json;
+}
+
+}  // namespace
+
+const char* offset_name(solver::OffsetKind kind) {
+  return kind == solver::OffsetKind::alternate ? "alternate" : "one_above";
+}
+
+std::string meeting_text(const Pattern& base, const solver::Panels& panels,
+                         const Diagonals& diagonals, const solver::SpringMeeting& met) {
+  const std::string spring = spring_label(diagonals, met.spring);
+  if (met.other >= 0) return "springs " + spring + " and " + spring_label(diagonals, met.other);
+  return "spring " + spring + " and panel " + panel_place(base, panels, met.panel).dump();
+}
+
+Json spring_clearance_json(const Pattern& base, const solver::Panels& panels,
+                           const solver::ContactStudy& study) {
+  if (!study.springs) return nullptr;
+  const solver::SpringClearance& springs = *study.springs;
+  const auto meetings = [&](const solver::SpringMeetings& found) {
+    return meetings_json(base, panels, springs.diagonals, found);
+  };
+  Json apart = {{"pilot_deg", study.pilot_deg}};
+  for (const solver::SpringClearance::Apart& at : springs.apart) {
+    const bool has_holes = std::isfinite(at.least_hole_mm);
+    apart["least_in_hole_mm"].push_back(finite_or_null(at.least_hole_mm));
+    apart["largest_in_hole_mm"].push_back(has_holes ? Json(at.largest_hole_mm) : Json());
+    apart["springs_mm"].push_back(finite_or_null(at.springs_mm));
+    apart["panels_mm"].push_back(finite_or_null(at.panels_mm));
+  }
+  Json json = {{"diameter_mm", springs.bodies.diameter_mm},
+               {"end_mm", springs.bodies.left_out_mm()},
+               {"thickness_mm", springs.bodies.panel_mm},
+               {"reaches_deg", study.reach_deg},
+               {"springs", meetings(springs.springs)},
+               {"panels", meetings(springs.panels)},
+               {"apart", apart}};
+  for (const solver::OffsetEnds& ends : study.offsets) {
+    json["offset_ends"].push_back(offset_json(base, panels, springs.diagonals, ends));
+  }
+  return json;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,24 @@
+// Reads and writes which energy judges a sheet: "by" and "fill" of campaigns and exported
+// candidates.
+#pragma once
+
+#include <optional>
+
+#include "schema/files/input.hpp"
+#include "solver/fill/fill.hpp"
+#include "solver/pattern/perforation.hpp"
+
+namespace misalign::schema {
+
+/// Reads "by" and "fill": the filling whose energy has to fall, relaxed flat and equal in all holes
+/// (springs of 50 N/mm if no filling is given); none if all diagonals have to be monotone.
+std::optional<solver::Fill> read_judging_fill(ObjectReader& reader,
+                                              const solver::PerforatedSheet& base);
+
+/// Returns whether a filling is relaxed flat, so that it can drive a sheet there all the way.
+bool drives_to_flat(const solver::Fill& fill);
+
+/// Returns both keys.
+Json judging_fill_json(const std::optional<solver::Fill>& fill);
+
+}  // namespace misalign::schema

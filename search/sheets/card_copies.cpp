@@ -1,0 +1,78 @@
+#include "search/sheets/card_copies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/pattern/perforation_check.hpp"
+#include "search/sheets/backlash.hpp"
+#include "search/sheets/tolerance.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::CardLine;
+using Bound = CardLine::Bound;
+
+double yield_of(const ChosenSheet& chosen, const solver::Sheet& sheet,
+                const schema::Campaign& campaign, double miscut_mm, double used_deg,
+                const CopyTrials& copies) {
+  check_miscut(miscut_mm, sheet.base().sheet, chosen.shifts_mm, sheet.name());
+  ToleranceOptions study;
+  study.amplitude_mm = miscut_mm;
+  study.trials = copies.trials;
+  study.jobs = copies.jobs;
+  study.set = solver::available_instruction_sets().back();
+  // The first sample from the angle of use on: copies are judged at samples.
+  const double sample_deg = chosen.sampling.sample_deg,
+               from_deg = std::ceil(used_deg / sample_deg - 1e-9) * sample_deg;
+  const std::vector<Eigen::Matrix2Xd> shifts_mm = {chosen.shifts_mm};
+  const schema::Campaign used =
+      used_from(campaign, from_deg, shifts_mm, study, [&](std::size_t) { return sheet.name(); });
+  const solver::Tolerance tolerance = study_tolerance(used, shifts_mm, study).front();
+  return static_cast<double>(tolerance.survivors()) /
+         static_cast<double>(std::max<std::uint64_t>(1, tolerance.copies.decided()));
+}
+
+}  // namespace
+
+std::vector<CardLine> copy_lines(const ChosenSheet& chosen, const solver::Sheet& sheet,
+                                 const schema::Design& design, double used_deg,
+                                 const CopyTrials& copies) {
+  std::vector<CardLine> lines;
+  const schema::Campaign campaign = chosen.drawn ? chosen.drawn->campaign : chosen.as_campaign();
+  const bool is_overconstrained = schema::is_overconstrained(sheet.base());
+  if (design.miscut_mm) {
+    const double wanted = design.yield.value_or(solver::kWantedShare);
+    if (is_overconstrained) {
+      lines.push_back({"yield", "Yield of miscut copies", "", wanted, 0, Bound::at_least,
+                       "no miscut copy of an overconstrained sheet folds; `misalign tolerance` "
+                       "gives its joint gaps"});
+    } else {
+      lines.push_back({"yield", fmt::format("Yield at ±{:g} mm cutting error", *design.miscut_mm),
+                       "", wanted,
+                       yield_of(chosen, sheet, campaign, *design.miscut_mm, used_deg, copies),
+                       Bound::at_least, ""});
+    }
+  }
+  if (design.play_mm && is_overconstrained) {
+    lines.push_back({"play_mm",
+                     "Largest joint clearance",
+                     "mm",
+                     design.play_mm,
+                     {},
+                     Bound::at_least,
+                     "the joints of an overconstrained sheet allow none"});
+  } else if (design.play_mm) {
+    const std::vector<Eigen::Matrix2Xd> shifts_mm = {chosen.shifts_mm};
+    const BacklashStudy study(campaign, shifts_mm, {});
+    const auto loose = study.run({*design.play_mm, copies.trials, copies.jobs}).front();
+    lines.push_back({"play_mm",
+                     fmt::format("Largest joint clearance, from {:g}° to D", loose.from_deg), "mm",
+                     design.play_mm, loose.largest_mm, Bound::at_least, ""});
+  }
+  return lines;
+}
+
+}  // namespace misalign::search
