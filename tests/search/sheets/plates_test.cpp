@@ -136,7 +136,7 @@ TEST_F(Plates, DeployAgainstFriction) {
   const std::string text = deployment_text(mechanism, study);
   EXPECT_NE(text.find("rubber plates of 1 mm, shear modulus 0.5 MPa, pre-stretched by 1.1"),
             std::string::npos);
-  EXPECT_EQ(text.find("spring"), text.find("worth springs") + 6) << text;  // the equivalent ones
+  EXPECT_EQ(text.find("spring"), std::string::npos) << text;
   const schema::Json json = study_json(subject_, ReleasedSheet{study, {}, {}});
   EXPECT_EQ(json["fill"]["shear_mpa"], 0.5);
   EXPECT_FALSE(json.contains("springs"));
@@ -145,7 +145,7 @@ TEST_F(Plates, DeployAgainstFriction) {
 TEST_F(Plates, AreNamedInTextsAndKits) {
   const std::string text = actuators_text(subject_.sheet, actuation_);
   EXPECT_TRUE(text.starts_with("rubber plates of 1 mm")) << text;
-  EXPECT_EQ(text.find("spring"), std::string::npos) << text;
+  EXPECT_EQ(text.find("spring"), text.find("worth springs") + 6) << text;  // the equivalent ones
   const std::string guide = schema::kit_guide(
       {subject_.sheet, {}, subject_.model.design(), actuation_, nullptr, "a kit", ""});
   EXPECT_NE(guide.find("<h2>Rubber plates</h2>"), std::string::npos);
