@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "schema/files/text_table.hpp"
-#include "solver/motion/sheet_filling.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -12,7 +12,7 @@
 #include "schema/kit/sheet_pictures.hpp"
 #include "schema/pattern/fill_words.hpp"
 #include "solver/motion/plates.hpp"
-#include "solver/motion/sheet_filling.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 
 namespace misalign::schema {
 namespace {

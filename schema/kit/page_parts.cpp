@@ -8,7 +8,7 @@
 #include "schema/exchange/xml_text.hpp"
 #include "schema/kit/kit_hinges.hpp"
 #include "schema/pattern/fill_words.hpp"
-#include "solver/motion/sheet_filling.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -11,7 +11,7 @@
 #include "schema/kit/kit_notes.hpp"
 #include "schema/kit/kit_outline.hpp"
 #include "schema/kit/stroke_font.hpp"
-#include "solver/motion/sheet_filling.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 #include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::schema {

@@ -107,15 +107,11 @@ std::optional<OptionFault> nothing_left(const Sheet& sheet, const SpringBodies& 
 
 }  // namespace
 
-std::vector<int> sprung_diagonals(const Fill& fill, const std::vector<Diagonal>& diagonals) {
+std::vector<int> sprung_diagonals(const Filling& filling) {
   std::vector<int> sprung;
-  const auto* const springs = std::get_if<Springs>(&fill);
-  for (std::size_t d = 0; springs && d < diagonals.size(); ++d) {
-    const auto is_its = [&](const SingleSpring& single) { return single.is_on(diagonals[d]); };
-    const auto single = std::ranges::find_if(springs->single, is_its);
-    const bool is_single = single != springs->single.end();
-    const double rate = is_single ? single->stiffness_n_per_mm : springs->stiffness_n_per_mm;
-    if (rate > 0) sprung.push_back(static_cast<int>(d));
+  const Eigen::VectorXd& rates = filling.rates_n_per_mm();
+  for (Eigen::Index d = 0; d < rates.size(); ++d) {
+    if (rates(d) > 0) sprung.push_back(static_cast<int>(d));
   }
   return sprung;
 }
@@ -123,7 +119,7 @@ std::vector<int> sprung_diagonals(const Fill& fill, const std::vector<Diagonal>&
 std::vector<SpringAxis> spring_axes(const Mechanism& mechanism, const Panels& panels,
                                     const FoldingWay& way, const SpringBodies& bodies) {
   std::vector<SpringAxis> axes;
-  for (const int diagonal : sprung_diagonals(bodies.fill, mechanism.diagonals)) {
+  for (const int diagonal : sprung_diagonals(filling_on(way, bodies.fill))) {
     axes.push_back(spring_axis(mechanism, panels, way.geometry(), diagonal, bodies.left_out_mm()));
   }
   return axes;
@@ -160,9 +156,9 @@ StudyResult<SpringClearance> spring_clearance(const Sheet& sheet, const PanelMot
   return study;
 }
 
-StudyResult<std::vector<std::array<int, 2>>> touching_springs(const Sheet& sheet,
-                                                              const SpringBodies& bodies,
-                                                              double from_deg) {
+StudyResult<std::vector<std::pair<int, int>>> touching_springs(const Sheet& sheet,
+                                                               const SpringBodies& bodies,
+                                                               double from_deg) {
   if (auto fault = beyond_d(sheet, from_deg)) return *fault;
   const std::optional<PanelMotion> motion = resolved_motion(sheet);
   if (!motion) return NoResult::path_lost;
@@ -172,9 +168,9 @@ StudyResult<std::vector<std::array<int, 2>>> touching_springs(const Sheet& sheet
   const FoldingWay& way = motion->way();
   const auto axes = spring_axes(sheet.mechanism(), sheet.panels(), way, everywhere);
   const double end = way.x_of(std::min(from_deg, way.pilot_deg(motion->resolved_until())));
-  std::vector<std::array<int, 2>> pairs;
+  std::vector<std::pair<int, int>> pairs;
   for (const SpringMeeting& met : springs_that_meet(*motion, axes, everywhere, end).touching) {
-    pairs.push_back({met.spring, met.other});
+    pairs.emplace_back(met.spring, met.other);
   }
   return pairs;
 }

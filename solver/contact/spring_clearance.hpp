@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "solver/contact/spring_walk.hpp"
-#include "solver/fill/fill.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 #include "solver/studies/study_result.hpp"
 
 namespace misalign::solver {
@@ -63,7 +63,7 @@ struct SpringClearance {
 };
 
 /// Diagonals that have a spring, ascending; none of plates.
-std::vector<int> sprung_diagonals(const Fill& fill, const std::vector<Diagonal>& diagonals);
+std::vector<int> sprung_diagonals(const Filling& filling);
 
 /// Axes of these diagonals' springs with ends where the mechanism has them.
 std::vector<SpringAxis> spring_axes(const Mechanism& mechanism, const Panels& panels,
@@ -82,8 +82,8 @@ StudyResult<SpringClearance> spring_clearance(const Sheet& sheet, const PanelMot
 
 /// Pairs of diagonals whose springs touch between flat and an angle, if every diagonal has one.
 /// Fault: from_deg lies beyond D; end_mm leaves nothing of a spring. Reason: path_lost.
-StudyResult<std::vector<std::array<int, 2>>> touching_springs(const Sheet& sheet,
-                                                              const SpringBodies& bodies,
-                                                              double from_deg);
+StudyResult<std::vector<std::pair<int, int>>> touching_springs(const Sheet& sheet,
+                                                               const SpringBodies& bodies,
+                                                               double from_deg);
 
 }  // namespace misalign::solver

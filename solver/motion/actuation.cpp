@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "solver/continuation/path.hpp"
-#include "solver/motion/sheet_filling.hpp"
 #include "solver/records/metrics.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "solver/motion/plates.hpp"
-#include "solver/motion/sheet_filling.hpp"
 #include "solver/sheet/sheet.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 
 namespace misalign::solver {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/fill/hole_energy.hpp"
-#include "solver/motion/sheet_filling.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 #include "solver/studies/study_result.hpp"
 
 namespace misalign::solver {

@@ -1,7 +1,7 @@
 // Chooses the stress-free cut-outs of rubber plates, hole by hole, so that they drive a sheet.
 #pragma once
 
-#include "solver/motion/sheet_filling.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 #include "solver/studies/study_result.hpp"
 #include "solver/studies/wanted.hpp"
 

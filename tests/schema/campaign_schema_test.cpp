@@ -31,7 +31,7 @@ TEST(CampaignSchema, HasTheKeysAndDefaultsOfTheCode) {
   const std::set<std::string> not_in_default = {
       "/pattern/file", "/pattern/mesh", "/pattern/mm_per_unit", "/pattern/pilot",
       "/pattern/springs", "/pattern/springs/attach",
-      // In place of design.springs.
+      // design.fill replaces design.springs.
       "/design/fill",
       // The older name of design.springs.
       "/actuators", "/actuators/stiffness_n_per_mm", "/actuators/stroke_limit"};

@@ -36,7 +36,7 @@ TEST(PlateDrawing, CutOutsHaveTheirDiagonals) {
       EXPECT_LT((along - ratio * flat).norm(), 1e-9) << hole << " " << k;
     }
   }
-  // Without cut-outs of its own a plate is the hole, made smaller.
+  // A plate with no cut-out of its own is the hole, made smaller.
   const auto corners = cut_out_mm(kit.sheet, plates, 0);
   for (std::size_t k = 0; k < 4; ++k) {
     const auto vertex = [&](std::size_t at) {

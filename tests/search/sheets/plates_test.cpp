@@ -158,7 +158,7 @@ TEST_F(Plates, AreNamedInTextsAndKits) {
   EXPECT_NE(guide.find(fmt::format("{:.2f} × {:.2f}", first_mm, second_mm)), std::string::npos);
 }
 
-// At 156 degrees, where all diagonals are monotone, the plates' energy turns.
+// The plates' energy turns at 156 degrees, where all diagonals are monotone.
 TEST_F(Plates, AreJudgedByTheirEnergy) {
   ASSERT_LT(gram_n_mm(Index{154}), gram_n_mm(Index{155}));
   ASSERT_LT(gram_n_mm(Index{156}) - gram_n_mm(Index{155}),

@@ -194,7 +194,7 @@ TEST(EnergyCertificate, is_checked_and_refused_where_false) {
     Springs stop;
     stop.rest_deg = 90;
     EXPECT_NE(sheet.fault_of(made, stop), "");
-    // Of its diagonals it is not true, nor that the closing piece still rises.
+    // The certificate is no proof of its diagonals; the closing piece does not rise.
     Certificate other = made;
     other.criterion = CertifiedBy::diagonals;
     EXPECT_NE(sheet.fault_of(other), "");

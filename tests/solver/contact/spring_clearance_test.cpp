@@ -43,7 +43,8 @@ double line_to_line(const Line& a, const Line& b) {
   return least_of([&](double s) { return point_to_line(a[0] + s * (a[1] - a[0]), b[0], b[1]); });
 }
 
-// Of a plane convex polygon: its height over the plane inside, else to the nearest edge.
+// Distance of a point from a plane convex polygon: its height over the plane inside, else to the
+// nearest edge.
 double point_to_polygon(const Vector3d& point, const std::vector<Vector3d>& polygon) {
   Vector3d normal = Vector3d::Zero();
   for (std::size_t k = 2; k < polygon.size(); ++k) {
@@ -249,7 +250,7 @@ TEST(SpringClearance, ParallelogramsHaveCrossingDiagonals) {
             static_cast<Index>(base.holes.size()));
 }
 
-// On the flat sheet two springs that end at one vertex, at an angle of theta, have ends
+// Two springs that end at one vertex of the flat sheet, at an angle of theta, have ends
 // 2 e sin(theta/2) apart, e being what is left out (the closest points, if theta < 90 degrees or
 // not: rays only part).
 TEST(SpringClearance, SpringsOfOneVertexAreJudgedBehindTheirEnds) {
@@ -304,7 +305,7 @@ TEST(SpringClearance, ASweepSeesTheSamePairs) {
       if (least_mm > limit_mm + kSpringTouch_mm + 1e-3) {
         EXPECT_EQ(found, met.touching.end());
       }
-      // In a tenth of a degree bodies move by up to 0.2 mm, next to the least distance far less.
+      // Bodies move by up to 0.2 mm in a tenth of a degree, next to the least distance far less.
       if (found != met.touching.end()) {
         EXPECT_NEAR(found->apart_mm, least_mm, kSpringTouch_mm + 0.02);
       }
@@ -329,7 +330,7 @@ TEST(SpringClearance, ASweepSeesTheSamePairs) {
   }
 }
 
-// Without one of each two that cross, no two springs are left that touch.
+// No two springs touch once one of each two that cross is left out.
 TEST(SpringClearance, OneSpringInEachHoleMeetsNoOther) {
   const TestSheet sheet{6, 6};
   const OwnSheet own(sheet.base, table1_mm(sheet));

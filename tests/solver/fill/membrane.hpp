@@ -19,7 +19,7 @@ class Membrane {
 
   using Corners = Eigen::Matrix<double, 3, 4>;
 
-  /// Of a stress-free shape in the plane, corners in their order.
+  /// Makes the membrane of a stress-free shape in the plane, corners in their order.
   Membrane(double shear_n_per_mm, const Eigen::Matrix<double, 2, 4>& rest_mm, Wrinkles wrinkles,
            int cells = 8)
       : shear_(shear_n_per_mm), wrinkles_(wrinkles), cells_(cells) {
@@ -170,7 +170,7 @@ class Membrane {
     return free.reshaped();
   }
 
-  // By central differences of the slopes of each triangle.
+  // The stiffness by central differences of the slopes of each triangle.
   Eigen::MatrixXd second_of(Eigen::Matrix3Xd at) const {
     std::vector<Eigen::Index> place(static_cast<std::size_t>(at.cols()), -1);
     for (std::size_t f = 0; f < free_.size(); ++f) {

@@ -137,8 +137,8 @@ TEST(PlateLaw, ForcesAndStiffnessAreDerivatives) {
     const HoleEnergy energy = at(law, here);
     const Eigen::Vector3d slopes(energy.force_n(0), energy.force_n(1), energy.across_n_per_mm);
     for (int k = 0; k < 3; ++k) {
-      // In the state of `here`: 0.01 of stretch is 0.8 mm. Differences are off by h^2 of energies
-      // of some 1e3 N mm that vary over 10 mm.
+      // All steps stay in the state of `here`: 0.01 of stretch is 0.8 mm. Differences are off by
+      // h^2 of energies of some 1e3 N mm that vary over 10 mm.
       const double h = k == 2 ? 1 : 0.01;
       const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(k);
       const HoleEnergy before = at(law, here - step), after = at(law, here + step);
@@ -152,7 +152,7 @@ TEST(PlateLaw, ForcesAndStiffnessAreDerivatives) {
   }
 }
 
-// From one state to another only the stiffness jumps.
+// Only the stiffness jumps from one state to another.
 TEST(PlateLaw, ForcesAreContinuousBetweenItsStates) {
   std::mt19937 random(kSeed);
   const Corners rest_mm = parallelogram();

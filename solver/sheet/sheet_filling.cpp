@@ -1,4 +1,4 @@
-#include "solver/motion/sheet_filling.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 
 #include <cassert>
 
