@@ -153,7 +153,7 @@ constexpr MetricEntry kMetrics[] = {
     {.name = "energy_deploys_from_deg",
      .member = &solver::Metrics::energy_deploys_from_deg,
      .unit = "deg",
-     .meaning = "D by energy: the largest pilot fold angle, up to D, down from which the energy of "
+     .meaning = "D by energy: the largest pilot fold angle down from which the energy of "
                 "the campaign's filling falls at every sample to flat; by springs of 50 N/mm, "
                 "relaxed flat, where the campaign judges diagonals.",
      .range = kNotNegative,

@@ -11,8 +11,8 @@
 #include "schema/kit/kit_notes.hpp"
 #include "schema/kit/kit_outline.hpp"
 #include "schema/kit/stroke_font.hpp"
-#include "solver/sheet/sheet_filling.hpp"
 #include "solver/pattern/crease_pattern.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -164,14 +164,15 @@ Bending BentWay::bending(const Filling& filling) const {
 EnergyCurve BentWay::curve(const Filling& filling, const std::vector<BentAngle>& angles) const {
   const VectorXd& flat_mm = panels_.flat_lengths_mm();
   const double flat_n_mm = filling.energy_n_mm(flat_mm);
-  const Eigen::ArrayXd flat_n = filling.forces_n(flat_mm).cwiseAbs(),
-                       n_per_mm = filling.stiffness_n_per_mm(flat_mm).diagonal();
+  const Eigen::ArrayXd flat_n = filling.forces_n(flat_mm).cwiseAbs();
   VectorXd above(pilot_deg_.size()), reference(pilot_deg_.size()), turned(pilot_deg_.size());
   for (Index k = 0; k < pilot_deg_.size(); ++k) {
     const Compliance& compliance = compliances_[static_cast<std::size_t>(k)];
     above(k) = angles[static_cast<std::size_t>(k)].bent.n_mm - flat_n_mm;
     turned(k) = compliance.turned_mm;
     const Eigen::ArrayXd longer = (compliance.lengths_mm - flat_mm).array().abs();
+    const Eigen::ArrayXd n_per_mm =
+        filling.stiffness_n_per_mm(compliance.lengths_mm).diagonal().cwiseAbs();
     const Eigen::ArrayXd stiffer = 1 + n_per_mm * compliance.mm_per_n.diagonal().array();
     reference(k) = ((n_per_mm * longer.square() / 2 + flat_n * longer) / stiffer).sum();
   }
@@ -232,13 +233,6 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& de
         "bent panels are those of springs on the vertices, and these end beside them",
         "take rigid panels, or \"springs\" out of the pattern"};
   }
-  const auto* const springs = std::get_if<Springs>(&held.fill);
-  if (springs && springs->pull_only) {
-    return OptionFault{"pull_only",
-                       {},
-                       "panels are bent by springs that pull and push",
-                       "leave it out, or take panels that do not bend"};
-  }
   if (options.to_deg >= from_deg) {
     return OptionFault{
         "margin_to_deg", shown("%g", options.to_deg),
@@ -251,6 +245,12 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& de
   if (!way.is_known()) return NoResult::panels_not_stable;
   const EnergyModel rigid(sheet, held);
   const Filling& filling = rigid.filling();
+  if (filling.energy_n_mm(way.compliances().back().lengths_mm) <= 0) {
+    return OptionFault{"fill",
+                       {},
+                       "stores no energy at the start, so that nothing bends the panels",
+                       "give springs or plates that do"};
+  }
   const auto [method, newton_over_linear] =
       options.method ? Bending{*options.method, 1} : way.bending(filling);
   std::vector<BentAngle> angles = way.bend(filling, method);

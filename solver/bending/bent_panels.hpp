@@ -119,8 +119,8 @@ struct BentPanels {
   const BentAngle& most_bent() const;  ///< the angle of the largest stress
   int unsure() const;                  ///< angles where Newton's method did not converge
 };
-/// Faults: those of the angles in `deploy`, springs that only pull, an angle `to_deg` that does not
-/// lie below the start. Reasons: path_lost; panels_not_stable at one of the angles.
+/// Faults: those of the angles in `deploy`, a filling without energy, an angle `to_deg` that does
+/// not lie below the start. Reasons: path_lost; panels_not_stable at one of the angles.
 StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& deploying,
                                     const BentPanelsOptions& options = {});
 

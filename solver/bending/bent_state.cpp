@@ -205,6 +205,13 @@ std::optional<Compliance> find_compliance(const ElasticSheet& sheet, const Matri
                     -sheet.saddle_slopes(folded_mm)(Eigen::all, free) * held.upper(lower)};
 }
 
+VectorXd softened(const Compliance& compliance, const MatrixXd& n_per_mm,
+                  const VectorXd& forces_n) {
+  MatrixXd by_forces = n_per_mm * compliance.mm_per_n;
+  by_forces.diagonal().array() += 1;
+  return by_forces.partialPivLu().solve(forces_n);
+}
+
 BentState bend(const Compliance& compliance, const Filling& filling) {
   assert(filling.diagonals() == compliance.lengths_mm.size());
   const MatrixXd& c = compliance.mm_per_n;
@@ -212,9 +219,7 @@ BentState bend(const Compliance& compliance, const Filling& filling) {
   for (int step = 0; step < kMostStepsOfForces; ++step) {
     const VectorXd off_n = filling.forces_n(lengths_mm) - forces_n;
     if (off_n.norm() <= kForceError * forces_n.norm()) break;
-    MatrixXd by_forces = filling.stiffness_n_per_mm(lengths_mm) * c;
-    by_forces.diagonal().array() += 1;
-    forces_n += by_forces.partialPivLu().solve(off_n);
+    forces_n += softened(compliance, filling.stiffness_n_per_mm(lengths_mm), off_n);
     lengths_mm = compliance.lengths_mm - c * forces_n;
   }
   return {filling.energy_n_mm(lengths_mm) + forces_n.dot(c * forces_n) / 2, forces_n,

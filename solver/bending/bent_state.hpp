@@ -37,6 +37,11 @@ struct BentState {
 /// method; of springs f = (1/k + C)^-1 (L - L0), in one step.
 BentState bend(const Compliance& compliance, const Filling& filling);
 
+/// Forces of a filling of this stiffness (N/mm) that would be `forces_n` with rigid panels, where
+/// panels give way linearly: (1 + K C)^-1 F.
+Eigen::VectorXd softened(const Compliance& compliance, const Eigen::MatrixXd& n_per_mm,
+                         const Eigen::VectorXd& forces_n);
+
 class HeldStiffness;
 
 /// Follows an equilibrium by continuation while its load changes: a tangent as predictor, Newton's

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <limits>
 
+#include "solver/motion/filling_forces.hpp"
 #include "solver/motion/joint_forces.hpp"
 
 namespace misalign::solver {
@@ -67,8 +68,8 @@ class Forces {
       const Crease& crease = mechanism_.creases[c];
       const Vector3d force_n = vector_of(joints.crease_force_n, c),
                      moment_n_mm = vector_of(joints.crease_moment_n_mm, c);
-      on_crease(panel_of(crease.right), crease, force_n, moment_n_mm);
-      on_crease(panel_of(crease.left), crease, -force_n, -moment_n_mm);
+      on_edge(panel_of(crease.right), crease.a, crease.b, force_n, moment_n_mm);
+      on_edge(panel_of(crease.left), crease.a, crease.b, -force_n, -moment_n_mm);
     }
     for (std::size_t b = 0; b < mechanism_.balls.size(); ++b) {
       const BallJoint& ball = mechanism_.balls[b];
@@ -77,13 +78,20 @@ class Forces {
       at_corner(panel_of(ball.from_facet), ball.vertex, -force_n);
     }
   }
-  void add_springs(const VectorXd& forces_n) {
-    for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
-      const Diagonal& at = mechanism_.diagonals[static_cast<std::size_t>(d)];
-      const Vector3d pull_n =
-          forces_n(d) * (folded_mm_.col(at.to) - folded_mm_.col(at.from)).normalized();
-      at_vertex(at.from, pull_n);
-      at_vertex(at.to, -pull_n);
+  // The forces of the rigid sheet's filling, but along the diagonals these.
+  void add_filling(const Filling& filling, const VectorXd& lengths_mm, const VectorXd& forces_n) {
+    const FillingForces pushes(mechanism_, panels_);
+    for (Index h = 0; h < filling.holes(); ++h) {
+      HoleEnergy hole = filling.hole(h, lengths_mm.segment<2>(2 * h));
+      hole.force_n = forces_n.segment<2>(2 * h);
+      for (const FillingForce& force : pushes.of_hole(filling, h, hole, folded_mm_)) {
+        const auto panel = static_cast<std::size_t>(force.panel);
+        if (force.from == force.to) {
+          at_corner(panel, force.from, force.n);
+        } else {
+          on_edge(panel, force.from, force.to, force.n, Vector3d::Zero());
+        }
+      }
     }
   }
   std::vector<PlaneForces> take() { return std::move(forces_); }
@@ -101,21 +109,11 @@ class Forces {
     forces_[panel].corner_n[static_cast<std::size_t>(at)] +=
         (flattened_[panel] * force_n).head<2>();
   }
-  void on_crease(std::size_t panel, const Crease& crease, const Vector3d& force_n,
-                 const Vector3d& moment_n_mm) {
-    const auto edge =
-        static_cast<std::size_t>(edge_between(panels_.corners[panel], crease.a, crease.b));
+  void on_edge(std::size_t panel, int a, int b, const Vector3d& force_n,
+               const Vector3d& moment_n_mm) {
+    const auto edge = static_cast<std::size_t>(edge_between(panels_.corners[panel], a, b));
     forces_[panel].edge_n[edge] += (flattened_[panel] * force_n).head<2>();
     forces_[panel].edge_n_mm[edge] += (flattened_[panel] * moment_n_mm).z();
-  }
-  // A force at a vertex, in equal parts on the panels that meet there, as in PanelLoads.
-  void at_vertex(int vertex, const Vector3d& force_n) {
-    std::vector<std::size_t> met;
-    for (std::size_t k = 0; k < panels_.corners.size(); ++k) {
-      const auto& corners = panels_.corners[k];
-      if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) met.push_back(k);
-    }
-    for (const std::size_t k : met) at_corner(k, vertex, force_n / static_cast<double>(met.size()));
   }
 
   const Mechanism& mechanism_;
@@ -206,7 +204,7 @@ std::vector<std::vector<PlaneForces>> plane_forces(const Sheet& sheet, const Ene
   for (std::size_t k = 0; k < pilot_deg.size(); ++k) {
     Forces forces(sheet, sheet.at(pilot_deg[k]).vertices_mm);
     forces.add_joints(joints, static_cast<Index>(k));
-    forces.add_springs(filling_forces_n[k]);
+    forces.add_filling(rigid.filling(), sheet.at(pilot_deg[k]).length_mm, filling_forces_n[k]);
     all.push_back(forces.take());
   }
   return all;

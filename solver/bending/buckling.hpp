@@ -56,7 +56,7 @@ struct BucklingFactor {
 BucklingFactor buckling_factor(const BucklingPanel& panel, const PlaneForces& forces);
 
 /// Forces in the plane of each panel (second index) at each angle, where the sheet is held and its
-/// springs pull with these forces.
+/// filling pulls along the diagonals with these forces.
 std::vector<std::vector<PlaneForces>> plane_forces(
     const Sheet& sheet, const EnergyModel& rigid, const std::vector<double>& pilot_deg,
     const std::vector<Eigen::VectorXd>& filling_forces_n);
@@ -72,9 +72,9 @@ struct BucklingStudy {
   std::vector<Least> panels;  ///< the least of each panel
   const Least& least() const;
 };
-/// Factors at the angles of a bent sheet down to its options' to_deg, by the forces of its bent
-/// springs: joints balance them at the pose of the rigid sheet. `bent` is of this sheet and these
-/// options.
+/// Factors at the angles of a bent sheet down to its options' to_deg, by the forces of its
+/// filling on bent panels: joints balance them at the pose of the rigid sheet. `bent` is of this
+/// sheet and these options.
 BucklingStudy find_buckling(const Sheet& sheet, const EnergyModel::Options& options,
                             const BentPanels& bent);
 

@@ -1,7 +1,5 @@
 #include "solver/bending/rest_stiffness.hpp"
 
-#include <Eigen/LU>
-
 #include "solver/bending/preload.hpp"
 
 namespace misalign::solver {
@@ -38,9 +36,7 @@ std::optional<RestStiffness> rest_stiffness(const Sheet& sheet, const ReleaseOpt
   const auto compliance = find_compliance(panels, sheet.at(at_deg).vertices_mm);
   if (!compliance) return {};
   const Eigen::MatrixXd stiffness = filling.stiffness_n_per_mm(lengths_mm);
-  Eigen::MatrixXd softer = stiffness * compliance->mm_per_n;
-  softer.diagonal().array() += 1;
-  const VectorXd forces_n = softer.partialPivLu().solve(stiffness * slopes_mm);
+  const VectorXd forces_n = softened(*compliance, stiffness, stiffness * slopes_mm);
   return RestStiffness{slopes_mm.dot(forces_n), forces_n};
 }
 

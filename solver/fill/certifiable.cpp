@@ -9,6 +9,9 @@ const char* why_not(const Springs& springs) {
   if (springs.rest_deg != 0 || !springs.other_rests_deg.empty()) {
     return "springs that are not relaxed flat have more energy there than farther on";
   }
+  if (springs.on != SpringsOn::all) {
+    return "which diagonals have springs depends on how the sheet starts to fold";
+  }
   if (springs.pull_only)
     return "the force of springs that only pull has a corner where they slacken";
   const auto is_rigid = [](const SingleSpring& spring) { return spring.stiffness_n_per_mm > 0; };

@@ -25,7 +25,8 @@ BaseJudge::BaseJudge(const Model& model)
   assert(2 * holes_.size() == model.mechanism().diagonals.size());
   lengths_.resize(2 * holes_.size());
   slopes_ = lengths_;
-  if (!model.criterion().energy) return;
+  const auto& energy = model.criterion().energy;
+  if (!energy || energy->least_friction_n_mm_per_mm == 0) return;
   for (const Station& station : model.path().stations) {
     if (station.sample == 0) continue;
     states_.push_back(base_state(model.mechanism(), model.base().folding,

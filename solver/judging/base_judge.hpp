@@ -33,7 +33,7 @@ class BaseJudge {
   std::vector<double> lengths_, slopes_;  // panel widths; per radian of pilot
   Judge judge_;
   SheetGeometry<double> geometry_;
-  std::vector<FoldState<double>> states_;  // at the samples, if the criterion needs them
+  std::vector<FoldState<double>> states_;  // at the samples, if friction needs them
 };
 
 }  // namespace misalign::solver

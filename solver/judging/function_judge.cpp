@@ -157,7 +157,7 @@ ObserverResult FunctionJudge::see_sample(const Station& station, double x, bool 
   return ObserverResult::go_on;
 }
 
-// Judges the margins of the energy criterion at the threshold.
+// Collects what the margins of the energy criterion need, and judges them at the threshold.
 ObserverResult FunctionJudge::see_drive(const Station& station, double x,
                                         const PathFunction& function) {
   EnergyJudge& energy = *judge_.energy();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "solver/continuation/path.hpp"
@@ -47,7 +48,7 @@ class LaneTest {
   template <class Rules>
   bool report(int place, double farthest_deg, double pilot_deg, int sample, int sheet, int i,
               double error, Rules& rules);
-  double turning_in_lane(int i);
+  ObservedState::Creases creases_in_lane(int i);
   void keep(double pilot_deg, bool goes_on, int next_sample, double longest_deg, int i,
             KeptStates::State& kept) const;
   double pilot_deg(int i) const {
@@ -218,12 +219,11 @@ bool LaneTest<T>::report(int place, double farthest_deg, double pilot_deg, int s
   return rules.observe(sheet, {pilot_deg, sample, pilot_rate, farthest_deg, lane_lengths_.data(),
                                error + rounding_[place], lane_slopes_.data(),
                                slope_error(lane(solver_.slope_correction(), i)) + rounding_[place],
-                               sample > 0 && rules.needs_turning() ? turning_in_lane(i) : 0});
+                               [this, i] { return creases_in_lane(i); }});
 }
 
-// The sum of creases' lengths times |fold angle| of the sheet in this lane, mm.
 template <class T>
-double LaneTest<T>::turning_in_lane(int i) {
+ObservedState::Creases LaneTest<T>::creases_in_lane(int i) {
   const SheetGeometry<T>& geometry = solver_.geometry();
   for (std::size_t k = 0; k < lane_creases_.size(); ++k) {
     const Crease& crease = mechanism_.creases[k];
@@ -233,7 +233,8 @@ double LaneTest<T>::turning_in_lane(int i) {
     const HalfAngle<T>& angle = solver_.state().creases[k];
     lane_creases_[k] = {lane(angle.c, i), lane(angle.s, i)};
   }
-  return turning_mm(lane_creases_mm_, lane_creases_);
+  return {turning_mm(lane_creases_mm_, lane_creases_),
+          std::accumulate(lane_creases_mm_.begin(), lane_creases_mm_.end(), 0.0)};
 }
 
 template <class T>

@@ -2,10 +2,11 @@
 // sample would reject them too.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "solver/model/model.hpp"
-#include "solver/verdict/driving_energy.hpp"
+#include "solver/verdict/energy_judge.hpp"
 #include "solver/verdict/fault.hpp"
 
 namespace misalign::solver {
@@ -21,10 +22,13 @@ struct ObservedState {
   double length_error;
   const double* slopes;
   double slope_error;
-  double turning_mm = 0;  ///< turning of its creases, at a sample if needs_turning()
+  /// Turning of its creases, and the sum of their lengths.
+  struct Creases {
+    double turning_mm, all_mm;
+  };
+  std::function<Creases()> find_creases = {};
 };
 
-/// Springs without preload alone: what preload and plates need, lengths at some states do not show.
 class EnergyRejection {
  public:
   /// The model's criterion must be that of energy.
@@ -34,14 +38,15 @@ class EnergyRejection {
   void begin(int sheets);
   /// The fault that the next state of a sheet with these flat diagonals certainly shows; or none.
   Fault fault_of(int sheet, const ObservedState& now, const double* flat);
-  /// Returns whether states at samples need the turning of their creases.
-  bool needs_turning() const { return friction_n_mm_per_mm_ > 0; }
+  /// Returns whether it judges energies: not those of plates, of preloads and of given free
+  /// lengths.
+  bool judges() const { return energy_.is_relaxed_flat(); }
 
  private:
   struct Sample {
-    int sample;
-    double energy_n_mm, error_n_mm, turning_mm;
+    Bounded energy_n_mm, turning_mm;
   };
+  bool is_missed(const Sample& now, const std::vector<Sample>& before) const;
 
   const Model& model_;
   const double slopes_until_deg_;

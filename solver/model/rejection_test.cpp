@@ -87,7 +87,7 @@ void RejectionTest::expect(int sheet, const signed char* directions, bool both, 
 
 int RejectionTest::next_sample(double pilot_deg) const {
   // Energies are compared at samples, a step apart.
-  if (energy_) {
+  if (holds_every_step()) {
     constexpr double kShare = 0.8;  // of a step: a sheet's pilot may be slower than the base's
     const double far_deg = model_.tests()[0].pilot_deg;
     const double to_deg = pilot_deg + kShare * step_ahead_deg(pilot_deg, far_deg);

@@ -69,12 +69,10 @@ class RejectionTest {
   /// the last one whose slopes count, and each after it.
   int next_sample(double pilot_deg) const;
   /// Returns whether every step ahead that can ends at a sample.
-  bool holds_every_step() const { return energy_.has_value(); }
+  bool holds_every_step() const { return energy_ && energy_->judges(); }
   double shortest_step_deg() const {
-    return energy_ ? kShortestStepByEnergy_deg : kShortestStep_deg;
+    return holds_every_step() ? kShortestStepByEnergy_deg : kShortestStep_deg;
   }
-  /// Returns whether states at samples need the turning of their creases.
-  bool needs_turning() const { return energy_ && energy_->needs_turning(); }
   const std::vector<Rejection>& results() const { return rejections_; }
   bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
 

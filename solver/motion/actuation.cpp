@@ -54,7 +54,8 @@ void find_weakest(const FoldingHistory& history, Actuation& actuation) {
   }
   if (rows.empty()) return;
   const Eigen::MatrixXd moments = actuation.moment_by_n_mm(rows, Eigen::all);
-  if (moments.rowwise().sum().minCoeff() > 0) {
+  const bool is_springs = std::holds_alternative<Springs>(actuation.actuators.fill);
+  if (is_springs && moments.rowwise().sum().minCoeff() > 0) {
     actuation.few = few_diagonals(moments, kShareOfFew, actuation.actuators.never_both);
   }
 }
@@ -128,7 +129,6 @@ Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<
         advantage(history, row, sheet.span_slope_mm_per_deg()[static_cast<std::size_t>(row)]));
   }
   find_weakest(history, actuation);
-  if (!filling.is_springs()) actuation.few.reset();
   find_over_stroke(history, actuation);
   return actuation;
 }

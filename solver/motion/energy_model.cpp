@@ -109,11 +109,6 @@ bool EnergyModel::is_filling_relaxed(double x, double within_mm) const {
   return forces_n.norm() <= within_mm * filling_.stiffness_n_per_mm(lengths_).cwiseAbs().maxCoeff();
 }
 
-HoleEnergy EnergyModel::hole(Index hole, double x) const {
-  way_.find_lengths(x, lengths_, length_rates_);
-  return filling_.hole(hole, lengths_.segment<2>(2 * hole));
-}
-
 VectorXd EnergyModel::crease_moments_n_mm(double x, double x_rate) const {
   way_.find_creases(x, angles_, angle_rates_);
   const JointResistance& joints = options_.joints;

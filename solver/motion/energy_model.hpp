@@ -78,8 +78,6 @@ class EnergyModel {
   Eigen::VectorXd filling_forces_n(double x) const;
   /// Returns whether its forces are no larger than those of diagonals off by `within_mm`.
   bool is_filling_relaxed(double x, double within_mm) const;
-  /// Energy and derivatives of one hole's filling.
-  HoleEnergy hole(Eigen::Index hole, double x) const;
   /// Moment with which each crease resists an increase of its fold angle, at this dx/dt.
   Eigen::VectorXd crease_moments_n_mm(double x, double x_rate) const;
 

@@ -20,7 +20,7 @@ struct JointForces {
     /// moment about the pilot crease, nothing moving.
     bool in_motion = true;
     double from_deg = 1;  ///< the balance is singular closer to flat
-    /// Forces of the springs at each row of the deployment, as where panels bend; empty: those of
+    /// Forces on the diagonals at each row of the deployment, as where panels bend; empty: those of
     /// the rigid sheet.
     std::vector<Eigen::VectorXd> filling_forces_n{};
   };

@@ -1,11 +1,9 @@
 #include "solver/motion/panel_loads.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "solver/fill/edge_forces.hpp"
 #include "solver/kinematics/diagonals.hpp"
 
 namespace misalign::solver {
@@ -53,12 +51,9 @@ PanelLoads::PanelLoads(const EnergyModel& sheet, const FoldedShape& shape,
       mover_(shape, way_, panels_, sheet.options().plates, held_),
       momenta_(momenta_on_the_way(way_, mover_)),
       panel_of_facet_(base.sheet.facets.size(), -1),
-      panels_at_(static_cast<std::size_t>(mechanism().vertices)) {
+      forces_(mechanism(), panels_) {
   for (std::size_t k = 0; k < panels_.facets.size(); ++k) {
     panel_of_facet_[static_cast<std::size_t>(panels_.facets[k])] = static_cast<int>(k);
-    for (const int v : panels_.corners[k]) {
-      panels_at_[static_cast<std::size_t>(v)].push_back(static_cast<int>(k));
-    }
   }
 }
 
@@ -124,68 +119,54 @@ void PanelLoads::add_inertia(VectorXd& loads) const {
   }
 }
 
-// A spring's force acts on the panel that carries its end, or at a vertex in equal parts on all
-// panels that meet there; a plate's forces on the panels that it is bonded to.
+// Springs that end beside the vertices act on the panels that carry their ends.
 void PanelLoads::add_filling(const std::optional<VectorXd>& forces_n, VectorXd& loads) const {
+  VectorXd lengths_mm, rates;
+  way_.find_lengths(x_, lengths_mm, rates);
   const bool at_vertices = mechanism().springs.at_vertices();
-  const auto push = [&](const Loop& loop, int corner, const Vector3d& force_n) {
-    const auto at = static_cast<std::size_t>(corner);
-    std::vector<int> panels{at_vertices ? -1 : panel_of(loop.carriers[at].facet)};
-    if (at_vertices) panels = panels_at_[static_cast<std::size_t>(loop.corners[at])];
-    assert(!panels.empty());
-    const Vector3d end_mm = end_mm_at(loop, corner);
-    for (const int panel : panels) {
-      add(panel, end_mm, force_n / static_cast<double>(panels.size()), Vector3d::Zero(), loads);
-    }
-  };
-  for (int d = 0; d < mechanism().diagonal_count(); d += 2) {
-    HoleEnergy hole = sheet_.hole(d / 2, x_);
-    if (forces_n) hole.force_n = forces_n->segment<2>(d);
-    const Diagonal* const both = mechanism().diagonals.data() + d;
-    const Loop& loop = mechanism().loops[static_cast<std::size_t>(both->loop)];
-    if (!sheet_.filling().is_springs()) {
-      add_plate(hole, loop, both[0].from_corner, loads);
+  const Eigen::Matrix3Xd vertices_mm = at_vertices ? this->vertices_mm() : Eigen::Matrix3Xd();
+  const Filling& filling = sheet_.filling();
+  for (Index h = 0; h < filling.holes(); ++h) {
+    HoleEnergy hole = filling.hole(h, lengths_mm.segment<2>(2 * h));
+    if (forces_n) hole.force_n = forces_n->segment<2>(2 * h);
+    if (!at_vertices) {
+      add_carried(h, hole, loads);
       continue;
     }
-    for (int k = 0; k < 2; ++k) {
-      const Vector3d along_mm =
-          end_mm_at(loop, both[k].to_corner) - end_mm_at(loop, both[k].from_corner);
-      const Vector3d pull_n = hole.force_n(k) * along_mm.normalized();
-      push(loop, both[k].from_corner, pull_n);
-      push(loop, both[k].to_corner, -pull_n);
+    for (const FillingForce& force : forces_.of_hole(filling, h, hole, vertices_mm)) {
+      add(force.panel, (vertices_mm.col(force.from) + vertices_mm.col(force.to)) / 2, force.n,
+          Vector3d::Zero(), loads);
     }
   }
 }
 
-void PanelLoads::add_plate(const HoleEnergy& plate, const Loop& loop, int first_corner,
-                           VectorXd& loads) const {
-  HoleCorners corners_mm;
-  for (int k = 0; k < 4; ++k) corners_mm.col(k) = end_mm_at(loop, (first_corner + k) % 4);
-  const auto forces_n = edge_forces_n(plate, corners_mm);
-  for (int k = 0; k < 4; ++k) {
-    const auto corner = [&](int at) {
-      return loop.corners[static_cast<std::size_t>((first_corner + at) % 4)];
+void PanelLoads::add_carried(Index hole, const HoleEnergy& state, VectorXd& loads) const {
+  for (int k = 0; k < 2; ++k) {
+    const Diagonal& diagonal = mechanism().diagonals[static_cast<std::size_t>(2 * hole + k)];
+    const Loop& loop = mechanism().loops[static_cast<std::size_t>(diagonal.loop)];
+    const auto panel_at = [&](int corner) {
+      return panel_of(loop.carriers[static_cast<std::size_t>(corner)].facet);
     };
-    const std::pair<int, int> ends = std::minmax({corner(k), corner(k + 1)});
-    const auto is_this = [&](const Edge& edge) { return std::minmax({edge.a, edge.b}) == ends; };
-    const auto edge = std::ranges::find_if(mechanism().edges, is_this);
-    assert(edge != mechanism().edges.end());
-    add(panel_of(edge->left == loop.hole ? edge->right : edge->left),
-        (corners_mm.col(k) + corners_mm.col((k + 1) % 4)) / 2, forces_n.col(k), Vector3d::Zero(),
-        loads);
+    const auto end_mm = [&](int corner) {
+      const Vec3<double> end = spring_end(mechanism(), way_.geometry(), loop, corner);
+      return mover_.carried_mm(panel_at(corner),
+                               mechanism().panel_width_mm * Vector3d(end.x, end.y, end.z));
+    };
+    const Vector3d from_mm = end_mm(diagonal.from_corner), to_mm = end_mm(diagonal.to_corner);
+    const Vector3d pull_n = state.force_n(k) * (to_mm - from_mm).normalized();
+    add(panel_at(diagonal.from_corner), from_mm, pull_n, Vector3d::Zero(), loads);
+    add(panel_at(diagonal.to_corner), to_mm, -pull_n, Vector3d::Zero(), loads);
   }
 }
 
-// Place of the end of a diagonal, carried by the panel of its corner.
-Vector3d PanelLoads::end_mm_at(const Loop& loop, int corner) const {
-  const auto at = static_cast<std::size_t>(corner);
-  if (mechanism().springs.at_vertices()) {
-    const int vertex = loop.corners[at];
-    return place_mm(panels_at_[static_cast<std::size_t>(vertex)].front(), vertex);
+Eigen::Matrix3Xd PanelLoads::vertices_mm() const {
+  Eigen::Matrix3Xd vertices_mm = Eigen::Matrix3Xd::Zero(3, mechanism().vertices);
+  for (std::size_t k = 0; k < panels_.corners.size(); ++k) {
+    for (const int v : panels_.corners[k]) {
+      vertices_mm.col(v) = place_mm(static_cast<int>(k), v);
+    }
   }
-  const Vec3<double> end = spring_end(mechanism(), way_.geometry(), loop, corner);
-  return mover_.carried_mm(panel_of(loop.carriers[at].facet),
-                           mechanism().panel_width_mm * Vector3d(end.x, end.y, end.z));
+  return vertices_mm;
 }
 
 // The right panel turns by -rho about a -> b: moments that resist rho push it on.

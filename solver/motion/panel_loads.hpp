@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solver/motion/deployment.hpp"
+#include "solver/motion/filling_forces.hpp"
 #include "solver/motion/moving_mass.hpp"
 
 namespace misalign::solver {
@@ -24,8 +25,8 @@ class PanelLoads {
 
   /// Places the panels as in this row.
   void pose(const Deployment::Row& at);
-  /// Loads on the posed sheet: six a panel, N and N mm. Springs pull with `filling_forces_n`, or
-  /// where there are none with those of the rigid sheet.
+  /// Loads on the posed sheet: six a panel, N and N mm. The filling pulls with
+  /// `filling_forces_n`, or where there are none with those of the rigid sheet.
   Eigen::VectorXd find(const std::optional<Eigen::VectorXd>& filling_forces_n = {});
 
   const EnergyModel& sheet() const { return sheet_; }
@@ -47,9 +48,8 @@ class PanelLoads {
   };
   void add_inertia(Eigen::VectorXd& loads) const;
   void add_filling(const std::optional<Eigen::VectorXd>& forces_n, Eigen::VectorXd& loads) const;
-  void add_plate(const HoleEnergy& plate, const Loop& loop, int first_corner,
-                 Eigen::VectorXd& loads) const;
-  Eigen::Vector3d end_mm_at(const Loop& loop, int corner) const;
+  void add_carried(Eigen::Index hole, const HoleEnergy& state, Eigen::VectorXd& loads) const;
+  Eigen::Matrix3Xd vertices_mm() const;
   void add_joints(Eigen::VectorXd& loads) const;
   void add_weight(Eigen::VectorXd& loads) const;
 
@@ -61,7 +61,7 @@ class PanelLoads {
   SheetMover mover_;
   const SmoothTable momenta_;
   std::vector<int> panel_of_facet_;
-  std::vector<std::vector<int>> panels_at_;  // index: vertex
+  const FillingForces forces_;
   double x_ = 0;
   Moved moved_{};
   MovingPanels moving_{};

@@ -26,8 +26,8 @@ struct CutOutChoice {
 };
 
 /// Raises the least dE / d(pilot^2) over the way by one hole's cut-out after the other, from
-/// uniform ones, first in coarse steps, then in fine ones. It is a local optimum. Obstacles: an
-/// angle beyond the way; a lost path.
+/// uniform ones and from one by weighted sums, first in coarse steps, then in fine ones. It is a
+/// local optimum. Obstacles: an angle beyond the way; a lost path.
 StudyResult<CutOutChoice> choose_cut_outs(const Sheet& sheet, const CutOutOptions& options);
 
 /// The least dE / d(pilot^2) of a filling between two angles on the way, and where.

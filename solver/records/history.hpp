@@ -19,8 +19,11 @@ struct FoldingHistory {
   Between between;
   std::optional<PathExtremes> extremes;  ///< if requested, without bumps
   std::vector<double> flat_mm;           ///< per diagonal
-  std::vector<double> crease_mm;         ///< lengths of the creases
+  /// Last sample up to which the filling's energy falls to flat, sample by sample, whatever the
+  /// diagonals do (Criterion::without_margins).
+  int energy_deploys_from_sample = 0;
   std::vector<Station> stations;
+  std::vector<double> turning_mm;    ///< per station: of all creases (turning_mm)
   Eigen::MatrixXd length_mm;         ///< stations x diagonals
   Eigen::MatrixXd slope_mm_per_deg;  ///< stations x diagonals: rates of change
   Eigen::MatrixXd fold_angle_deg;    ///< stations x creases

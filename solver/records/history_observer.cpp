@@ -52,13 +52,15 @@ void HistoryObserver::measure_only(const std::vector<int>& sheets) {
 
 void HistoryObserver::begin_sheet(PathStart& start, int lane) {
   if (fallback_.under_way() && goes_on(start, lane)) return;
-  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
+  auto& [judge, energy, history, creases_mm, lengths_mm, slopes_mm_per_deg, angles_deg, last] =
+      *lanes_[lane];
   lengths_mm.clear();
   slopes_mm_per_deg.clear();
   angles_deg.clear();
   history = {};
   judge.begin(flat_, *start.geometry, finds_extremes_);
-  find_crease_lengths(model_.mechanism(), *start.geometry, history.crease_mm);
+  energy.begin(flat_, start.geometry);
+  find_crease_lengths(model_.mechanism(), *start.geometry, creases_mm);
   for (const double length : flat_) {
     history.flat_mm.push_back(length * model_.mechanism().panel_width_mm);
   }
@@ -98,8 +100,11 @@ void HistoryObserver::evaluate(const Station& station, int lane, const SolveQual
 void HistoryObserver::keep(const Station& station, int lane, const SolveQuality& quality) {
   const double width_mm = model_.mechanism().panel_width_mm;
   assert(std::ssize(point_.lengths) == model_.mechanism().diagonal_count());
-  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
+  auto& [judge, energy, history, creases_mm, lengths_mm, slopes_mm_per_deg, angles_deg, last] =
+      *lanes_[lane];
   history.stations.push_back(station);
+  history.turning_mm.push_back(turning_mm(creases_mm, point_.state.creases));
+  if (station.sample > 0) energy.see(station, &point_.state, point_.lengths);
   last = point_.state;
   for (const double length : point_.lengths) lengths_mm.push_back(length * width_mm);
   for (const double slope : point_.slopes) {
@@ -120,13 +125,15 @@ void HistoryObserver::keep(const Station& station, int lane, const SolveQuality&
 
 void HistoryObserver::ended(PathResult path, int lane) {
   if (!fallback_.under_way()) effort_.add(path);
-  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
+  auto& [judge, energy, history, creases_mm, lengths_mm, slopes_mm_per_deg, angles_deg, last] =
+      *lanes_[lane];
   const std::size_t stations = history.stations.size();
   const bool has_not_gone_on = path.end == PathEnd::start_lost && stations > 0;
   if (has_not_gone_on || !queue_.has_ended(path, lane)) return;
   history.path = path;
   history.verdict = judge.conclude(path);
   history.between = judge.between();
+  history.energy_deploys_from_sample = energy.samples_in_order();
   if (finds_extremes_) history.extremes = judge.extremes();
   history.length_mm = rows_of(lengths_mm, stations);
   history.slope_mm_per_deg = rows_of(slopes_mm_per_deg, stations);

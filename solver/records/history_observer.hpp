@@ -43,7 +43,9 @@ class HistoryObserver final : public QueueObserver {
  private:
   struct Lane {
     CloseJudge judge;
+    Judge energy;  // Criterion::without_margins
     FoldingHistory history{};
+    std::vector<double> creases_mm{};
     std::vector<double> lengths_mm{}, slopes_mm_per_deg{}, angles_deg{};  // station by station
     FoldState<double> last{};  // state at the last station
   };
@@ -54,7 +56,9 @@ class HistoryObserver final : public QueueObserver {
   };
 
   std::unique_ptr<Lane> new_lane() {
-    return std::make_unique<Lane>(Lane{CloseJudge(model_, between_)});
+    return std::make_unique<Lane>(
+        Lane{CloseJudge(model_, between_),
+             Judge(model_.mechanism(), model_.criterion().without_margins())});
   }
 
   void begin_sheet(PathStart& start, int lane) override;

@@ -18,34 +18,30 @@ double corner_angle_deg(const CreasePattern& sheet, const FlatVertices& vertices
   return std::atan2(out.x() * in.y() - out.y() * in.x(), out.dot(in)) / kRadPerDeg;
 }
 
-// Finds what the filling's energy shows at the samples of the record.
-void measure_energy(const Model& model, const FlatVertices& vertices_mm, const PathRecord& record,
-                    Metrics& m) {
-  EnergyCriterion criterion = model.criterion().energy.value_or(EnergyCriterion{});
-  criterion.from_sample = model.threshold_sample();
-  const bool has_turning = criterion.from_sample > 0 && !record.turning_mm.empty();
-  criterion.least_friction_n_mm_per_mm = has_turning ? 1 : 0;
+// Returns the critical friction from the threshold; none if the energy alone does not drive the
+// sheet, or without a threshold.
+std::optional<double> critical_friction(const Model& model, const FlatVertices& vertices_mm,
+                                        const PathRecord& record) {
+  const int from_sample = model.threshold_sample();
+  const int in_order =
+      std::min(record.verdict.deploys_from_sample, record.energy_deploys_from_sample);
+  if (from_sample == 0 || in_order < from_sample) return {};
+  // The ratio to a demanded friction of 1 is the friction.
+  const Fill fill = model.criterion().without_margins().energy->fill;
+  EnergyJudge judge(model.mechanism(), {fill, from_sample, 1});
   SheetGeometry<double> geometry;
   place(model.mechanism(), vertices_mm, geometry);
-  EnergyJudge judge(model.mechanism(), criterion);
   judge.begin(record.flat, &geometry);
-  m.energy_deploys_from_sample = 0;
   std::vector<double> lengths(record.flat.size());
-  for (int k = 1; k <= record.verdict.deploys_from_sample; ++k) {
+  for (int k = 1; k <= from_sample; ++k) {
     const auto row = static_cast<std::ptrdiff_t>(lengths.size()) * (k - 1);
     std::copy_n(record.lengths.begin() + row, lengths.size(), lengths.begin());
     judge.look(lengths);
-    if (!judge.rises()) return;
-    if (has_turning) judge.set_turning(record.turning_mm[static_cast<std::size_t>(k - 1)]);
-    m.energy_deploys_from_sample = k;
-    m.energy_deploys_from_deg = k * model.sample_deg();
-    if (has_turning && k == criterion.from_sample) {
-      const double friction_n_mm_per_mm = judge.drive().value;
-      if (std::isfinite(friction_n_mm_per_mm))
-        m.critical_friction_n_mm_per_mm = friction_n_mm_per_mm;
-    }
-    judge.take();
+    judge.set_turning(record.turning_mm[static_cast<std::size_t>(k - 1)]);
+    if (k < from_sample) judge.take();
   }
+  const double friction = judge.drive().value;
+  return std::isfinite(friction) ? std::optional(friction) : std::nullopt;
 }
 
 }  // namespace
@@ -111,7 +107,9 @@ Metrics measure(const Model& model, const FlatVertices& vertices_mm, const PathR
   m.singular_value_min = record.singular_value_min;
   m.residual_max = record.residual_max;
   m.isometry_error_mm = record.isometry_error * width_mm;
-  measure_energy(model, vertices_mm, record, m);
+  m.energy_deploys_from_sample = record.energy_deploys_from_sample;
+  m.energy_deploys_from_deg = record.energy_deploys_from_sample * sample_deg;
+  m.critical_friction_n_mm_per_mm = critical_friction(model, vertices_mm, record);
   m.kawasaki_defect_deg = kawasaki_defect_deg(base, vertices_mm);
   for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
     if (vertices_mm.col(v) != base.sheet.vertices_mm.col(v)) ++m.shifted_vertices;

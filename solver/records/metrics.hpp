@@ -43,8 +43,8 @@ struct Metrics {
   double isometry_error_mm;
   double kawasaki_defect_deg;
   /// D and critical friction of the campaign's filling, or else of springs of the paper's stiffness
-  /// relaxed flat. D goes as far as the record; the friction is from the model's threshold, none
-  /// without.
+  /// relaxed flat. This D may lie beyond that of the diagonals; the friction is from the model's
+  /// threshold, none without.
   int energy_deploys_from_sample;
   double energy_deploys_from_deg;
   std::optional<double> critical_friction_n_mm_per_mm;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace misalign::solver {
 
@@ -13,6 +12,7 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) 
   PathRecord record;
   record.verdict = history.verdict;
   record.path = history.path;
+  record.energy_deploys_from_sample = history.energy_deploys_from_sample;
   record.miscut_margin_mm = history.miscut_margin_mm;
   for (const double length_mm : history.flat_mm) record.flat.push_back(length_mm / width_mm);
   if (history.extremes) {
@@ -29,12 +29,7 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) 
     for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
       record.lengths.push_back(history.length_mm(row, d) / width_mm);
     }
-    double turning_mm = 0;
-    for (std::size_t c = 0; c < history.crease_mm.size(); ++c) {
-      turning_mm += history.crease_mm[c] * kRadPerDeg *
-                    std::abs(history.fold_angle_deg(row, static_cast<Eigen::Index>(c)));
-    }
-    record.turning_mm.push_back(turning_mm);
+    record.turning_mm.push_back(history.turning_mm[i]);
     record.singular_value_min = std::min(record.singular_value_min, history.singular_value_min[i]);
     record.residual_max = std::max(record.residual_max, history.open_by[i]);
     record.isometry_error =

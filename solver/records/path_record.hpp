@@ -11,11 +11,12 @@ namespace misalign::solver {
 struct PathRecord {
   Verdict verdict;
   PathResult path;
+  /// D by the filling's energy, beyond the verdict's D too (FoldingHistory).
+  int energy_deploys_from_sample = 0;
   std::vector<double> flat;  ///< lengths of the diagonals, panel widths
   /// Lengths at the samples up to D, sample by sample.
   std::vector<double> lengths;
-  /// Sum of the creases' lengths times |fold angle| at the same samples (turning_mm); empty if
-  /// the model has no threshold.
+  /// Sum of the creases' lengths times |fold angle| at the same samples (turning_mm).
   std::vector<double> turning_mm;
   PathExtremes extremes;
   /// Metrics of these names over the states that were solved for them, up to D.

@@ -23,8 +23,10 @@ bool reaches_back_to(const Station& station, const PathFunction& function) {
 
 RecordObserver::RecordObserver(const Model& model, const QueueLanes& lanes)
     : QueueObserver(model, lanes),
-      lanes_(lanes.count, Lane{FunctionJudge(model.mechanism(), model.criterion()),
-                               ExtremeFinder(model.mechanism().diagonal_count())}),
+      lanes_(lanes.count,
+             Lane{FunctionJudge(model.mechanism(), model.criterion()),
+                  FunctionJudge(model.mechanism(), model.criterion().without_margins()),
+                  ExtremeFinder(model.mechanism().diagonal_count())}),
       estimate_(model.mechanism()),
       near_(flat_state<double>(model.mechanism())),
       creases_(model.mechanism().creases.size()) {
@@ -46,6 +48,8 @@ void RecordObserver::begin(const SheetBlock& block) {
 void RecordObserver::begin_sheet(PathStart& start, int lane) {
   Lane& observed = lanes_[lane];
   observed.judge.begin(*start.plan, flat_, start.geometry);
+  observed.energy.begin(*start.plan, flat_, start.geometry);
+  observed.energy_falls = false;
   observed.function = nullptr;
   observed.record = {};
   observed.record.record.flat = flat_;
@@ -63,6 +67,7 @@ ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
   near_states_.clear();
   Lane& observed = lanes_[lane];
   observed.function = &function;
+  if (!sees_energy(function, observed)) return ObserverResult::unsure;
   const double end_deg = function.pilot(function.end()) / kRadPerDeg + 1e-9;
   if (observed.fault_seen) {
     evaluate_up_to(end_deg, function, observed);
@@ -87,6 +92,15 @@ ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
   if ((observed.fault_seen || is_last || is_short) && in_order > 0)
     request_d(in_order, function, observed);
   return ObserverResult::go_on;
+}
+
+// Judges the newest segment by the filling's energy, also beyond the verdict's fault. Returns false
+// if that is unsure.
+bool RecordObserver::sees_energy(const PathFunction& function, Lane& lane) {
+  if (lane.energy_falls) return true;
+  const ObserverResult seen = lane.energy.see(function);
+  lane.energy_falls = seen == ObserverResult::enough;
+  return seen == ObserverResult::enough || seen == ObserverResult::go_on;
 }
 
 void RecordObserver::request_d(int sample, const PathFunction& function, Lane& lane) {
@@ -177,9 +191,11 @@ void RecordObserver::ended(PathResult path, int lane) {
   UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
   const std::optional<Verdict> verdict = observed.judge.conclude(path);
   made = std::move(observed.record);
-  made.is_sure = verdict.has_value();
-  if (!verdict) return;
+  const std::optional<Verdict> by_energy = observed.energy.conclude(path);
+  made.is_sure = verdict && by_energy;
+  if (!made.is_sure) return;
   PathRecord& record = made.record;
+  record.energy_deploys_from_sample = by_energy->deploys_from_sample;
   record.verdict = *verdict;
   record.path = path;
   record.extremes = observed.finder.extremes();

@@ -44,11 +44,12 @@ class RecordObserver final : public QueueObserver {
  private:
   struct Lane {
     FunctionJudge judge;
+    FunctionJudge energy;  // Criterion::without_margins
     ExtremeFinder finder;
     UnfinishedRecord record{};
     const PathFunction* function = nullptr;  // set by see()
     std::size_t next = 0;                    // station
-    bool fault_seen = false;
+    bool fault_seen = false, energy_falls = false;
     double least_step = 0;
     std::vector<double> creases_mm{};
 
@@ -67,6 +68,7 @@ class RecordObserver final : public QueueObserver {
   void begin_sheet(PathStart& start, int lane) override;
   void go_on_later(const PathResult& path, int sheet, const PathFunction& function);
   void finish(const PathResult& path, int lane);
+  bool sees_energy(const PathFunction& function, Lane& lane);
   void evaluate_up_to(double end_deg, const PathFunction& function, Lane& lane);
   void note_least_step(const Station& station, Lane& lane);
   void request_d(int sample, const PathFunction& function, Lane& lane);

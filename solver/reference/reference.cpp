@@ -49,9 +49,8 @@ bool Reference::see(const Station& station, const FoldState<double>& state) {
     return see_exactly(station);
   }
   if (station.sample == 0) return true;
-  const bool for_moment = criterion_.energy && criterion_.energy->least_moment_n_mm > 0;
   if (criterion_.bumps == BumpRule::by_cubic || station.sample == criterion_.stop_sample ||
-      for_moment) {
+      criterion_.asks_for_moment()) {
     dense_state_.find(geometry_, state, point_);
     return judge_.see(station, &point_.state, point_.lengths, &point_.slopes, point_.pilot_rate);
   }

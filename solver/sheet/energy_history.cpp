@@ -26,18 +26,13 @@ EnergyHistory energy_history(const Sheet& sheet, const FoldingHistory& history, 
   for (double& length : flat) length /= width_mm;
   EnergyJudge energy(mechanism, {fill});
   Judge diagonals(mechanism);
-  DrivingEnergy driving(mechanism, fill);
   energy.begin(flat, &geometry);
   diagonals.begin(flat);
-  driving.begin(flat, &geometry);
-  std::vector<double> forces_n(flat.size()), stiffness_n_per_mm(flat.size());
   EnergyHistory found;
   const Eigen::Index in_order = rows_folded_well(mechanism, history);
   bool is_monotone = true;
   for (Eigen::Index row = 0; row < history.length_mm.rows(); ++row) {
     const std::vector<double> lengths = lengths_at(history, row, width_mm);
-    if (row == 0) driving.set_sides(lengths);
-    found.energy_n_mm.push_back(driving.look(lengths, forces_n, stiffness_n_per_mm));
     const Station& station = history.stations[static_cast<std::size_t>(row)];
     if (station.sample == 0 || row >= in_order) continue;
     is_monotone = is_monotone && diagonals.see(station, nullptr, lengths);
@@ -52,6 +47,9 @@ EnergyHistory energy_history(const Sheet& sheet, const FoldingHistory& history, 
     }
   }
   found.monotone_to_sample = diagonals.samples_in_order();
+  for (Eigen::Index row = 0; row < history.length_mm.rows(); ++row) {
+    found.energy_n_mm.push_back(energy.energy_n_mm(lengths_at(history, row, width_mm)));
+  }
   return found;
 }
 

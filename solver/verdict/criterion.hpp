@@ -49,9 +49,15 @@ struct Criterion {
   std::optional<EnergyCriterion> energy = {};
 
   bool asks_for_stop() const { return stop_sample > 0; }
+  bool asks_for_moment() const { return energy && energy->least_moment_n_mm > 0; }
   /// Returns whether it needs the diagonals' slopes at samples.
-  bool asks_for_slopes() const {
-    return asks_for_stop() || (energy && energy->least_moment_n_mm > 0);
+  bool asks_for_slopes() const { return asks_for_stop() || asks_for_moment(); }
+  /// The criterion that the energy of its filling, or else of the paper's springs, falls to flat,
+  /// whatever the margins.
+  Criterion without_margins() const {
+    Criterion falls;
+    falls.energy = EnergyCriterion{energy ? energy->fill : Fill(Springs{})};
+    return falls;
   }
   /// Returns whether the sheet is to stop at this sample and the stop is too soft with these
   /// slopes.

@@ -15,6 +15,7 @@ DrivingEnergy::DrivingEnergy(const Mechanism& mechanism, const Fill& fill)
   flat_mm_.assign(count, 0);
   relaxed_mm_.assign(count, 0);
   if (const auto* const springs = std::get_if<Springs>(&fill)) {
+    assert(springs->on == SpringsOn::all && springs->other_rests_deg.empty());
     pull_only_ = springs->pull_only;
     const Eigen::VectorXd preload_n = springs->preload.forces_n(diagonals_);
     for (std::size_t d = 0; d < count; ++d) {

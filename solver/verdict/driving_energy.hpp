@@ -2,6 +2,7 @@
 // allocating memory.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "solver/fill/fill.hpp"
@@ -26,6 +27,11 @@ class DrivingEnergy {
   double look(const std::vector<double>& lengths, std::vector<double>& forces_n,
               std::vector<double>& stiffness_n_per_mm) const;
 
+  /// Returns whether it is springs without force on the flat sheet.
+  bool is_relaxed_flat() const {
+    return !plates_ && !has_preload_ &&
+           std::ranges::none_of(free_mm_, [](const auto& free_mm) { return free_mm.has_value(); });
+  }
   /// Returns whether some springs are preloaded.
   bool has_preload() const { return has_preload_; }
   bool has_plates() const { return plates_.has_value(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 namespace misalign::solver {
 namespace {
@@ -49,6 +50,7 @@ void EnergyJudge::begin(const std::vector<double>& flat_lengths,
   if (asks_for_turning()) {
     assert(geometry);
     find_crease_lengths(mechanism_, *geometry, creases_mm_);
+    all_creases_mm_ = std::accumulate(creases_mm_.begin(), creases_mm_.end(), 0.0);
   }
   last_lengths_ = flat_lengths;
   std::ranges::fill(last_errors_, 0.0);
@@ -90,13 +92,14 @@ void EnergyJudge::look(const std::vector<double>& lengths, const std::vector<dou
   for (const double force_n : forces_n_) {
     band_n_mm_ += std::abs(force_n) * kStepBand_widths * width_mm_;
   }
-  find_who_pulls_back();
+  pulls_back_ = -1;
+  is_sure_who_ = true;
+  if (!rises()) find_who_pulls_back();
 }
 
 // The work of springs between two samples is the mean of their forces times the step.
 void EnergyJudge::find_who_pulls_back() {
   double most = std::numeric_limits<double>::infinity(), next = most, error = 0;
-  pulls_back_ = -1;
   for (std::size_t d = 0; d < lengths_.size(); ++d) {
     const double step_mm = (lengths_[d] - last_lengths_[d]) * width_mm_;
     const double mean_n = (forces_n_[d] + last_forces_n_[d]) / 2, work_n_mm = mean_n * step_mm;
@@ -145,10 +148,8 @@ LeastPart EnergyJudge::missed_part() const {
 
 void EnergyJudge::set_creases(const std::vector<HalfAngle<double>>& creases, double error) {
   if (!asks_for_turning()) return;
-  double all_mm = 0;
-  for (const double crease_mm : creases_mm_) all_mm += crease_mm;
   // An angle is twice that of sine and cosine, each of which may be off.
-  now_.turning_mm = {turning_mm(creases_mm_, creases), 4 * error * all_mm};
+  now_.turning_mm = {turning_mm(creases_mm_, creases), 4 * error * all_creases_mm_};
 }
 
 void EnergyJudge::set_slopes(const std::vector<double>& slopes, double relative_error) {

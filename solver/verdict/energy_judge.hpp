@@ -45,10 +45,8 @@ class EnergyJudge {
   int from_sample() const { return criterion_.from_sample; }
   bool asks_for_turning() const { return criterion_.least_friction_n_mm_per_mm > 0; }
   bool asks_for_moment() const { return criterion_.least_moment_n_mm > 0; }
-  /// Returns whether begin() needs the sheet's geometry.
-  bool needs_geometry() const { return asks_for_turning() || energy_.has_plates(); }
-
-  /// Begins a path; lengths here and below are the diagonals', in panel widths.
+  /// Begins a path; lengths here and below are the diagonals', in panel widths. Friction and plates
+  /// need the sheet's geometry.
   void begin(const std::vector<double>& flat_lengths, const SheetGeometry<double>* geometry);
   /// Looks at the next sample. Without `errors` its lengths are exact.
   void look(const std::vector<double>& lengths, const std::vector<double>* errors = nullptr);
@@ -72,6 +70,10 @@ class EnergyJudge {
   DriveRatio drive() const;
   /// Accepts the sample looked at.
   void take();
+  /// Energy at these lengths, N mm; preloads have their sides once a sample was looked at.
+  double energy_n_mm(const std::vector<double>& lengths) {
+    return energy_.look(lengths, forces_n_, stiffness_n_per_mm_);
+  }
   /// Corrects the lengths at the last sample taken.
   void correct_last(const std::vector<double>& lengths, const std::vector<double>* errors);
 
@@ -90,6 +92,7 @@ class EnergyJudge {
   const double width_mm_;
   DrivingEnergy energy_;
   std::vector<double> creases_mm_;
+  double all_creases_mm_ = 0;
   std::vector<Sample> samples_;  // flat, and those taken
   Sample now_;
   double band_n_mm_ = 0;

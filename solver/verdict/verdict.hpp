@@ -58,8 +58,8 @@ class Judge {
   /// Bumps are judged by its own cubics, or by its owner (BumpRule::exact).
   explicit Judge(const Mechanism& mechanism, const Criterion& criterion = {});
 
-  /// Starts a path whose diagonals have these flat lengths (panel widths). The energy criterion may
-  /// need the sheet's geometry (EnergyJudge::needs_geometry).
+  /// Starts a path whose diagonals have these flat lengths (panel widths). Friction and
+  /// plates of the energy criterion need the sheet's geometry.
   void begin(const std::vector<double>& flat_lengths,
              const SheetGeometry<double>* geometry = nullptr);
   /// Judges the next sample; returns false once a fault is known, after which nothing changes.

@@ -212,6 +212,27 @@ TEST_F(Bent, FromRigidToSoft) {
   EXPECT_NEAR(*bent(deploying, linear).friction.critical_n_mm_per_mm / thin, 8, 0.16);
 }
 
+// Wires, and plates that are slack when flat, bend panels too: as stiff as rock they are the rigid
+// sheet's. A filling without energy bends nothing.
+TEST_F(Bent, FillingsThatAreSlackWhenFlat) {
+  BentPanelsOptions rock;
+  rock.material.e_gpa = 1e11;
+  rock.method = BendMethod::linear;
+  for (const Fill& fill : {Fill(Springs{.pull_only = true}), Fill(RubberPlates{})}) {
+    ReleaseOptions deploying;
+    deploying.sheet.fill = fill;
+    const BentPanels rigid = bent(deploying, rock);
+    const EnergyModel as_rigid(own.sheet, deploying.sheet);
+    EXPECT_NEAR(*rigid.friction.critical_n_mm_per_mm /
+                    *find_friction_limits(as_rigid, 36).critical_n_mm_per_mm,
+                1, 1e-3)
+        << fill.index();
+  }
+  ReleaseOptions nothing;
+  nothing.sheet.fill = NoFill{};
+  EXPECT_EQ(bend_panels(own.sheet, nothing, rock).fault()->name, "fill");
+}
+
 // E = c S^4 / (1 + S^2 / d^2), S = a rho: from the fourth power to the second.
 TEST(EnergyCurve, ThroughTheBend) {
   const double a = 30, c = 1e-9, d = 100;

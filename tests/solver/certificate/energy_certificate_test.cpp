@@ -194,6 +194,9 @@ TEST(EnergyCertificate, is_checked_and_refused_where_false) {
     Springs stop;
     stop.rest_deg = 90;
     EXPECT_NE(sheet.fault_of(made, stop), "");
+    Springs few;
+    few.on = SpringsOn::one_a_hole;
+    EXPECT_NE(sheet.fault_of(made, few), "");
     // The certificate is no proof of its diagonals; the closing piece does not rise.
     Certificate other = made;
     other.criterion = CertifiedBy::diagonals;

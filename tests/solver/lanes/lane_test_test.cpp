@@ -24,7 +24,6 @@ struct Notes {
   int next_sample(double) const { return 180; }
   bool holds_every_step() const { return false; }
   double shortest_step_deg() const { return kShortestStep_deg; }
-  bool needs_turning() const { return false; }
   void observe(int, double, const FoldState<double>&) {}
   bool observe(int, const RejectionTest::Observation& observation) {
     seen = true;

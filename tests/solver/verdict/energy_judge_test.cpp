@@ -197,6 +197,10 @@ TEST_P(EnergyVerdicts, AreThoseOfVertexCoordinates) {
     const std::vector<Verdict> verdicts = batch->judge(block);
     const std::vector<PathRecord> records = batch->measure(block);
     const std::vector<Rejection> rejections = batch->reject(block);
+    const auto by_energy = std::ranges::count_if(rejections, [](const Rejection& rejection) {
+      return rejection.fault == Fault::energy_rises || rejection.fault == Fault::weak_drive;
+    });
+    EXPECT_GT(by_energy, 0);
     for (int i = 0; i < block.sheets; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const CoordinateVerdict& right = expected[k];
@@ -218,6 +222,29 @@ INSTANTIATE_TEST_SUITE_P(Families, EnergyVerdicts,
                                          EnergyDraws{4, 4, 150, 5, 40},
                                          EnergyDraws{6, 0.4, 170, 0.5, 30},
                                          EnergyDraws{6, 4, 140, 10, 20}));
+
+// Records of the diagonals' criterion follow the energy beyond the angle where a diagonal reverses.
+TEST(EnergyVerdict, RecordsGoOnBeyondTheDiagonals) {
+  const DrawableSheet sheet(6, 6);
+  Criterion by_energy;
+  by_energy.energy = springs(180);
+  const Model model(sheet.base, sheet.shifted_vertices, {}, 60),
+      energies(sheet.base, sheet.shifted_vertices, {}, 180, by_energy);
+  const ShiftBlock block = sheet.draws(20 / kFewer, kSeed, 0.4);
+  CoordinateJudge dense(energies, kRate_n_per_mm, 1);
+  for (const InstructionSet set : available_instruction_sets()) {
+    const std::vector<PathRecord> records = make_batch(set, model)->measure(block);
+    int beyond = 0;
+    for (int i = 0; i < block.sheets; ++i) {
+      const PathRecord& record = records[static_cast<std::size_t>(i)];
+      if (record.verdict.deploys_from_sample < 60) continue;
+      const int right = dense.judge(sheet.vertices(block, i)).deploys_from_sample;
+      EXPECT_EQ(record.energy_deploys_from_sample, right) << i;
+      beyond += right > record.verdict.deploys_from_sample;
+    }
+    EXPECT_GT(beyond, 0);
+  }
+}
 
 TEST(EnergyVerdict, AnUnshiftedSheetIsNotDriven) {
   const DrawableSheet sheet(6, 6);
