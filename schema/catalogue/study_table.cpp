@@ -51,7 +51,11 @@ constexpr StudyColumn kOfContact[] = {
 constexpr StudyColumn kOfActuators[] = {
     {"energy_n_mm", "energy", "N mm",
      "Strain energy of the design’s springs on all diagonals at its from_deg (D by default).",
-     Cost::path}};
+     Cost::path},
+    {"chosen_friction_n_mm_per_mm", "friction, chosen springs", "N mm/mm",
+     "Largest friction that springs overcome from rest at every angle, panels rigid, if each may "
+     "have any rate up to the design’s and any free length within 5 % of its flat diagonal’s.",
+     Cost::motion}};
 
 constexpr StudyEntry kStudies[] = {
     {"deploy", "deployment of one sheet: its motion, friction and equilibria",

@@ -13,6 +13,21 @@ Json share_json(std::uint64_t hits, const solver::MiscutCopies& copies) {
           {"share_high", share.high}};
 }
 
+Json stops_json(const solver::Tolerance& t) {
+  const solver::MiscutStops& stops = t.copies.stops;
+  Json quantiles = Json::array();
+  if (!stops.stops_deg.empty()) {
+    quantiles = json_list(solver::kShownShares, [&](double share) {
+      return Json{{"share", share}, {"stops_at_deg", stops.quantile_deg(share)}};
+    });
+  }
+  return {{"stops_at_deg", t.stops_at_deg},
+          {"stopped", stops.stops_deg.size()},
+          {"flat", stops.flat},
+          {"held", stops.held},
+          {"quantiles", quantiles}};
+}
+
 }  // namespace
 
 Json tolerance_json(const solver::Tolerance& t) {
@@ -38,6 +53,7 @@ Json tolerance_json(const solver::Tolerance& t) {
                {"mean_loss_deg", t.mean_loss_deg(t.copies)},
                {"quantiles", quantiles}};
   if (!t.vertices.empty()) json["vertices"] = vertices;
+  if (t.copies.stops.trials() > 0) json["stops"] = stops_json(t);
   return json;
 }
 

@@ -14,6 +14,7 @@
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/sheets/tolerance.hpp"
+#include "solver/optimise/chosen_friction.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {
@@ -218,6 +219,16 @@ schema::Json better_pattern(const Subject& subject, const ProvenBetter& better) 
   if (found.options.preload_n) design.preload_n = found.best().preload_n;
   if (const double at_deg = found.options.deploying.sheet.springs().rest_deg; at_deg != 0) {
     design.rest_deg = at_deg;
+  }
+  if (found.options.goal->chooses_springs) {
+    solver::SheetSolver solver(subject.sheet.model());
+    const solver::Sheet best(solver, found.best().shifts_mm);
+    solver::ReleaseOptions deploying = found.options.deploying;
+    deploying.sheet.springs().stiffness_n_per_mm = found.best().stiffness_n_per_mm;
+    const auto choice = value_or_throw(
+        solver::choose_springs(best, solver::choice_of(deploying, found.options.bending.to_deg)),
+        best.name(), "its springs are not chosen");
+    design.single_springs = choice.filling(best.mechanism()).single;
   }
   return schema::pattern_file_json(model.base(), found.best().shifts_mm, model.sampling(), design);
 }

@@ -7,6 +7,7 @@
 #include "search/sheets/deploy_input.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/motion/deploy.hpp"
+#include "solver/optimise/chosen_friction.hpp"
 
 namespace misalign::search {
 namespace {
@@ -20,8 +21,9 @@ struct Found {
   std::optional<solver::DeploymentStudy> motion;
   std::optional<solver::ContactStudy> contact;
   std::optional<solver::BentPanels> bent;
+  std::optional<solver::SpringChoice> choice;
 };
-enum class Needs { standstill, springs, motion, contact, bent };
+enum class Needs { standstill, springs, motion, contact, bent, choice };
 
 struct StudyFunction {
   std::string_view name;  // in the table of studies
@@ -77,11 +79,16 @@ constexpr StudyFunction kFunctions[] = {
     {"static_margin", Needs::bent, false,
      [](const Found& found) { return found.bent ? found.bent->friction.static_margin : Number(); }},
     {"energy_n_mm", Needs::springs, true, [](const Found& found) { return found.springs_n_mm; }},
+    {"chosen_friction_n_mm_per_mm", Needs::choice, true,
+     [](const Found& found) {
+       return found.choice && found.choice->drives() ? Number(found.choice->static_n_mm_per_mm)
+                                                     : Number();
+     }},
     {"first_contact_deg", Needs::contact, true, first_contact_deg},
     {"thickness_mm", Needs::contact, true, thickness_mm}};
 static_assert(std::size(kFunctions) == kNumberCount);
 
-using Needed = std::array<bool, 5>;  // by Needs
+using Needed = std::array<bool, 6>;  // by Needs
 
 Found find(const solver::Sheet& sheet, const schema::Design& design,
            const solver::ReleaseOptions& options, std::optional<double> from_deg,
@@ -94,6 +101,10 @@ Found find(const solver::Sheet& sheet, const schema::Design& design,
   if (needs(Needs::contact)) found.contact = solver::contact(sheet, {{}, from_deg}).if_any();
   if (needs(Needs::bent)) {
     found.bent = solver::bend_panels(sheet, options, bending(design)).if_any();
+  }
+  if (needs(Needs::choice) && std::holds_alternative<solver::Springs>(options.sheet.fill)) {
+    found.choice =
+        solver::choose_springs(sheet, solver::choice_of(options, bending(design).to_deg)).if_any();
   }
   return found;
 }

@@ -10,6 +10,7 @@
 #include "search/draws/draw.hpp"
 #include "search/sheets/on_threads.hpp"
 #include "search/sheets/studies.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 #include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
@@ -54,6 +55,7 @@ class Study {
 
   std::vector<solver::Tolerance> run() {
     judge_the_sheets();
+    fill_the_sheets();
     on_threads(
         static_cast<std::size_t>(std::max(options_.jobs, 1)), ranges_.size(),
         [&](std::size_t) {
@@ -93,6 +95,43 @@ class Study {
     }
   }
 
+  // The stop of each sheet, for which its filling is made.
+  void fill_the_sheets() {
+    if (options_.trials == 0 || !options_.fill || solver::rest_deg(*options_.fill) == 0) return;
+    const double rest_deg = solver::rest_deg(*options_.fill);
+    solver::SheetSolver solver(model_);
+    for (std::size_t k = 0; k < shifts_mm_.size(); ++k) {
+      const solver::Sheet sheet(solver, shifts_mm_[k]);
+      if (!sheet.way() || sheet.way()->end_deg() < rest_deg) {
+        throw schema::UserError(
+            solver::OptionFault{"rest_deg", schema::shown_number(rest_deg),
+                                fmt::format("lies beyond the path's end, {:.6g} deg",
+                                            sheet.way() ? sheet.way()->end_deg() : 0),
+                                "name a smaller angle"});
+      }
+      fillings_.push_back(solver::filling_on(*sheet.way(), *options_.fill));
+      tolerances_[k].stops_at_deg = rest_deg;
+    }
+  }
+
+  // Stops of copies that are let go at the angle of use.
+  solver::MiscutStops stops_of(const solver::ShiftBlock& copies, const solver::Filling& filling,
+                               solver::Batch& own_batch) const {
+    const solver::Mechanism& mechanism = model_.mechanism();
+    solver::MiscutStops stops;
+    const std::vector<solver::FoldingHistory>& histories = own_batch.record_lengths(copies);
+    for (int k = 0; k < copies.sheets; ++k) {
+      const Eigen::Matrix2Xd vertices_mm =
+          campaign_.pattern.base.sheet.vertices_mm +
+          Eigen::Map<const Eigen::Matrix2Xd>(copies.of(k), 2, mechanism.vertices);
+      const solver::Filling in_copy =
+          filling.in_holes(solver::diagonal_products_mm2(mechanism, vertices_mm));
+      stops.add(solver::stop_deg(histories[static_cast<std::size_t>(k)], in_copy,
+                                 campaign_.threshold_deg));
+    }
+    return stops;
+  }
+
   static void append(const Eigen::Matrix2Xd& shifts_mm, solver::ShiftBlock& block) {
     block.shifts_mm.insert(block.shifts_mm.end(), shifts_mm.data(),
                            shifts_mm.data() + shifts_mm.size());
@@ -125,6 +164,9 @@ class Study {
     for (const solver::Verdict& verdict : own_batch.judge(block)) {
       copies.add(verdict);
     }
+    if (range.vertex < 0 && !fillings_.empty()) {
+      copies.stops = stops_of(block, fillings_[range.sheet], own_batch);
+    }
     return copies;
   }
 
@@ -145,6 +187,7 @@ class Study {
   const solver::Model model_;
   std::vector<CopyRange> ranges_;
   std::vector<solver::Tolerance> tolerances_;
+  std::vector<solver::Filling> fillings_;  // one a sheet; none where sheets have no stop
   CopiesDone copies_{0, 0};
 };
 

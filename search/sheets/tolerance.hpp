@@ -26,6 +26,9 @@ struct ToleranceOptions {
   bool vertices = false;         ///< also copies with an error at one vertex
   int jobs = 1;                  ///< threads; the answer does not depend on them
   solver::InstructionSet set{};  ///< nor on this
+  /// Filling that is made for the sheet itself; where it is relaxed short of flat, copies are asked
+  /// for their stops too.
+  std::optional<solver::Fill> fill{};
   std::function<void(const CopiesDone&)> progress{};  ///< called now and then, one call at a time
 };
 
@@ -50,7 +53,7 @@ solver::Tolerance study_sheet(const ChosenSheet& sheet, std::optional<double> fr
                               const ToleranceOptions& options);
 
 /// One answer for each sheet of the campaign with these shifts; the amplitude is below the largest
-/// of each.
+/// of each. UserError (bad_request) where a sheet's path ends before its stop.
 std::vector<solver::Tolerance> study_tolerance(const schema::Campaign& campaign,
                                                const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                                                const ToleranceOptions& options);

@@ -29,6 +29,21 @@ std::string vertices_text(const solver::Tolerance& t) {
   return text + "\n";
 }
 
+// The stops of copies whose springs or plates are made for the sheet itself.
+std::string stops_text(const solver::Tolerance& t) {
+  const solver::MiscutStops& stops = t.copies.stops;
+  std::string text =
+      fmt::format("stops at          {:g} deg; of {} copies {} stop, {} unfold flat",
+                  t.stops_at_deg, stops.trials(), stops.stops_deg.size(), stops.flat);
+  text += stops.held > 0 ? fmt::format(", {} are held\n", stops.held) : "\n";
+  if (stops.stops_deg.empty()) return text;
+  text += "stops of copies  ";
+  for (const double share : solver::kShownShares) {
+    text += fmt::format(" {:.2f} deg ({:g} %)", stops.quantile_deg(share), 100 * share);
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string tolerance_text(const NamedTolerance& named) {
@@ -47,7 +62,8 @@ std::string tolerance_text(const NamedTolerance& named) {
   if (t.own_sample > t.threshold_sample) {
     text += share_line(t, t.own_sample * t.sample_deg, t.copies.from(t.own_sample));
   }
-  return text + share_line(t, t.threshold_deg, t.survivors());
+  text += share_line(t, t.threshold_deg, t.survivors());
+  return t.copies.stops.trials() > 0 ? text + stops_text(t) : text;
 }
 
 std::string tolerances_text(std::vector<NamedTolerance> several) {

@@ -86,6 +86,7 @@ void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
                  sheets.key(k).name());
   }
   call.study.progress = show_copies;
+  call.study.fill = sheets.design.fill(sheets.campaign.pattern.base);
   const schema::Campaign used = campaign_of_use(call, sheets);
   const std::vector<solver::Tolerance> tolerances =
       study_tolerance(used, sheets.shifts_mm, call.study);
@@ -121,7 +122,8 @@ int run(ToleranceCall call) {
   if (is_pattern_file(call.path)) file = sheet_of_pattern_file(call.path);
   if (!file && call.keep) schema::recover_before_writing(call.path);
   // Closes the catalogue again, before the writer's lock: see WriterLock.
-  const ToleranceTargets sheets = file ? chosen_sheet(call, *file) : choose_sheets(call);
+  ToleranceTargets sheets = file ? chosen_sheet(call, *file) : choose_sheets(call);
+  sheets.design = call.design.merged_over(std::move(sheets.design));
   take_subject(sheets.design, call);
   if (schema::is_overconstrained(sheets.campaign.pattern.base)) {
     run_gaps(call, sheets);
@@ -172,6 +174,9 @@ Action tolerance_verb(CLI::App& verb) {
       "Miscut copies of an overconstrained pattern, with fewer holes than one degree of freedom\n"
       "needs, do not fold. Of those the gaps of their joints are shown, which play or bending\n"
       "panels must close. Panels are placed by least squares of all gaps.\n\n"
+      "A design, or --rest-deg, whose springs or plates are relaxed half open makes a stop. Those\n"
+      "of a copy are made for the sheet itself: shown is where copies stop that are let go at\n"
+      "--from and move slowly.\n\n"
       "With --backlash the sheet is cut well and its joints have play: in each trial both ends of\n"
       "every hinge and every ball joint are off by a point in a ball of that radius, and stay so.\n"
       "The result is the share of trials in which every diagonal is monotone from --backlash-from\n"
@@ -194,6 +199,8 @@ Action tolerance_verb(CLI::App& verb) {
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);
   add_subject(verb, *call);
   add_from(verb, call->from_deg, "[the design's, or the campaign's threshold, or a pattern's D]");
+  add_rest(verb, call->design.rest_deg);
+  add_fill(verb, call->design);
   add_value(verb, "--trials", study.trials,
             "number of copies, or of settlings of the joints [1000]",
             counted("tolerance", "trials"), "N");

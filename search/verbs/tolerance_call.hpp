@@ -18,6 +18,7 @@ struct ToleranceCall {
   ToleranceOptions study;
   std::optional<double> amplitude_mm, backlash_mm;  // or the design's miscut_mm and play_mm
   std::optional<double> from_deg;                   // or the design's
+  schema::Design design;                            // typed, over the file's
   solver::BacklashOptions backlash;
   std::optional<int> jobs;
   bool keep = true, json = false;
@@ -26,7 +27,7 @@ struct ToleranceCall {
 /// The candidates that are chosen of a catalogue, or the one sheet of a pattern file.
 struct ToleranceTargets {
   schema::Campaign campaign;  // with its own threshold
-  schema::Design design;      // the file's
+  schema::Design design;      // the file's, under the typed one
   std::vector<Eigen::Matrix2Xd> shifts_mm;
   std::vector<std::uint64_t> draws;  // one for each sheet; none of a pattern
   std::string pattern;               // its name

@@ -114,6 +114,13 @@ Filling Filling::of_springs(const VectorXd& rates_n_per_mm, const VectorXd& free
   return filling;
 }
 
+Filling Filling::in_holes(const VectorXd& product_mm2) const {
+  assert(product_mm2.size() == holes());
+  Filling filling = *this;
+  filling.product_mm2_ = product_mm2;
+  return filling;
+}
+
 HoleEnergy Filling::hole(Index hole, const Vector2d& lengths_mm) const {
   assert(hole >= 0 && hole < holes());
   if (!is_springs()) return plate(hole).at(lengths_mm, product_mm2_(hole));

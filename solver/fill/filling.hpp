@@ -29,6 +29,9 @@ class Filling {
   /// Single springs and cut-outs must be on diagonals and holes of the sheet.
   Filling(const Fill& fill, const std::vector<Diagonal>& diagonals, const HoleDiagonals& holes);
 
+  /// The same springs or plates in holes with other products of their diagonals (HoleDiagonals).
+  Filling in_holes(const Eigen::VectorXd& product_mm2) const;
+
   /// Springs with these rates and free lengths, one a diagonal.
   static Filling of_springs(const Eigen::VectorXd& rates_n_per_mm, const Eigen::VectorXd& free_mm);
 

@@ -7,6 +7,7 @@
 #include "solver/bending/preload.hpp"
 #include "solver/bending/rest_stiffness.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/optimise/chosen_friction.hpp"
 #include "solver/optimise/deployed_angle.hpp"
 #include "solver/optimise/local_goals.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
@@ -81,6 +82,7 @@ constexpr Functions kFunctions[] = {
     {"critical_friction_n_mm_per_mm", critical_friction, local_critical_friction},
     {"bent_critical_friction_n_mm_per_mm", bent_critical_friction, local_bent_critical_friction},
     {"static_friction_n_mm_per_mm", static_friction, local_static_friction},
+    {"chosen_friction_n_mm_per_mm", chosen_friction_n_mm_per_mm, local_chosen_friction},
     {"miscut_margin_mm", miscut_margin, local_margin},
     {"energy_n_mm", stored_energy, local_energy},
     {"deploys_from_deg", deployed_angle, local_deployed_angle},

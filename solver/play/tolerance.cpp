@@ -23,6 +23,7 @@ void MiscutCopies::add(const MiscutCopies& others) {
   assert(others.undecided <= others.trials);
   trials += others.trials;
   undecided += others.undecided;
+  stops.add(others.stops);
   of_sample.resize(std::max(of_sample.size(), others.of_sample.size()));
   for (std::size_t k = 0; k < others.of_sample.size(); ++k) of_sample[k] += others.of_sample[k];
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/pattern/crease_pattern.hpp"
+#include "solver/play/miscut_stops.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {
@@ -14,6 +15,7 @@ struct MiscutCopies {
   std::uint64_t trials = 0;
   std::uint64_t undecided = 0;           ///< numerical failures
   std::vector<std::uint64_t> of_sample;  ///< decided copies, counted by D
+  MiscutStops stops;                     ///< stops of all copies, if they are asked for
 
   void add(const Verdict& verdict);
   void add(const MiscutCopies& others);
@@ -38,6 +40,7 @@ struct Tolerance {
   int own_sample;  ///< D of the uncut sheet
   MiscutCopies copies;
   std::vector<Vertex> vertices;  ///< the most harmful first; empty unless requested
+  double stops_at_deg = 0;       ///< pilot angle of the sheet's own stop; 0: flat
 
   /// Number of copies that deploy from the campaign's threshold.
   std::uint64_t survivors() const { return copies.from(threshold_sample); }

@@ -27,6 +27,8 @@ struct Goal {
   bool needs_threshold = false, needs_copies = false;
   /// True if it is an angle up to which the optimum must be proven.
   bool is_proven_angle = false;
+  /// True if springs are chosen for each sheet: the optimum's are part of the result.
+  bool chooses_springs = false;
   double largest = std::numeric_limits<double>::infinity();
   /// Reason why a start has no value, and what to do.
   const char* infeasible = "nothing drives the sheet that it starts from to flat";

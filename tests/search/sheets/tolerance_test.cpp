@@ -142,6 +142,38 @@ TEST_F(ToleranceTest, TrialsAreTheReferencesSlow) {
 }
 
 // How a sheet is asked for its own D, before there is a threshold: by none of its copies.
+// Every copy without errors stops where the springs are relaxed; with errors each trial has the
+// stop of its own, whatever other trials and threads there are; and no stop is asked of flat
+// springs.
+TEST_F(ToleranceTest, StopsAreThoseOfTheTrials) {
+  ToleranceOptions asked = options(1e-9, 8);
+  asked.vertices = false;
+  asked.fill = solver::Springs{.rest_deg = 60};
+  const Tolerance exact = study(asked);
+  EXPECT_EQ(exact.stops_at_deg, 60);
+  ASSERT_EQ(exact.copies.stops.stops_deg.size(), 8u);
+  for (const double at_deg : exact.copies.stops.stops_deg) EXPECT_NEAR(at_deg, 60, 1e-3);
+
+  asked.amplitude_mm = kAmplitude_mm;
+  asked.trials = 300;  // more than are judged together
+  const solver::MiscutStops all = study(asked).copies.stops;
+  EXPECT_EQ(all.trials(), 300u);
+  EXPECT_GT(all.quantile_deg(0.95) - all.quantile_deg(0.05), 0.1);
+  asked.jobs = 3;
+  EXPECT_EQ(study(asked).copies.stops.stops_deg, all.stops_deg);
+  asked.trials = 8;
+  for (const double at_deg : study(asked).copies.stops.stops_deg) {
+    EXPECT_TRUE(std::ranges::binary_search(all.stops_deg, at_deg)) << at_deg;
+  }
+  EXPECT_EQ(tolerance_json(study(asked))["stops"]["quantiles"].size(),
+            std::size(solver::kShownShares));
+
+  asked.fill = solver::Springs{};
+  EXPECT_EQ(study(asked).copies.stops.trials(), 0u);
+  asked.fill = solver::Springs{.rest_deg = 179.9};
+  EXPECT_THROW(study(asked), schema::UserError);
+}
+
 TEST_F(ToleranceTest, OwnAngleNeedsNoCopies) {
   ToleranceOptions none = options(kAmplitude_mm, 0);
   none.vertices = false;
