@@ -253,6 +253,7 @@ WHERE abs(from_deg - (SELECT json_extract(configuration, '$.accept.deploys_from_
                       GROUP BY amplitude_mm ORDER BY count(*) DESC, amplitude_mm DESC LIMIT 1);
 
 -- goes_back: whether a diagonal goes back between two samples, or on the last degree before D.
+-- certified_by: the criterion of certified_deg, as the proof says: of diagonals, or of energy.
 CREATE VIEW candidates AS
 SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_per_deg,
        slope_between_min_mm_per_deg,
@@ -267,6 +268,8 @@ SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_pe
          AS yield_amplitude_mm,
        (SELECT certified_deg FROM certificate WHERE certificate.draw = candidate.draw)
          AS certified_deg,
+       (SELECT CASE substr(proof, 20, 1) WHEN x'00' THEN 'diagonals' WHEN x'01' THEN 'energy' END
+        FROM certificate WHERE certificate.draw = candidate.draw) AS certified_by,
        (SELECT start_value FROM ascent WHERE ascent.draw = candidate.draw) AS start_value,
        (SELECT end_value FROM ascent WHERE ascent.draw = candidate.draw) AS end_value
 FROM candidate;

@@ -50,10 +50,7 @@ struct Campaign {
   bool accepts(const solver::Verdict& verdict) const;
   /// Returns the further requirements of an accepted draw.
   solver::Criterion criterion() const;
-  Sampling sampling() const {
-    return {sample_deg, end_deg, between_samples,
-            energy ? std::optional<solver::Fill>(energy->fill) : std::nullopt};
-  }
+  Sampling sampling() const { return {sample_deg, end_deg, between_samples, fill_of(energy)}; }
   solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
 };
 

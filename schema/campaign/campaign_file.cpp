@@ -191,6 +191,10 @@ Campaign read_campaign(const Json& value, const std::string& source,
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
   campaign.design = read_design(part("design"), "design", faults)
                         .merged_over(read_springs(part("actuators"), "actuators", faults));
+  if (reader.find("actuators") && part("design").contains("fill")) {
+    faults.add("actuators", "is given beside design.fill",
+               "write design.fill alone: springs are a filling, too");
+  }
   const bool is_in_closed_form = campaign.misalignment.parallel && !closes_at_180(campaign);
   read_certify(reader,
                campaign.search.splitting ? "a splitting search"

@@ -21,8 +21,10 @@ std::optional<EnergyAcceptance> read_energy_acceptance(ObjectReader& accept,
     energy.fill = *fill;
     return energy;
   }
+  const Json* const criterion = accept.find("by");
+  const bool by_diagonals = !criterion || *criterion == "diagonals";
   for (const char* key : {kFriction, kMoment}) {
-    if (!accept.said(key)) continue;
+    if (!by_diagonals || !accept.said(key)) continue;
     accept.faults().add(accept.name(key), "is for draws that are judged by energy",
                         R"(write accept.by = "energy", or take it out)");
   }
@@ -30,7 +32,7 @@ std::optional<EnergyAcceptance> read_energy_acceptance(ObjectReader& accept,
 }
 
 Json energy_acceptance_json(const std::optional<EnergyAcceptance>& energy) {
-  Json json = judging_fill_json(energy ? std::optional<solver::Fill>(energy->fill) : std::nullopt);
+  Json json = judging_fill_json(fill_of(energy));
   json[kFriction] = energy ? or_null(energy->least_friction_n_mm_per_mm) : Json();
   json[kMoment] = energy ? or_null(energy->least_moment_n_mm) : Json();
   return json;

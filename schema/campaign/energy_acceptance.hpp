@@ -23,6 +23,11 @@ struct EnergyAcceptance {
   }
 };
 
+/// Returns the filling whose energy judges; none if diagonals do.
+inline std::optional<solver::Fill> fill_of(const std::optional<EnergyAcceptance>& energy) {
+  return energy ? std::optional<solver::Fill>(energy->fill) : std::nullopt;
+}
+
 /// Reads "by", "fill" and the margins of the part "accept"; none if all diagonals must be monotone.
 std::optional<EnergyAcceptance> read_energy_acceptance(ObjectReader& accept,
                                                        const solver::PerforatedSheet& base);

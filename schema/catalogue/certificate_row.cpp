@@ -59,10 +59,16 @@ std::string panels_place(const Pattern& base, const solver::Mechanism& mechanism
   return place_of(pairs[number].a) + " and " + place_of(pairs[number].b);
 }
 
+// Returns whether an energy turns back, which no single diagonal does.
+bool is_of_all(const solver::Certificate& certificate) {
+  return certificate.end == CertificateEnd::reversal &&
+         certificate.criterion == CertifiedBy::energy;
+}
+
 // Returns the place's label, empty if the sheet has no such place.
 std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
                      const solver::Certificate& certificate) {
-  if (certificate.where < 0) return "";
+  if (certificate.where < 0 || is_of_all(certificate)) return "";
   const auto number = static_cast<std::size_t>(certificate.where);
   switch (certificate.end) {
     case CertificateEnd::reversal:
@@ -85,7 +91,7 @@ std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
 
 bool needs_place(const solver::Certificate& certificate) {
   const CertificateEnd end = certificate.end;
-  return (end == CertificateEnd::reversal && certificate.criterion == CertifiedBy::diagonals) ||
+  return (end == CertificateEnd::reversal && !is_of_all(certificate)) ||
          end == CertificateEnd::over_folded || end == CertificateEnd::sign_changed ||
          end == CertificateEnd::contact;
 }
@@ -100,7 +106,6 @@ CertificateRecord claims_of(const Pattern& base, const solver::Mechanism& mechan
   row.end = solver::name_of(certificate.end);
   row.place = place_of(base, mechanism, certificate);
   row.contact = certificate.contact;
-  row.criterion = solver::name_of(certificate.criterion);
   row.intervals = static_cast<std::uint32_t>(certificate.intervals.size());
   return row;
 }
@@ -149,6 +154,17 @@ CertificateRecord certificate_row(const Pattern& base, const solver::Mechanism& 
   return row;
 }
 
+solver::CertifiedBy criterion_of(const CertificateRecord& row) {
+  return solver::certified_by_of(row.proof).value_or(solver::CertifiedBy::diagonals);
+}
+
+NamedCertificate named_certificate(std::string name, CertificateRecord row, bool is_new) {
+  const std::size_t bytes = row.proof.size();
+  const solver::CertifiedBy criterion = criterion_of(row);
+  row.proof = {};
+  return {std::move(name), std::move(row), bytes, criterion, is_new};
+}
+
 std::optional<std::string> certificate_fault(const Pattern& base,
                                              const solver::Mechanism& mechanism,
                                              const Eigen::Matrix2Xd& shifts_mm,
@@ -173,7 +189,6 @@ std::optional<std::string> certificate_fault(const Pattern& base,
     return "its proof ends at a place that the sheet does not have";
   }
   if (row.contact != claims.contact) return contradicted("contact");
-  if (row.criterion != claims.criterion) return contradicted("by");
   if (row.intervals != claims.intervals) return contradicted("intervals");
   return std::nullopt;
 }
@@ -181,7 +196,7 @@ std::optional<std::string> certificate_fault(const Pattern& base,
 Json certificate_json(const CertificateRecord& row) {
   return {{"certified_deg", row.certified_deg},
           {"asked_deg", row.asked_deg},
-          {"by", row.criterion},
+          {"by", solver::name_of(criterion_of(row))},
           {"end", row.end},
           {"where", row.place.empty() ? Json() : Json(row.place)},
           {"contact", row.contact},
@@ -209,7 +224,7 @@ std::optional<CertificateRecord> certificate_of_json(const Json& exported,
   }
   reader.number("certified_deg", row.certified_deg, 0, 180, again);
   reader.number("asked_deg", row.asked_deg, 0, 180, again);
-  if (reader.said("by")) reader.text("by", row.criterion, again);  // older ones are of diagonals
+  const Json* const criterion = reader.said("by");  // older ones have none
   reader.text("end", row.end, again);
   if (reader.said("where")) reader.text("where", row.place, again);
   reader.boolean("contact", row.contact, again);
@@ -222,9 +237,12 @@ std::optional<CertificateRecord> certificate_of_json(const Json& exported,
   reader.text("proof", proof, again);
   const auto bytes = from_base64(proof);
   if (!bytes) faults.add(reader.name("proof"), "is not base64", again);
+  if (bytes) row.proof = *bytes;
+  if (criterion && *criterion != solver::name_of(criterion_of(row))) {
+    faults.add(reader.shown("by"), "contradicts the proof", again);
+  }
   reader.refuse_unknown_keys();
   faults.refuse(source);
-  row.proof = *bytes;
   return row;
 }
 
@@ -233,7 +251,7 @@ std::optional<CertificateRecord> read_certificate(SQLite::Database& database, st
     SQLite::Statement row = bound(database, kSelect, draw);
     if (!row.executeStep()) return std::nullopt;
     const bool good = is_certificate(row);
-    CertificateRecord record{draw,
+    return CertificateRecord{draw,
                              row.getColumn(0).getDouble(),
                              row.getColumn(1).getDouble(),
                              text_of(row.getColumn(2)),
@@ -243,9 +261,6 @@ std::optional<CertificateRecord> read_certificate(SQLite::Database& database, st
                              good ? row.getColumn(6).getDouble() : 0,
                              row.getColumn(8).getString(),
                              good ? text_of(row.getColumn(7)) : ""};
-    if (const auto criterion = solver::certified_by_of(record.proof))
-      record.criterion = solver::name_of(*criterion);
-    return record;
   });
 }
 

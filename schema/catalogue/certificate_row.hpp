@@ -34,6 +34,11 @@ std::optional<std::string> certificate_fault(const Pattern& base,
                                              const Eigen::Matrix2Xd& shifts_mm,
                                              const CertificateRecord& row);
 
+/// Returns what the proof of a row proves: of diagonals where it does not say.
+solver::CertifiedBy criterion_of(const CertificateRecord& row);
+/// Names the certificate of a row, whose proof is removed.
+NamedCertificate named_certificate(std::string name, CertificateRecord row, bool is_new);
+
 /// Returns {"certified_deg", "asked_deg", "by", "end", "where", "contact", "intervals", "seconds",
 /// "hash", "proof"}; the place is null where there is none, the proof in base64.
 Json certificate_json(const CertificateRecord& row);

@@ -10,9 +10,14 @@
 
 namespace misalign::schema {
 
+std::string diagonal_label(const std::vector<solver::Diagonal>& diagonals, int diagonal) {
+  assert(diagonal >= 0 && diagonal < std::ssize(diagonals));
+  const solver::Diagonal& its = diagonals[static_cast<std::size_t>(diagonal)];
+  return solver::line_label(its.from, its.to);
+}
+
 std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal) {
-  assert(diagonal >= 0 && diagonal < mechanism.diagonal_count());
-  return solver::line_label(mechanism.diagonals[diagonal].from, mechanism.diagonals[diagonal].to);
+  return diagonal_label(mechanism.diagonals, diagonal);
 }
 
 std::string diagonal_labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
@@ -40,11 +45,9 @@ Json limits_json(const solver::Actuation& actuation) {
 }
 
 void add_filling(const solver::Fill& fill, const solver::PerforatedSheet& base, Json& json) {
+  json["fill"] = fill_json(fill, base);
   const auto* const springs = std::get_if<solver::Springs>(&fill);
-  if (!springs) {
-    json["fill"] = fill_json(fill, base);
-    return;
-  }
+  if (!springs) return;
   json["stiffness_n_per_mm"] = springs->stiffness_n_per_mm;
   add_preload(springs->preload, json);
   add_single_springs(*springs, json);

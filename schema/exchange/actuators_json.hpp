@@ -7,12 +7,13 @@
 namespace misalign::schema {
 
 /// "A11-A17"
+std::string diagonal_label(const std::vector<solver::Diagonal>& diagonals, int diagonal);
 std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal);
 /// "A11-A17, A3-A9"; "none".
 std::string diagonal_labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals);
 
-/// Adds springs to an object about them, by their rate and what else they have; other fillings as
-/// "fill".
+/// Adds the filling to an object about it as "fill"; of springs also their rate, and what else they
+/// have, by the keys that they had before there were other fillings.
 void add_filling(const solver::Fill& fill, const solver::PerforatedSheet& base, Json& json);
 
 /// Springs of a candidate's file: actuators, force on each diagonal at D, weakest point, fewest

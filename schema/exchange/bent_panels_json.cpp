@@ -1,7 +1,6 @@
 #include "schema/exchange/bent_panels_json.hpp"
 
 #include <cassert>
-#include <cmath>
 
 #include "schema/files/json_values.hpp"
 
@@ -44,20 +43,17 @@ const char* name_of(solver::BucklingKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-// Infinite factors are null.
-Json factor_json(double factor) { return std::isfinite(factor) ? Json(factor) : Json(); }
-
 Json buckling_json(const solver::BucklingStudy& study) {
   const auto least_json = [](const solver::BucklingStudy::Least& panel) {
     return Json{{"panel", panel.place},
-                {"factor", factor_json(panel.factor)},
+                {"factor", finite_or_null(panel.factor)},
                 {"pilot_deg", panel.pilot_deg},
                 {"kind", name_of(panel.kind)}};
   };
   Json angles = Json::array();
   for (std::size_t k = 0; k < study.pilot_deg.size(); ++k) {
     Json factors =
-        json_list(study.factors[k], [](const auto& panel) { return factor_json(panel.factor); });
+        json_list(study.factors[k], [](const auto& panel) { return finite_or_null(panel.factor); });
     angles.push_back({{"pilot_deg", study.pilot_deg[k]}, {"factors", std::move(factors)}});
   }
   return {{"least", least_json(study.least())},
@@ -89,7 +85,7 @@ Json bent_panels_json(const BentSheet& sheet) {
                {"largest_stress_mpa", most.largest_stress_mpa},
                {"largest_stress_deg", most.pilot_deg},
                {"stress_from_corners_widths", solver::kCornerWidths},
-               {"buckling_factor", factor_json(buckling.least().factor)},
+               {"buckling_factor", finite_or_null(buckling.least().factor)},
                {"useful_stiffness_n_per_mm", or_null(advice.useful_stiffness_n_per_mm)},
                {"wanted_static_margin", advice.wanted_margin},
                {"least_thickness_mm", or_null(advice.least_thickness_mm)},

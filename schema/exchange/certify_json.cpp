@@ -9,6 +9,7 @@ namespace misalign::schema {
 Json certified_json(const NamedCertificate& sheet) {
   Json json = certificate_json(sheet.row);
   json.erase("proof");
+  json["by"] = solver::name_of(sheet.criterion);
   json["bytes"] = sheet.bytes;
   return json;
 }

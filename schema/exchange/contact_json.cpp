@@ -13,11 +13,6 @@ const char* kind_name(solver::ContactKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel) {
-  assert(panel >= 0 && panel < std::ssize(panels.facets));
-  return facet_json(base, panels.facets[static_cast<std::size_t>(panel)]);
-}
-
 // The common vertex or crease of two panels: "A9", "A2-A9" or null.
 Json joint_json(const solver::Panels& panels, const solver::PanelPair& pair) {
   if (pair.kind == solver::ContactKind::apart) return nullptr;

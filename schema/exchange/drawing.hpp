@@ -10,12 +10,11 @@
 namespace misalign::schema {
 
 /// The crease pattern with a margin: layers `cut` (black: perimeter and holes, closed outlines),
-/// `mountain` (red) and `valley` (blue); and, hidden so that no cutter follows them, `springs` (the
-/// diagonals, green; another layer's name if the filling is other) and `labels` (of the vertices,
-/// and the diagonals' numbers from 0).
+/// `mountain` (red) and `valley` (blue); and, hidden so that no cutter follows them, one named
+/// `diagonals` (green) and `labels` (of the vertices, and the diagonals' numbers from 0).
 LineDrawing crease_pattern_drawing(const Pattern& base, const Eigen::Matrix2Xd& vertices_mm,
                                    const solver::Mechanism& mechanism, const std::string& title,
-                                   const std::string& diagonals = "springs");
+                                   const std::string& diagonals);
 
 /// A folded sheet as Wavefront OBJ, 3 x N coordinates in mm, a quadrilateral for each kept facet.
 std::string folded_obj(const Pattern& base, const Eigen::Matrix3Xd& shape_mm,

@@ -54,18 +54,18 @@ Json bump_json(const FoldingView& view) {
 
 Json energy_json(const FoldingView& view, const solver::Fill& fill) {
   if (!drives_to_flat(fill)) return Json();
-  const solver::EnergyHistory found = solver::energy_history(view.sheet, view.history, fill);
-  const double d_deg = found.deploys_from_sample * view.sample_deg;
+  const solver::EnergyHistory energy = solver::energy_history(view.sheet, view.history, fill);
+  const double d_deg = energy.deploys_from_sample * view.sample_deg;
   Json json = {{"fill", fill_json(fill, view.base.base)},
                {"deploys_from_deg", d_deg},
-               {"diagonals_deploy_from_deg", found.monotone_to_sample * view.sample_deg},
-               {"energy_n_mm", found.energy_n_mm}};
-  const bool falls = !found.rises_to_the_end;
+               {"diagonals_deploy_from_deg", energy.monotone_to_sample * view.sample_deg},
+               {"energy_n_mm", energy.energy_n_mm}};
+  const bool falls = !energy.rises_to_the_end;
   json["first_fault"] = falls ? Json(solver::fault_name(solver::Fault::energy_rises)) : Json();
   json["fault_deg"] = falls ? Json(d_deg + view.sample_deg) : Json();
   json["where"] = Json();
-  if (found.where >= 0) {
-    const solver::Diagonal& diagonal = view.mechanism.diagonals[found.where];
+  if (energy.where >= 0) {
+    const solver::Diagonal& diagonal = view.mechanism.diagonals[energy.where];
     json["where"] = solver::line_label(diagonal.from, diagonal.to);
   }
   return json;

@@ -7,7 +7,6 @@
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/mat_file.hpp"
 #include "schema/files/json_values.hpp"
-#include "schema/pattern/fill_json.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "solver/pattern/outline.hpp"
 
@@ -126,17 +125,14 @@ Json limits_counted(const solver::Actuation& actuation) {
   return limits;
 }
 
-// The filling of the holes: "springs", or "filling" with the keys of a design's "fill".
+// The filling of the holes: "springs", or "filling".
 MatValue filling(const FoldingView& view, const solver::Actuation& actuation) {
   std::vector<MatValue> fields;
   const auto& limit = actuation.actuators.stroke_limit;
   const solver::Fill& fill = actuation.actuators.fill;
-  const auto* const springs = std::get_if<solver::Springs>(&fill);
-  if (springs) {
-    fields.push_back(MatValue::json("stiffness_n_per_mm", springs->stiffness_n_per_mm));
-  } else {
-    fields.push_back(MatValue::json("fill", fill_json(fill, view.base.base)));
-  }
+  Json keys;
+  add_filling(fill, view.base.base, keys);
+  for (const auto& [key, value] : keys.items()) fields.push_back(MatValue::json(key, value));
   fields.push_back(MatValue::json("stroke_limit", or_null(limit)));
   fields.push_back(MatValue::matrix("force_n", actuation.force_n));
   fields.push_back(MatValue::matrix("moment_by_n_mm", actuation.moment_by_n_mm));
@@ -147,7 +143,8 @@ MatValue filling(const FoldingView& view, const solver::Actuation& actuation) {
   for (const char* key : {"weakest", "few", "over_stroke"}) {
     fields.push_back(MatValue::json(key, limits[key]));
   }
-  return MatValue::structure(springs ? "springs" : "filling", std::move(fields));
+  return MatValue::structure(std::holds_alternative<solver::Springs>(fill) ? "springs" : "filling",
+                             std::move(fields));
 }
 
 MatValue verdict(const FoldingView& view) {
@@ -171,9 +168,10 @@ constexpr const char* kMatReadme =
     "pilot_deg [S x 1], 0 flat; length_mm, rate_mm_per_deg [S x D] of diagonals\n"
     "fold_angle_deg [S x C], 0 flat, valleys positive\n"
     "folded_vertices_mm [S x V x 3] x, y, z, each state aligned with the flat sheet\n"
-    "springs, or filling of other holes, whose fill is that of the design: force_n [S x D] "
-    "positive in tension, moment_by_n_mm [S x D]\n"
-    "  of each and moment_n_mm [S x 1] of all about the pilot crease, energy_n_mm [S x 1],\n"
+    "springs, or filling of other holes: fill as in a design (- in its names is _), force_n "
+    "[S x D] positive in tension,\n"
+    "  moment_by_n_mm [S x D] of each and moment_n_mm [S x 1] of all about the pilot crease, "
+    "energy_n_mm [S x 1],\n"
     "  mechanical_advantage [S x 1], NaN when flat; weakest: the least moment from 5 deg to D;\n"
     "  few: the fewest diagonals that keep half of it; NaN where there is none\n"
     "verdict: deploys_from_deg (D), first_fault, fault_deg, where, fold_limit_deg\n"

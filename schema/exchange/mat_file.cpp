@@ -2,6 +2,7 @@
 
 #include <matio.h>
 
+#include <algorithm>
 #include <cassert>
 #include <filesystem>
 #include <limits>
@@ -82,11 +83,29 @@ MatValue MatValue::structure(const std::string& name, std::vector<MatValue> fiel
   return whole;
 }
 
+MatValue MatValue::cells(const std::string& name, std::vector<MatValue> values) {
+  std::size_t dimensions[] = {values.size(), 1};
+  MatValue whole(Mat_VarCreate(name.c_str(), MAT_C_CELL, MAT_T_CELL, 2, dimensions, nullptr, 0));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Mat_VarSetCell(whole.value_.get(), static_cast<int>(i), values[i].value_.release());
+  }
+  return whole;
+}
+
 MatValue MatValue::json(const std::string& name, const Json& value) {
   if (value.is_object()) {
     std::vector<MatValue> fields;
-    for (const auto& [key, field] : value.items()) fields.push_back(json(key, field));
+    for (const auto& [key, field] : value.items()) {
+      std::string its_name = key;
+      std::ranges::replace(its_name, '-', '_');
+      fields.push_back(json(its_name, field));
+    }
     return structure(name, std::move(fields));
+  }
+  if (value.is_array() && !value.empty() && value.front().is_object()) {
+    std::vector<MatValue> elements;
+    for (const Json& element : value) elements.push_back(json("", element));
+    return cells(name, std::move(elements));
   }
   if (value.is_string()) return text(name, value.get<std::string>());
   if (value.is_boolean()) {

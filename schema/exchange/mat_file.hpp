@@ -29,8 +29,10 @@ class MatValue {
   /// A row of characters (1 x n, UTF-16); 0 x 0 where there is none.
   static MatValue text(const std::string& name, const std::string& utf8);
   static MatValue structure(const std::string& name, std::vector<MatValue> fields);
-  /// An object as a struct, a number as a double, null as NaN, true and false as logicals, text as
-  /// text, a list of numbers as a column.
+  /// A column of cells (n x 1).
+  static MatValue cells(const std::string& name, std::vector<MatValue> values);
+  /// An object as a struct ("A9-A15" as A9_A15), a number as a double, null as NaN, true and false
+  /// as logicals, text as text, a list of numbers as a column, of objects as cells.
   static MatValue json(const std::string& name, const Json& value);
 
  private:

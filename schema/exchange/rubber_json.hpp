@@ -2,8 +2,8 @@
 #pragma once
 
 #include "schema/pattern/pattern_json.hpp"
+#include "solver/fitting/cut_outs.hpp"
 #include "solver/motion/rubber.hpp"
-#include "solver/optimise/cut_outs.hpp"
 
 namespace misalign::schema {
 

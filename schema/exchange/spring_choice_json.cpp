@@ -2,6 +2,7 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/fill_json.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -37,29 +38,16 @@ Json limits_json(const solver::Mechanism& mechanism, const solver::SpringChoiceO
 
 }  // namespace
 
-Json chosen_fill_json(const solver::Mechanism& mechanism, const solver::SpringChoice& choice) {
-  if (!choice.drives()) return nullptr;
-  Json single = Json::array();
-  for (const solver::SingleSpring& spring : choice.filling(mechanism).single) {
-    single.push_back({{"from", solver::vertex_label(spring.from)},
-                      {"to", solver::vertex_label(spring.to)},
-                      {"stiffness_n_per_mm", spring.stiffness_n_per_mm},
-                      {"free_mm", *spring.free_mm}});
-  }
-  return {{"kind", "springs"},
-          {"stiffness_n_per_mm", 0},
-          {"pull_only", choice.options.pull_only},
-          {"single", single}};
-}
-
-Json spring_choice_json(const solver::Mechanism& mechanism, const solver::SpringChoice& choice) {
+Json spring_choice_json(const solver::PerforatedSheet& base, const solver::Mechanism& mechanism,
+                        const solver::SpringChoice& choice) {
+  const bool drives = choice.drives();
   Json weights = Json::array();
   for (const auto& [pilot_deg, weight] : choice.weights) {
     weights.push_back({{"pilot_deg", pilot_deg}, {"weight", weight}});
   }
   return {{"from_deg", choice.from_deg},
           {"limits", limits_json(mechanism, choice.options)},
-          {"drives", choice.drives()},
+          {"drives", drives},
           {"driven_from_deg", or_null(choice.driven_from_deg)},
           {"static_friction_n_mm_per_mm", choice.static_n_mm_per_mm},
           {"weakest_deg", choice.weakest_deg},
@@ -67,7 +55,7 @@ Json spring_choice_json(const solver::Mechanism& mechanism, const solver::Spring
           {"bound_n_mm_per_mm", choice.bound_n_mm_per_mm},
           {"relaxed_n_mm_per_mm", choice.relaxed_n_mm_per_mm},
           {"proven_fewest", or_null(choice.proven_fewest)},
-          {"fill", chosen_fill_json(mechanism, choice)},
+          {"fill", drives ? fill_json(solver::Fill(choice.filling(mechanism)), base) : Json()},
           {"effort",
            {{"programs", choice.programs}, {"pivots", choice.pivots}, {"nodes", choice.nodes}}},
           {"weights", weights},

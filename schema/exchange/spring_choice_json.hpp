@@ -2,15 +2,14 @@
 #pragma once
 
 #include "schema/files/input.hpp"
-#include "solver/optimise/spring_choice.hpp"
+#include "solver/fitting/spring_choice.hpp"
 
 namespace misalign::schema {
 
-/// A filling with these springs, as "fill" of a design takes it; null where none drive the sheet.
-Json chosen_fill_json(const solver::Mechanism& mechanism, const solver::SpringChoice& choice);
-
-/// The friction that they overcome, its bounds, each spring, the filling, the effort, and the
-/// places that limit them ("rows", with the lengths of all diagonals).
-Json spring_choice_json(const solver::Mechanism& mechanism, const solver::SpringChoice& choice);
+/// The friction that they overcome, its bounds, the effort, the places that limit them ("rows",
+/// with the lengths of all diagonals), and "fill" as a design takes it, null where no springs drive
+/// the sheet.
+Json spring_choice_json(const solver::PerforatedSheet& base, const solver::Mechanism& mechanism,
+                        const solver::SpringChoice& choice);
 
 }  // namespace misalign::schema

@@ -1,5 +1,8 @@
 #include "schema/exchange/spring_clearance_json.hpp"
 
+#include <cassert>
+
+#include "schema/exchange/actuators_json.hpp"
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
@@ -7,23 +10,14 @@ namespace {
 
 using Diagonals = std::vector<solver::Diagonal>;
 
-std::string spring_label(const Diagonals& diagonals, int diagonal) {
-  const solver::Diagonal& line = diagonals[static_cast<std::size_t>(diagonal)];
-  return solver::line_label(line.from, line.to);
-}
-
-Json panel_place(const Pattern& base, const solver::Panels& panels, int panel) {
-  return facet_json(base, panels.facets[static_cast<std::size_t>(panel)]);
-}
-
 Json meeting_json(const Pattern& base, const solver::Panels& panels, const Diagonals& diagonals,
                   const solver::SpringMeeting& met) {
-  Json json = {{"springs", {spring_label(diagonals, met.spring)}},
+  Json json = {{"springs", {diagonal_label(diagonals, met.spring)}},
                {"apart_mm", met.apart_mm},
                {"clear_mm", met.clear_mm},
                {"pilot_deg", met.pilot_deg}};
-  if (met.other >= 0) json["springs"].push_back(spring_label(diagonals, met.other));
-  if (met.panel >= 0) json["panel"] = panel_place(base, panels, met.panel);
+  if (met.other >= 0) json["springs"].push_back(diagonal_label(diagonals, met.other));
+  if (met.panel >= 0) json["panel"] = place_of_panel(base, panels, met.panel);
   return json;
 }
 
@@ -42,7 +36,7 @@ Json offset_json(const Pattern& base, const solver::Panels& panels, const Diagon
                  const solver::OffsetEnds& ends) {
   Json json = {{"kind", offset_name(ends.kind)},
                {"inset_mm", ends.inset_mm},
-               {"offset_mm", ends.offset_mm ? Json(*ends.offset_mm) : Json()}};
+               {"offset_mm", or_null(ends.offset_mm)}};
   if (!ends.offset_mm) return json;
   json["deploys_from_deg"] = ends.deploys_from_deg;
   json["monotone"] = ends.monotone;
@@ -53,23 +47,28 @@ Json offset_json(const Pattern& base, const solver::Panels& panels, const Diagon
 
 }  // namespace
 
+Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel) {
+  assert(panel >= 0 && panel < std::ssize(panels.facets));
+  return facet_json(base, panels.facets[static_cast<std::size_t>(panel)]);
+}
+
 const char* offset_name(solver::OffsetKind kind) {
   return kind == solver::OffsetKind::alternate ? "alternate" : "one_above";
 }
 
 std::string meeting_text(const Pattern& base, const solver::Panels& panels,
                          const Diagonals& diagonals, const solver::SpringMeeting& met) {
-  const std::string spring = spring_label(diagonals, met.spring);
-  if (met.other >= 0) return "springs " + spring + " and " + spring_label(diagonals, met.other);
-  return "spring " + spring + " and panel " + panel_place(base, panels, met.panel).dump();
+  const std::string spring = diagonal_label(diagonals, met.spring);
+  if (met.other >= 0) return "springs " + spring + " and " + diagonal_label(diagonals, met.other);
+  return "spring " + spring + " and panel " + place_of_panel(base, panels, met.panel).dump();
 }
 
 Json spring_clearance_json(const Pattern& base, const solver::Panels& panels,
                            const solver::ContactStudy& study) {
   if (!study.springs) return nullptr;
   const solver::SpringClearance& springs = *study.springs;
-  const auto meetings = [&](const solver::SpringMeetings& found) {
-    return meetings_json(base, panels, springs.diagonals, found);
+  const auto meetings = [&](const solver::SpringMeetings& all) {
+    return meetings_json(base, panels, springs.diagonals, all);
   };
   Json apart = {{"pilot_deg", study.pilot_deg}};
   for (const solver::SpringClearance::Apart& at : springs.apart) {
@@ -86,6 +85,7 @@ Json spring_clearance_json(const Pattern& base, const solver::Panels& panels,
                {"springs", meetings(springs.springs)},
                {"panels", meetings(springs.panels)},
                {"apart", apart}};
+  if (study.trial == solver::OffsetTrial::tried) json["offset_ends"] = Json::array();
   for (const solver::OffsetEnds& ends : study.offsets) {
     json["offset_ends"].push_back(offset_json(base, panels, springs.diagonals, ends));
   }

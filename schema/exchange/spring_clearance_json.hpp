@@ -8,6 +8,9 @@
 
 namespace misalign::schema {
 
+/// [row, column] of a panel.
+Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel);
+
 /// "alternate" or "one_above".
 const char* offset_name(solver::OffsetKind kind);
 
@@ -16,8 +19,8 @@ std::string meeting_text(const Pattern& base, const solver::Panels& panels,
                          const std::vector<solver::Diagonal>& diagonals,
                          const solver::SpringMeeting& met);
 
-/// The clearances, pairs that touch, distances of axes as arrays, and "offset_ends" if tried; null
-/// where springs were not judged.
+/// The clearances, pairs that touch, distances of axes as arrays, and "offset_ends" if tried, empty
+/// where no springs touch; null where springs were not judged.
 Json spring_clearance_json(const Pattern& base, const solver::Panels& panels,
                            const solver::ContactStudy& study);
 

@@ -112,7 +112,7 @@ void ObjectReader::number(const std::string& key, double& into, double least, do
     faults_.add(shown(key), "must be from " + shown_number(least) + " to " + shown_number(most),
                 suggestion);
   } else {
-    into = x;
+    into = x + 0.0;  // no negative zero, which would be another identity
   }
 }
 

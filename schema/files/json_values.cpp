@@ -10,6 +10,11 @@ bool are_numbers(const Json& value, std::size_t count) {
          std::ranges::all_of(value, [](const Json& element) { return element.is_number(); });
 }
 
+bool is_place(const Json& value) {
+  constexpr int kMostPlace = 1000;
+  return value.is_number_integer() && value >= 0 && value < kMostPlace;
+}
+
 void leave_out_defaults(Json& value, const Json& defaults) {
   for (auto it = value.begin(); it != value.end();) {
     const auto at = defaults.find(it.key());

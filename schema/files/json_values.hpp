@@ -1,8 +1,10 @@
 // Writes values as JSON that may be absent or not finite.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 #include "schema/files/input.hpp"
@@ -27,6 +29,22 @@ Json json_list(const Range& range, const Of& projection) {
 
 /// Returns whether a value is a list of `count` numbers.
 bool are_numbers(const Json& value, std::size_t count);
+/// Returns whether a value can be a row or column of a sheet; the sheet knows which exist.
+bool is_place(const Json& value);
+
+/// Returns the row of a table whose `name` a key holds; null if the key is absent, or, with a
+/// fault, if no row has it.
+template <class Row, std::size_t kCount>
+const Row* read_name(ObjectReader& reader, const char* key, const Row (&rows)[kCount],
+                     const char* why, const char* suggestion) {
+  const Json* const value = reader.find(key);
+  if (!value) return nullptr;
+  const auto is_its = [&](const Row& row) { return *value == row.name; };
+  const Row* const at = std::ranges::find_if(rows, is_its);
+  if (at != std::end(rows)) return at;
+  reader.faults().add(reader.shown(key), why, suggestion);
+  return nullptr;
+}
 
 /// Removes all values from an object that equal their `defaults`, also within its objects.
 void leave_out_defaults(Json& value, const Json& defaults);

@@ -52,7 +52,7 @@ std::string card_page(const Card& card, const solver::Sheet& sheet,
       fmt::format("<p class=\"{}\">Used between {:.10g}° and flat: {}.</p>\n",
                   card.passes() ? "" : "warning", card.from_deg, xml_text(card.verdict())) +
       requirements(card) + facts(card) + "<div class=\"pair\">" +
-      assembled_picture(sheet, card.design.is_springs() ? "springs" : "diagonals");
+      assembled_picture(sheet, card.design.diagonals_name());
   if (actuation.from_row > 0) {
     const auto row = static_cast<std::size_t>(actuation.from_row);
     text += folded_picture(sheet, sheet.shapes_mm()[row - 1], actuation.pilot_deg[row]);

@@ -76,7 +76,7 @@ class Guide {
                    bore_mm ? fmt::format("bores of {:g} mm", *bore_mm) : std::string("no bores")},
                   1);
     text += table_row(
-        {fill_words(fill()), std::to_string(filling_parts()),
+        {fill_words(fill(), mechanism_.diagonal_count()), std::to_string(filling_parts()),
          fmt::format(
              "{:.4g} N mm at {:.10g}°",
              input_.actuation.energy_n_mm[static_cast<std::size_t>(input_.actuation.from_row)],
@@ -147,8 +147,7 @@ class Guide {
                          panel_label(sheet_, ball.to_facet)},
                         3);
     }
-    text += "</table>\n" +
-            assembled_picture(sheet_, input_.design.is_springs() ? "springs" : "diagonals");
+    text += "</table>\n" + assembled_picture(sheet_, input_.design.diagonals_name());
     text +=
         "<li>Fold the sheet with empty holes. It has one degree of freedom and these "
         "shapes:</li>\n" +

@@ -7,12 +7,12 @@
 #include <map>
 #include <numbers>
 
+#include "schema/pattern/plane_geometry.hpp"
+
 namespace misalign::schema {
 namespace {
 
 using Eigen::Vector2d;
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // The next vertex of a contour that goes from `from` to `at`: where it branches, by the first edge
 // counter-clockwise from the way back, so that the outside stays one region.

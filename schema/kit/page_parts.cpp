@@ -32,7 +32,8 @@ std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& ac
       "<h2>Springs</h2>\n<p>{} {}. Folded: pilot angle {:.10g}°. A spring pulls where it is longer "
       "than its free length{}.</p>\n<table>\n",
       std::get<solver::Springs>(fill).pull_only ? "All wires are" : "All springs are",
-      rest_words(fill), actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)],
+      rest_words(fill, kDegreeSign),
+      actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)],
       std::get<solver::Springs>(fill).pull_only ? "" : ", and pushes where it is shorter");
   text += table_row({"no.", "vertices", "force", "enough", "free (mm)", "flat (mm)", "folded (mm)",
                      "elongation (%)", "force (N)"},
@@ -77,7 +78,8 @@ std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& act
   std::string text = fmt::format(
       "<h2>Rubber plates</h2>\n<p>{}, bonded to the edges of their holes. Cut-out: the diagonals "
       "of a plate without stress. Folded: pilot angle {:.10g}°.</p>\n<table>\n",
-      filling_words(fill), actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)]);
+      filling_words(fill, sheet.mechanism().diagonal_count(), kDegreeSign),
+      actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)]);
   text += table_row(
       {"hole", "diagonals", "cut-out (mm)", "flat (mm)", "folded (mm)", "energy (N mm)"}, 2, "th");
   for (Eigen::Index h = 0; h < filling.holes(); ++h) {

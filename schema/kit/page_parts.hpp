@@ -30,8 +30,8 @@ struct SpringLengths {
 SpringLengths diagonal_lengths(const solver::Sheet& sheet, const solver::Actuation& actuation,
                                int diagonal);
 
-/// One row for each spring, and the largest force; `lengths`: between a spring's ends. Of rubber
-/// plates one row for each hole; nothing of no filling.
+/// One row for each spring, and the largest force, or one row for each hole's rubber plate; nothing
+/// for empty holes. `lengths`: between a spring's ends.
 std::string filling_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
                           const std::function<SpringLengths(int)>& lengths);
 

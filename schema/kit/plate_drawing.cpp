@@ -7,10 +7,10 @@
 #include <cmath>
 #include <utility>
 
-#include "schema/kit/kit_layout.hpp"
-#include "schema/kit/kit_notes.hpp"
 #include "schema/kit/kit_outline.hpp"
+#include "schema/kit/kit_pages.hpp"
 #include "schema/kit/stroke_font.hpp"
+#include "schema/pattern/plane_geometry.hpp"
 #include "solver/pattern/crease_pattern.hpp"
 #include "solver/sheet/sheet_filling.hpp"
 
@@ -28,14 +28,18 @@ std::array<int, 4> corners_of(const solver::Mechanism& mechanism, int hole) {
           mechanism.diagonals[d + 1].to};
 }
 
+std::string hole_label(const solver::Sheet& sheet, int hole) {
+  const solver::Mechanism& mechanism = sheet.mechanism();
+  const solver::Diagonal& first = mechanism.diagonals[static_cast<std::size_t>(2 * hole)];
+  return panel_label(sheet, mechanism.loops[static_cast<std::size_t>(first.loop)].hole);
+}
+
 KitItem plate_item(const solver::Sheet& sheet, const solver::RubberPlates& plates, int hole,
                    const KitOptions& options) {
   const solver::Mechanism& mechanism = sheet.mechanism();
   const std::array<Vector2d, 4> corners_mm = cut_out_mm(sheet, plates, hole);
   const std::array<int, 4> vertices = corners_of(mechanism, hole);
-  const solver::Diagonal& first = mechanism.diagonals[static_cast<std::size_t>(2 * hole)];
-  const std::string label =
-      panel_label(sheet, mechanism.loops[static_cast<std::size_t>(first.loop)].hole);
+  const std::string label = hole_label(sheet, hole);
   Ring ring(corners_mm.begin(), corners_mm.end());
   if (signed_area_mm2(ring) < 0) std::ranges::reverse(ring);
   const std::optional<Ring> outline = offset_ring(ring, options.bond_mm + options.kerf_mm / 2);
@@ -75,9 +79,6 @@ std::array<Vector2d, 4> cut_out_mm(const solver::Sheet& sheet, const solver::Rub
   const std::array<int, 4> vertices = corners_of(sheet.mechanism(), hole);
   const auto flat_mm = [&](std::size_t k) { return sheet.point_mm(vertices[k]); };
   const Vector2d first = flat_mm(2) - flat_mm(0), second = flat_mm(3) - flat_mm(1);
-  const auto cross = [](const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-  };
   // Shares of the diagonals up to their crossing.
   const Vector2d apart = flat_mm(1) - flat_mm(0);
   const double along_first = cross(apart, second) / cross(first, second),
@@ -91,43 +92,25 @@ std::array<Vector2d, 4> cut_out_mm(const solver::Sheet& sheet, const solver::Rub
           (1 - along_second) * other};
 }
 
-LineDrawing kit_plate_drawing(const solver::Sheet& sheet, const solver::RubberPlates& plates,
-                              const KitOptions& options, const std::string& title) {
+std::vector<LineDrawing> kit_plate_drawings(const solver::Sheet& sheet,
+                                            const solver::RubberPlates& plates,
+                                            const KitOptions& options, const std::string& title) {
+  const KitPages pages(options, title, [&](std::size_t page, std::size_t count) {
+    return std::vector<std::string>{
+        title,
+        fmt::format("rubber plates of {:g} mm, shear modulus {:g} MPa, free of stress (mm), sheet "
+                    "{} of {}; kerf {:g}",
+                    plates.thickness_mm, plates.shear_mpa, page + 1, count, options.kerf_mm),
+        fmt::format("bonds of {:g} mm; stretch each plate until its line lies on the hole's edges",
+                    options.bond_mm)};
+  });
   std::vector<KitItem> items;
-  std::vector<LayoutBox> boxes;
   for (int hole = 0; 2 * hole < sheet.mechanism().diagonal_count(); ++hole) {
     items.push_back(plate_item(sheet, plates, hole, options));
-    boxes.push_back({items.back().size_mm(), true});
+    pages.expect_room("the plate of hole " + hole_label(sheet, hole),
+                      {items.back().size_mm(), items.back().may_turn});
   }
-  const double width_mm = std::max(sheet_width_mm(boxes, options.gap_mm), kLeastHeading_mm);
-  const std::vector<LaidOut> laid = lay_out(boxes, {width_mm, INFINITY}, options.gap_mm);
-  double used_mm = 0;
-  for (std::size_t k = 0; k < laid.size(); ++k) {
-    const Vector2d& size = boxes[k].size_mm;
-    used_mm = std::max(used_mm, laid[k].at_mm.y() + (laid[k].turned ? size.x() : size.y()));
-  }
-  const KitItem heading = kit_heading(
-      {title,
-       fmt::format(
-           "rubber plates of {:g} mm, shear modulus {:g} MPa, free of stress (mm); kerf {:g}",
-           plates.thickness_mm, plates.shear_mpa, options.kerf_mm),
-       fmt::format("bonds of {:g} mm; stretch each plate until its line lies on the hole's edges",
-                   options.bond_mm)},
-      width_mm);
-  const Vector2d margin = Vector2d::Constant(options.margin_mm);
-  KitItem page = empty_item(
-      {0, 0}, 2 * margin + Vector2d(width_mm, used_mm + options.gap_mm + heading.size_mm().y()));
-  page.drawing.title = title;
-  page.add(heading, margin, false);
-  for (std::size_t k = 0; k < items.size(); ++k) {
-    const double height_mm = laid[k].turned ? boxes[k].size_mm.x() : boxes[k].size_mm.y();
-    page.add(items[k],
-             {margin.x() + laid[k].at_mm.x(),
-              page.drawing.most_mm.y() - margin.y() - laid[k].at_mm.y() - height_mm},
-             laid[k].turned);
-  }
-  std::erase_if(page.drawing.layers, [](const LineLayer& layer) { return layer.is_empty(); });
-  return std::move(page.drawing);
+  return pages.laid_out(items);
 }
 
 }  // namespace misalign::schema

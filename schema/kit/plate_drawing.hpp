@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "schema/exchange/line_drawing.hpp"
 #include "schema/kit/kit_options.hpp"
@@ -15,9 +16,11 @@ namespace misalign::schema {
 std::array<Eigen::Vector2d, 4> cut_out_mm(const solver::Sheet& sheet,
                                           const solver::RubberPlates& plates, int hole);
 
-/// All plates: a cut round the bonds, the line to lay on the hole's edges, which is engraved, and
-/// the labels of hole and corners. UserError (bad_request) if one cannot be drawn with its bonds.
-LineDrawing kit_plate_drawing(const solver::Sheet& sheet, const solver::RubberPlates& plates,
-                              const KitOptions& options, const std::string& title);
+/// All plates, on one page if no bed is given: a cut round the bonds, the line to lay on the hole's
+/// edges, which is engraved, and the labels of hole and corners. UserError (bad_request) if one
+/// cannot be drawn with its bonds, or does not fit the bed.
+std::vector<LineDrawing> kit_plate_drawings(const solver::Sheet& sheet,
+                                            const solver::RubberPlates& plates,
+                                            const KitOptions& options, const std::string& title);
 
 }  // namespace misalign::schema

@@ -9,7 +9,8 @@ namespace misalign::schema {
 
 /// All panels with their numbers, their distances from the middle enlarged by a quarter.
 std::string exploded_picture(const solver::Sheet& sheet);
-/// The flat sheet with mountains and valleys, springs and ball joints.
+/// The flat sheet with mountains and valleys, ball joints and diagonals, which the caption calls
+/// `diagonals`.
 std::string assembled_picture(const solver::Sheet& sheet, const std::string& diagonals);
 /// The sheet in a folded shape, captioned with its pilot angle.
 std::string folded_picture(const solver::Sheet& sheet, const Eigen::Matrix3Xd& shape_mm,

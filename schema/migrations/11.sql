@@ -19,6 +19,8 @@ SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_pe
          AS yield_amplitude_mm,
        (SELECT certified_deg FROM certificate WHERE certificate.draw = candidate.draw)
          AS certified_deg,
+       (SELECT CASE substr(proof, 20, 1) WHEN x'00' THEN 'diagonals' WHEN x'01' THEN 'energy' END
+        FROM certificate WHERE certificate.draw = candidate.draw) AS certified_by,
        (SELECT start_value FROM ascent WHERE ascent.draw = candidate.draw) AS start_value,
        (SELECT end_value FROM ascent WHERE ascent.draw = candidate.draw) AS end_value
 FROM candidate;

@@ -24,7 +24,7 @@ constexpr DesignNumber kNumbers[] = {
      "write the spring's limit load, or null for no limit"},
     {"springs", "rest_deg", &Design::rest_deg, 0, 180, 0,
      "write the pilot angle at which the springs are relaxed, 0 for flat"},
-    {"springs", "diameter_mm", &Design::diameter_mm, 1e-6, 1e6, std::nullopt,
+    {"springs", "diameter_mm", &Design::diameter_mm, 0.01, 1e3, std::nullopt,
      "write the outer diameter of the springs, such as 5, or null where it is not known"},
     {"plate", "shear_mpa", &Design::shear_mpa, 1e-6, 1e6, solver::RubberPlates{}.shear_mpa,
      "write the rubber's shear modulus in MPa, such as 0.5"},
@@ -83,7 +83,13 @@ Design Design::merged_over(Design other) const {
     }
     take(row.number);
   }
-  if (pull_only) check_are_springs("pull_only", std::nullopt, other);
+  const auto check = [&](std::string_view key, bool is_given) {
+    if (is_given) check_are_springs(key, std::nullopt, other);
+  };
+  check("pull_only", pull_only.has_value());
+  check("on", springs_on.has_value());
+  check("preloads_n", !other_preloads.empty());
+  check("single", !single_springs.empty());
   take(&Design::fill_kind);
   take(&Design::pull_only);
   take(&Design::springs_on);

@@ -51,7 +51,8 @@ struct Design : DesignFill {
   std::optional<double> static_margin, margin_to_deg, energy_margin, yield, landing_deg_per_s;
 
   /// Returns this design, completed by `other`: a filling with a kind replaces the other's.
-  /// UserError (bad_request) where this has numbers of springs, and the other other fillings.
+  /// UserError (bad_request) where this has values of springs, and the other another filling;
+  /// `rest_deg` is of every filling.
   Design merged_over(Design other) const;
 
   solver::Actuators actuators(const solver::PerforatedSheet& base) const;

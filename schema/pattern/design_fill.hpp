@@ -44,6 +44,8 @@ struct DesignFill {
   const char* fill_key() const { return fill_kind ? "fill" : "springs"; }
   bool is_springs() const { return fill_kind.value_or(FillKind::springs) == FillKind::springs; }
   bool is_plate() const { return fill_kind == FillKind::plate; }
+  /// Returns the name of diagonals in drawings: "springs" where there are some.
+  const char* diagonals_name() const { return is_springs() ? "springs" : "diagonals"; }
 
   /// Returns the filling of a sheet that has the holes named (fill_json.hpp: find_fill_faults).
   solver::Fill fill(const solver::PerforatedSheet& base) const;

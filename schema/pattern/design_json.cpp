@@ -16,6 +16,10 @@ namespace {
 
 constexpr std::string_view kBlocks[] = {"hinges", "wanted"};
 
+// Numbers of springs that files with "actuators" can have.
+constexpr std::string_view kOlderNumbers[] = {"stiffness_n_per_mm", "stroke_limit", "preload_n",
+                                              "largest_force_n"};
+
 const Json& part_of(ObjectReader& reader, const char* key) {
   static const Json kEmpty = Json::object();
   const Json* found = reader.find(key);
@@ -23,16 +27,11 @@ const Json& part_of(ObjectReader& reader, const char* key) {
 }
 
 void read_hinge_kind(ObjectReader& reader, std::optional<CreaseCut>& kind) {
-  const Json* value = reader.said("kind");
-  if (!value) return;
-  const auto* const named = std::ranges::find_if(
-      kCreaseCuts, [&](const CreaseCutName& row) { return *value == row.name; });
-  if (named == std::end(kCreaseCuts)) {
-    reader.faults().add(reader.shown("kind"), "is no way to make a crease",
-                        "write \"cut\", \"score\" or \"dash\", or null for a kit's default");
-  } else {
-    kind = named->cut;
-  }
+  if (!reader.said("kind")) return;
+  const auto* const named =
+      read_name(reader, "kind", kCreaseCuts, "is no way to make a crease",
+                "write \"cut\", \"score\" or \"dash\", or null for a kit's default");
+  if (named) kind = named->cut;
 }
 
 void read_film(ObjectReader& reader, std::optional<solver::FilmHinge>& film) {
@@ -72,12 +71,6 @@ void read_array(ObjectReader& reader, const char* key, std::optional<Array>& int
   }
 }
 
-// Checks only the form; a reader with a sheet checks that there is such a panel.
-bool is_place(const Json& number) {
-  constexpr int kMostPlace = 1000;  // largest row or column
-  return number.is_number_integer() && number >= 0 && number < kMostPlace;
-}
-
 bool is_gravity(const Json& number) {
   constexpr double kMostGravities = 1e3;
   return number.is_number() && std::abs(number.get<double>()) <= kMostGravities;
@@ -115,7 +108,10 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
 Design read_springs(const Json& value, const std::string& where, InputFaults& faults) {
   Design design;
   ObjectReader reader(value, where, faults);
-  read_numbers(reader, "springs", design);
+  for (const DesignNumber& row : design_numbers()) {
+    const bool is_older = std::ranges::find(kOlderNumbers, row.key) != std::end(kOlderNumbers);
+    if (row.block == "springs" && is_older) read_number(reader, row, design);
+  }
   reader.refuse_unknown_keys();
   return design;
 }

@@ -12,11 +12,12 @@ namespace misalign::schema {
 /// Reads "design" at `where`; wrong values are faults.
 Design read_design(const Json& value, const std::string& where, InputFaults& faults);
 
-/// Reads "springs" alone, which older files call "actuators".
+/// Reads "actuators" of older files: stiffness, stroke limit, preload and largest force of
+/// springs.
 Design read_springs(const Json& value, const std::string& where, InputFaults& faults);
 
-/// Returns every key; null for absent values without a default. Springs are "springs", other
-/// fillings "fill".
+/// Returns every key; null for absent values without a default. Springs are written as "springs",
+/// also those that were read from "fill"; other fillings as "fill".
 Json design_json(const Design& design);
 /// Returns the design as JSON without defaults.
 Json explicit_design_json(const Design& design);

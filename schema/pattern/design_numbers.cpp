@@ -6,15 +6,18 @@
 
 namespace misalign::schema {
 
+void read_number(ObjectReader& reader, const DesignNumber& row, Design& design) {
+  const std::string key(row.key);
+  const Json* value = reader.find(key);
+  if (!value || (value->is_null() && !row.standard)) return;
+  double number = row.standard.value_or(row.least);
+  reader.number(key, number, row.least, row.most, row.suggestion);
+  design.*row.number = number;
+}
+
 void read_numbers(ObjectReader& reader, std::string_view block, Design& design) {
   for (const DesignNumber& row : design_numbers()) {
-    if (row.block != block) continue;
-    const std::string key(row.key);
-    const Json* value = reader.find(key);
-    if (!value || (value->is_null() && !row.standard)) continue;
-    double number = row.standard.value_or(row.least);
-    reader.number(key, number, row.least, row.most, row.suggestion);
-    design.*row.number = number;
+    if (row.block == block) read_number(reader, row, design);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <string_view>
 
@@ -27,19 +26,6 @@ struct SpringsOnName {
 };
 constexpr SpringsOnName kSpringsOn[] = {{"all", solver::SpringsOn::all},
                                         {"one_a_hole", solver::SpringsOn::one_a_hole}};
-
-// Returns the row with the name that a key holds; none, with a fault, if no row has it.
-template <class Row, std::size_t kCount>
-const Row* named(ObjectReader& reader, const char* key, const Row (&rows)[kCount], const char* why,
-                 const char* suggestion) {
-  const Json* const value = reader.find(key);
-  if (!value) return nullptr;
-  const auto* const at =
-      std::ranges::find_if(rows, [&](const Row& row) { return *value == row.name; });
-  if (at != std::end(rows)) return at;
-  reader.faults().add(reader.shown(key), why, suggestion);
-  return nullptr;
-}
 
 // Reads each element of a list that may be null.
 void read_each(ObjectReader& reader, const char* key, const char* form, const auto& read_one) {
@@ -81,10 +67,8 @@ void read_single_springs(ObjectReader& reader, std::vector<solver::SingleSpring>
 }
 
 void read_cut_outs(ObjectReader& reader, std::vector<DesignFill::CutOut>& cut_outs) {
-  const auto is_place = [](const Json& value) {
-    return value.is_array() && value.size() == 2 && std::ranges::all_of(value, [](const Json& x) {
-             return x.is_number_integer() && x >= 0 && x < 1000;
-           });
+  const auto are_places = [](const Json& value) {
+    return value.is_array() && value.size() == 2 && std::ranges::all_of(value, is_place);
   };
   const auto are_shares = [](const Json& value) {
     return are_numbers(value, 2) && std::ranges::all_of(value, [](const Json& x) {
@@ -97,7 +81,7 @@ void read_cut_outs(ObjectReader& reader, std::vector<DesignFill::CutOut>& cut_ou
       const Json* const value = element.find(key);
       if (value && !is_right(*value)) element.faults().add(element.shown(key), why, kCutOutForm);
     };
-    check("hole", is_place, "is no row and column");
+    check("hole", are_places, "is no row and column");
     check("of_flat", are_shares, "must be two numbers from 0.1 to 10");
     if (reader.faults().count() > before) return;
     cut_outs.push_back({element.find("hole")->get<std::array<int, 2>>(),
@@ -112,15 +96,15 @@ void read_springs_into(ObjectReader& reader, Design& design) {
     reader.boolean("pull_only", design.pull_only.emplace(), "write true of wires, or false");
   }
   const auto* const on =
-      named(reader, "on", kSpringsOn, "does not say which diagonals have springs",
-            R"(write "all", or "one_a_hole" for the diagonal that lengthens)");
+      read_name(reader, "on", kSpringsOn, "does not say which diagonals have springs",
+                R"(write "all", or "one_a_hole" for the diagonal that lengthens)");
   if (on) design.springs_on = on->on;
   read_single_springs(reader, design.single_springs);
 }
 
 void read_kind(ObjectReader& reader, Design& design) {
-  const auto* const kind = named(reader, "kind", kFillKinds, "is no filling of a hole",
-                                 R"(write "springs", "plate" or "none")");
+  const auto* const kind = read_name(reader, "kind", kFillKinds, "is no filling of a hole",
+                                     R"(write "springs", "plate" or "none")");
   if (!kind) return;
   design.fill_kind = kind->kind;
   if (kind->kind == FillKind::springs) read_springs_into(reader, design);
@@ -144,10 +128,41 @@ Json single_json(const solver::SingleSpring& spring) {
 
 Json list_or_null(Json list) { return list.empty() ? Json() : list; }
 
-Design whole(const DesignFill& fill) {
-  Design design;
-  static_cast<DesignFill&>(design) = fill;
-  return design;
+// Adds a fault for each that is no diagonal of the sheet, or that is named before.
+void find_diagonal_faults(const std::vector<solver::DiagonalEnds>& named,
+                          const solver::Mechanism& mechanism, const std::string& where,
+                          InputFaults& faults) {
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    const std::string name = where + solver::line_label(named[k].from, named[k].to);
+    const auto is_it = [&](const solver::Diagonal& diagonal) { return named[k].is_on(diagonal); };
+    const auto at = std::ranges::find_if(mechanism.diagonals, is_it);
+    if (at == mechanism.diagonals.end()) {
+      const solver::Diagonal& first = mechanism.diagonals.front();
+      faults.add(name, "is no diagonal of a hole of this sheet",
+                 "name one such as " + solver::line_label(first.from, first.to));
+    } else if (std::any_of(named.begin(), named.begin() + static_cast<std::ptrdiff_t>(k),
+                           [&](const auto& before) { return before.is_on(*at); })) {
+      faults.add(name, "is named twice, perhaps by its vertices in the other order",
+                 "name it once");
+    }
+  }
+}
+
+// Adds a fault for each that is no hole of the sheet, or that is named before.
+void find_hole_faults(const std::vector<DesignFill::CutOut>& cut_outs,
+                      const solver::PerforatedSheet& base, const std::string& where,
+                      InputFaults& faults) {
+  std::set<std::array<int, 2>> named;
+  for (const DesignFill::CutOut& cut_out : cut_outs) {
+    const std::string name = where + Json(cut_out.hole).dump();
+    if (hole_at(base, cut_out.hole) < 0) {
+      const auto first = static_cast<std::size_t>(base.holes.front());
+      faults.add(name, "is no hole of this sheet; rows and columns count from 0",
+                 "name one such as " + Json(base.sheet.places[first]).dump());
+    } else if (!named.insert(cut_out.hole).second) {
+      faults.add(name, "is named twice", "name it once");
+    }
+  }
 }
 
 }  // namespace
@@ -167,7 +182,7 @@ void read_fill(ObjectReader& reader, Design& design) {
   static_cast<DesignFill&>(design) = read_fill(*fill, reader.name("fill"), reader.faults());
 }
 
-DesignFill read_fill(const Json& value, const std::string& where, InputFaults& faults) {
+Design read_fill(const Json& value, const std::string& where, InputFaults& faults) {
   Design design;
   ObjectReader reader(value, where, faults);
   reader.require("kind", R"(write "springs", "plate" or "none")");
@@ -178,21 +193,20 @@ DesignFill read_fill(const Json& value, const std::string& where, InputFaults& f
 std::optional<solver::Fill> read_fill_of(const solver::PerforatedSheet& base, const Json& value,
                                          const std::string& where, InputFaults& faults) {
   const std::size_t before = faults.count();
-  const DesignFill fill = read_fill(value, where, faults);
-  const Design design = whole(fill);
+  const Design design = read_fill(value, where, faults);
   for (const DesignNumber& row : design_numbers()) {
     const bool is_limit = row.block == "springs" && !row.standard;
     if (!is_limit || !(design.*row.number)) continue;
     faults.add(where + "." + std::string(row.key), "changes no energy, and is judged by studies",
                "write it in design.fill");
   }
-  if (faults.count() == before) find_fill_faults(fill, base, where, faults);
+  if (faults.count() == before) find_fill_faults(design, base, where, faults);
   if (faults.count() > before) return std::nullopt;
-  return fill.fill(base);
+  return design.fill(base);
 }
 
-Json springs_json(const DesignFill& design) {
-  Json json = numbers_json(whole(design), "springs");
+Json springs_json(const Design& design) {
+  Json json = numbers_json(design, "springs");
   json["preloads_n"] = preloads_json(design.other_preloads);
   json["pull_only"] = design.pull_only.value_or(false);
   json["on"] = name_of(design.springs_on.value_or(solver::SpringsOn::all));
@@ -200,9 +214,9 @@ Json springs_json(const DesignFill& design) {
   return json;
 }
 
-Json fill_json(const DesignFill& design) {
+Json fill_json(const Design& design) {
   if (design.fill_kind == FillKind::none) return {{"kind", "none"}};
-  Json json = design.is_plate() ? numbers_json(whole(design), "plate") : springs_json(design);
+  Json json = design.is_plate() ? numbers_json(design, "plate") : springs_json(design);
   json["kind"] = design.is_plate() ? "plate" : "springs";
   if (design.is_plate()) {
     json["cut_outs"] = list_or_null(json_list(design.cut_outs, [](const auto& cut_out) {
@@ -213,7 +227,9 @@ Json fill_json(const DesignFill& design) {
 }
 
 Json fill_json(const solver::Fill& fill, const solver::PerforatedSheet& base) {
-  Json json = fill_json(design_of(fill, base));
+  Design design;
+  static_cast<DesignFill&>(design) = design_of(fill, base);
+  Json json = fill_json(design);
   for (const DesignNumber& row : design_numbers()) {
     if (row.block == "springs" && !row.standard) json.erase(std::string(row.key));
   }
@@ -227,33 +243,15 @@ void add_single_springs(const solver::Springs& springs, Json& json) {
 
 void find_fill_faults(const DesignFill& design, const solver::PerforatedSheet& base,
                       const std::string& where, InputFaults& faults) {
-  const bool names_diagonals = !design.other_preloads.empty() || !design.single_springs.empty();
-  const solver::Mechanism mechanism =
-      names_diagonals ? solver::build_mechanism(base) : solver::Mechanism{};
-  find_preload_faults(design.other_preloads, mechanism, where, faults);
-  std::set<std::pair<int, int>> named_springs;
-  for (const solver::SingleSpring& spring : design.single_springs) {
-    const std::string name = where + ".single " + solver::line_label(spring.from, spring.to);
-    const auto on_one = [&](const auto& diagonal) { return spring.is_on(diagonal); };
-    if (std::ranges::none_of(mechanism.diagonals, on_one)) {
-      const solver::Diagonal& first = mechanism.diagonals.front();
-      faults.add(name, "is no diagonal of a hole of this sheet",
-                 "name one such as " + solver::line_label(first.from, first.to));
-    } else if (!named_springs.insert(std::minmax(spring.from, spring.to)).second) {
-      faults.add(name, "is named twice", "name it once");
-    }
+  const auto& preloads = design.other_preloads;
+  const auto& springs = design.single_springs;
+  if (!preloads.empty() || !springs.empty()) {
+    const solver::Mechanism mechanism = solver::build_mechanism(base);
+    find_diagonal_faults({preloads.begin(), preloads.end()}, mechanism, where + ".preloads_n.",
+                         faults);
+    find_diagonal_faults({springs.begin(), springs.end()}, mechanism, where + ".single ", faults);
   }
-  std::set<std::array<int, 2>> named_holes;
-  for (const DesignFill::CutOut& cut_out : design.cut_outs) {
-    const std::string name = where + ".cut_outs " + Json(cut_out.hole).dump();
-    if (hole_at(base, cut_out.hole) < 0) {
-      const auto first = static_cast<std::size_t>(base.holes.front());
-      faults.add(name, "is no hole of this sheet; rows and columns count from 0",
-                 "name one such as " + Json(base.sheet.places[first]).dump());
-    } else if (!named_holes.insert(cut_out.hole).second) {
-      faults.add(name, "is named twice", "name it once");
-    }
-  }
+  find_hole_faults(design.cut_outs, base, where + ".cut_outs ", faults);
 }
 
 void check_fill(const DesignFill& design, const solver::PerforatedSheet& base) {

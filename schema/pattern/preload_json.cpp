@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "schema/pattern/design.hpp"
@@ -53,24 +52,6 @@ Json preloads_json(const std::vector<Preload::OfOne>& preloads) {
   for (const Preload::OfOne& preload : preloads)
     json[solver::line_label(preload.from, preload.to)] = preload.n;
   return json;
-}
-
-void find_preload_faults(const std::vector<Preload::OfOne>& preloads,
-                         const solver::Mechanism& mechanism, const std::string& where,
-                         InputFaults& faults) {
-  for (const Preload::OfOne& preload : preloads) {
-    const std::string name = where + ".preloads_n." + solver::line_label(preload.from, preload.to);
-    const auto on_one = [&](const auto& diagonal) { return preload.is_on(diagonal); };
-    const auto at = std::ranges::find_if(mechanism.diagonals, on_one);
-    if (at == mechanism.diagonals.end()) {
-      const solver::Diagonal& first = mechanism.diagonals.front();
-      faults.add(name, "is no diagonal of a hole of this sheet",
-                 "name one such as " + solver::line_label(first.from, first.to));
-    } else if (std::ranges::count_if(preloads,
-                                     [&](const auto& other) { return other.is_on(*at); }) > 1) {
-      faults.add(name, "is named twice, once by its vertices in the other order", "name it once");
-    }
-  }
 }
 
 void add_preload(const Preload& preload, Json& springs) {

@@ -10,16 +10,10 @@
 namespace misalign::schema {
 
 /// Reads {"A9-A15": 2}: a spring by the vertices of its diagonal in any order; wrong values are
-/// faults. `find_preload_faults` checks that the sheet has such diagonals.
+/// faults. `find_fill_faults` checks that the sheet has such diagonals.
 void read_preloads(ObjectReader& reader, std::vector<solver::Preload::OfOne>& preloads);
 /// Returns the preloads; null for none.
 Json preloads_json(const std::vector<solver::Preload::OfOne>& preloads);
-
-/// Adds a fault of `where` for each preload that names no diagonal of the sheet, or one that
-/// another names, too.
-void find_preload_faults(const std::vector<solver::Preload::OfOne>& preloads,
-                         const solver::Mechanism& mechanism, const std::string& where,
-                         InputFaults& faults);
 
 /// Adds "preload_n" and "preloads_n" to an object about springs; nothing if they are relaxed.
 void add_preload(const solver::Preload& preload, Json& springs);

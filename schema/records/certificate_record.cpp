@@ -2,15 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 namespace misalign::schema {
-
-NamedCertificate named_certificate(std::string name, CertificateRecord row, bool is_new) {
-  const std::size_t bytes = row.proof.size();
-  row.proof = {};
-  return {std::move(name), std::move(row), bytes, is_new};
-}
 
 std::string CertificateFinding::sentence() const {
   if (!interval) return fmt::format("draw {}: {}", draw, what);

@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+namespace misalign::solver {
+enum class CertifiedBy;
+}
+
 namespace misalign::schema {
 
 /// A candidate's certificate, as its catalogue stores it.
@@ -22,8 +26,6 @@ struct CertificateRecord {
   double seconds = 0;           ///< computing time; not part of the hash
   std::string proof;            ///< solver::encode
   std::string hash;             ///< certificate_hash
-  std::string criterion =
-      "diagonals";  ///< solver::name_of(CertifiedBy); the proof's, hence in the hash
 
   friend bool operator==(const CertificateRecord&, const CertificateRecord&) = default;
 };
@@ -35,12 +37,10 @@ inline constexpr std::size_t kUsualCertificate_bytes = 20000;
 struct NamedCertificate {
   std::string name;  ///< "draw 7", or a pattern's
   CertificateRecord row;
-  std::size_t bytes;    ///< size of the proof
+  std::size_t bytes;  ///< size of the proof
+  solver::CertifiedBy criterion;
   bool is_new = false;  ///< made now, not stored before
 };
-
-/// Makes one of a row, whose proof is removed.
-NamedCertificate named_certificate(std::string name, CertificateRecord row, bool is_new);
 
 /// A fault that a check finds in a certificate.
 struct CertificateFinding {

@@ -49,19 +49,13 @@ function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n
   );
 }
 
-/** The filling whose energy is judged. */
-const fill_words = (fill) =>
-  fill.kind === "plate"
-    ? `rubber plates of ${number(fill.thickness_mm)} mm (G = ${number(fill.shear_mpa)} MPa, pre-stretch ${number(fill.prestretch)})`
-    : `springs of ${number(fill.stiffness_n_per_mm)} N/mm`;
-
 /** What an accepted draw has to do. */
-function criterion_words(accept) {
+function criterion_words(accept, filling) {
   const to = `from flat to a pilot angle of ${degrees(accept.deploys_from_deg)} or more`;
   if (accept.by !== "energy") return `every diagonal of every hole is monotone ${to}`;
   const { least_friction_n_mm_per_mm: friction, least_moment_n_mm: moment } = accept;
   return (
-    `the energy of ${fill_words(accept.fill)} rises ${to}` +
+    `the energy of ${filling}, rises ${to}` +
     (friction ? `, with a critical friction of at least ${number(friction)} N mm/mm` : "") +
     (moment ? `, with a moment of at least ${number(moment)} N mm` : "")
   );
@@ -112,7 +106,7 @@ export function asked(report) {
     { between_samples } = accept;
   return (
     `${sheet_words(pattern)}. Each draw shifts ${shift_words(misalignment)}. A draw is accepted when ` +
-    `${criterion_words(accept)}${stop_words(accept, report.actuators)}. Samples: every ${degrees(path.sample_deg)} up to ` +
+    `${criterion_words(accept, report.campaign.judged_filling)}${stop_words(accept, report.actuators)}. Samples: every ${degrees(path.sample_deg)} up to ` +
     `${degrees(path.end_deg)}${kBetween[between_samples] ?? ""}.` +
     (is_splitting(report) ? search_words(search, report.state.ladder.levels.length - 1) : "") +
     ascent_words(search)

@@ -96,7 +96,7 @@ std::shared_ptr<PatternSource> judged_by(const PatternSource& source, const std:
   reader.refuse_unknown_keys();
   faults.refuse("the criterion");
   PatternSource judged = source;
-  judged.sheet.sampling.energy_of = fill;
+  judged.sheet.judge_by(fill);
   judged.criterion.energy = judged.sheet.sampling.criterion().energy;
   if (judged.campaign) {
     judged.campaign->energy.reset();

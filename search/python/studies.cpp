@@ -46,23 +46,50 @@ std::string json_of_study(const PatternSource& source, const std::string& design
 }
 
 std::string contact(const PatternSource& source, const std::string& design,
-                    const std::optional<double>& trim_mm, const std::optional<double>& diameter_mm,
-                    const std::optional<double>& end_mm, bool offset_ends) {
+                    const std::optional<double>& trim_mm, const std::optional<double>& end_mm,
+                    bool offset_ends) {
   if (trim_mm) schema::check_parameter("", "trim_mm", *trim_mm);
-  if (diameter_mm) schema::check_parameter("contact", "diameter_mm", *diameter_mm);
   if (end_mm) schema::check_parameter("contact", "end_mm", *end_mm);
   return json_of_study(source, design, [&](const Subject& subject) {
-    const schema::Design& whole = subject.model.design();
     using solver::OffsetTrial;
-    return contact_of(subject.sheet,
-                      {trim_mm, whole.from_deg, spring_bodies(whole, diameter_mm, end_mm),
-                       offset_ends ? OffsetTrial::tried : OffsetTrial::none});
+    return contact_of(subject.sheet, contact_options(subject.model.design(), trim_mm,
+                                                     {end_mm, offset_ends ? OffsetTrial::tried
+                                                                          : OffsetTrial::none}));
   });
 }
 
 std::string actuators(const PatternSource& source, const std::string& design) {
   return json_of_study(source, design, [](const Subject& subject) {
     return actuated(subject.sheet, subject.model.design());
+  });
+}
+
+std::string choose_springs(const PatternSource& source, const std::string& design,
+                           double most_rate_n_per_mm, const std::vector<double>& rates_n_per_mm,
+                           double free_within, bool pull_only, bool one_a_hole,
+                           const std::vector<std::string>& never_both,
+                           std::optional<int> most_springs, std::optional<double> fewest_margin,
+                           std::optional<double> equal_lengths_share) {
+  const auto check = [](const char* name, double value) {
+    schema::check_parameter("actuators", name, value);
+  };
+  check("most_rate_n_per_mm", most_rate_n_per_mm);
+  for (const double rate : rates_n_per_mm) check("rates_n_per_mm", rate);
+  check("free_within", free_within);
+  if (most_springs) check("most_springs", *most_springs);
+  if (fewest_margin) check("fewest_margin", *fewest_margin);
+  if (equal_lengths_share) check("equal_lengths_share", *equal_lengths_share);
+  return json_of_study(source, design, [&](const Subject& subject) {
+    SpringChoiceInput input{{}, never_both};
+    input.options.most_rate_n_per_mm = most_rate_n_per_mm;
+    input.options.rates_n_per_mm = rates_n_per_mm;
+    input.options.free_within = free_within;
+    input.options.pull_only = pull_only;
+    input.options.one_a_hole = one_a_hole;
+    input.options.most_springs = most_springs;
+    input.options.fewest_margin = fewest_margin;
+    input.options.equal_lengths_share = equal_lengths_share;
+    return chosen_springs(subject.sheet, subject.model.design(), input);
   });
 }
 
@@ -124,7 +151,14 @@ std::string card(const PatternSource& source, const std::string& design, std::in
                        [&](const Subject& subject) { return card_of(subject, options).card; });
 }
 
-std::string certify(const PatternSource& source, const std::string& design, bool contact) {
+std::string certify(const PatternSource& source, const std::string& design, bool contact,
+                    const std::optional<std::string>& name) {
+  const auto criterion = name ? solver::certified_by(*name) : std::nullopt;
+  if (name && !criterion) {
+    throw schema::UserError(solver::OptionFault{"criterion", schema::printable(*name),
+                                                "is no criterion",
+                                                "write \"diagonals\" or \"energy\""});
+  }
   return unlocked([&] {
     const Subject subject(source.sheet, design_of(design));
     const solver::Model model = model_of(subject.chosen.base, subject.chosen.sampling);
@@ -132,10 +166,9 @@ std::string certify(const PatternSource& source, const std::string& design, bool
     const double from_deg = subject.model.design().from_deg.value_or(d_deg);
     if (!(from_deg > 0))
       throw schema::UserError(solver::beyond_d_fault(subject.sheet.name(), 0, 0));
-    const schema::Design design_given = subject.model.design();
-    RowCertifier certifier(
-        subject.chosen.base, model,
-        claims_of(subject.chosen.base, subject.chosen.sampling, design_given, {}, contact));
+    RowCertifier certifier(subject.chosen.base, model,
+                           claims_of(subject.chosen.base, subject.chosen.sampling,
+                                     subject.model.design(), criterion, contact));
     return schema::certificate_json(certifier.certify(0, subject.chosen.shifts_mm, from_deg))
         .dump();
   });
@@ -152,6 +185,7 @@ std::string tolerance(const PatternSource& source, const std::string& design_tex
           "amplitude_mm: is not given, and the design has no miscut_mm; try 0.05");
     }
     options.amplitude_mm = *design.miscut_mm;
+    options.fill = design.fill(source.sheet.base.base);
     check_miscut(options.amplitude_mm, source.pattern(), source.sheet.shifts_mm,
                  source.sheet.pattern);
     return schema::tolerance_json(study_sheet(source.sheet, design.from_deg, options)).dump();
@@ -161,8 +195,8 @@ std::string tolerance(const PatternSource& source, const std::string& design_tex
 }  // namespace
 
 void bind_studies(py::module_& module) {
-  module.def("contact", made(&contact), "sheet"_a, "design"_a, "trim_mm"_a, "diameter_mm"_a,
-             "end_mm"_a, "offset_ends"_a);
+  module.def("contact", made(&contact), "sheet"_a, "design"_a, "trim_mm"_a, "end_mm"_a,
+             "offset_ends"_a);
   module.def("actuators", made(&actuators), "sheet"_a, "design"_a);
   module.def("deploy", made(&deploy), "sheet"_a, "design"_a, "bends"_a);
   module.def("optimise", made(&optimise), "sheet"_a, "design"_a, py::kw_only(), "goal"_a,
@@ -170,7 +204,11 @@ void bind_studies(py::module_& module) {
              "subject_to"_a, "stiffness_within"_a, "preload_within"_a, "rest_deg"_a, "miscut_mm"_a,
              "trials"_a);
   module.def("card", made(&card), "sheet"_a, "design"_a, "trials"_a, "jobs"_a);
-  module.def("certify", made(&certify), "sheet"_a, "design"_a, "contact"_a);
+  module.def("certify", made(&certify), "sheet"_a, "design"_a, "contact"_a, "criterion"_a);
+  module.def("choose_springs", made(&choose_springs), "sheet"_a, "design"_a, py::kw_only(),
+             "most_rate_n_per_mm"_a, "rates_n_per_mm"_a, "free_within"_a, "pull_only"_a,
+             "one_a_hole"_a, "never_both"_a, "most_springs"_a, "fewest_margin"_a,
+             "equal_lengths_share"_a);
   module.def("check_design", &schema::check_design, "name"_a, "design_key"_a, "value"_a);
   module.def("tolerance", made(&tolerance), "sheet"_a, "design"_a, "trials"_a, "jobs"_a);
 }

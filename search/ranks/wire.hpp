@@ -147,7 +147,6 @@ void certificate_fields(Wire& wire, Row& row) {
   wire.field(row.seconds);
   wire.text(row.proof);
   wire.text(row.hash);
-  wire.text(row.criterion);
 }
 
 /// Writes or reads a whole schema::AscentRecord.

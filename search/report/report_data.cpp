@@ -134,6 +134,9 @@ Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mec
 std::string options_of(const schema::Design& design) {
   std::string text;
   if (design.from_deg) text += " --from " + schema::shown_number(*design.from_deg);
+  const bool is_plain = design.is_springs() && design.other_preloads.empty() &&
+                        schema::are_equal_springs(design.springs());
+  if (!is_plain) return text + " --fill " + shell_word(schema::fill_json(design).dump());
   if (const auto& k = design.stiffness_n_per_mm) text += " --stiffness " + schema::shown_number(*k);
   if (const auto& preload = design.preload_n) {
     text += " --preload " + schema::shown_number(*preload);
@@ -141,7 +144,6 @@ std::string options_of(const schema::Design& design) {
   if (const auto& limit = design.stroke_limit) {
     text += " --stroke-limit " + schema::shown_number(*limit);
   }
-  if (!design.is_springs()) text += " --fill " + shell_word(schema::fill_json(design).dump());
   return text;
 }
 
@@ -219,10 +221,12 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
 // Describes the sheet, its diagonals and springs.
 Json folding_json(const FoldingModel& model) {
   const solver::Actuators actuators = model.actuators();
-  Json filling = {{"stroke_limit", schema::or_null(actuators.stroke_limit)},
-                  {"words", schema::filling_words(actuators.fill)},
-                  {"parts", schema::fill_nouns(actuators.fill).parts},
-                  {"equal_springs", schema::are_equal_springs(actuators.fill)}};
+  Json filling = {
+      {"stroke_limit", schema::or_null(actuators.stroke_limit)},
+      {"words", schema::filling_words(actuators.fill, model.mechanism().diagonal_count(),
+                                      schema::kDegreeSign)},
+      {"parts", schema::fill_nouns(actuators.fill).parts},
+      {"equal_springs", schema::are_equal_springs(actuators.fill)}};
   schema::add_filling(actuators.fill, model.base().base, filling);
   return {{"sheet", schema::sheet_json(model.base(), model.mechanism())},
           {"diagonals", diagonals_json(model.base(), model.mechanism(), actuators.fill)},
@@ -284,6 +288,10 @@ Json report_of_catalogue(const ReportCall& call) {
   data["campaign"] = {{"name", campaign.name},
                       {"identity", schema::identity(campaign)},
                       {"configuration", schema::campaign_json(campaign)}};
+  if (campaign.energy) {
+    data["campaign"]["judged_filling"] = schema::filling_words(
+        campaign.energy->fill, model.mechanism().diagonal_count(), schema::kDegreeSign);
+  }
   data.update(catalogue);
   data.update(folding_json(model));
   data["details"] = details_json(*database, campaign, model, detailed, details, call);

@@ -6,6 +6,7 @@
 #include "schema/exchange/contact_json.hpp"
 #include "schema/report/report.hpp"
 #include "search/sheets/deploy_input.hpp"
+#include "search/sheets/studies.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/motion/actuation.hpp"
 #include "solver/motion/deploy.hpp"
@@ -94,8 +95,11 @@ Json ReportDetails::of_pattern(const solver::Sheet& sheet, const std::string& na
 }
 
 Json ReportDetails::detail(const solver::Sheet& sheet, std::uint64_t draw, bool accepted) const {
+  auto from_deg = from_of(sheet);
+  if (from_deg && !sheet.row_at(*from_deg)) from_deg.reset();
+  const solver::Actuators actuators = actuators_on(sheet, model_.design(), from_deg);
   Json json = schema::detail_json({model_.base(), sheet}, draw, accepted,
-                                  solver::actuate(sheet, model_.actuators()));
+                                  solver::actuate(sheet, actuators, from_deg));
   json["let_go"] = deployment(sheet);
   if (with_contact_) json["contact"] = contact(sheet);
   return json;

@@ -19,7 +19,9 @@ std::string springs_summary(const solver::Mechanism& mechanism, const Actuation&
   const std::string where =
       actuation.from_deg ? fmt::format("{:.10g} deg", *actuation.from_deg) : "D";
   std::string text =
-      fmt::format("{}{}\n", schema::filling_words(actuation.actuators.fill),
+      fmt::format("{}{}\n",
+                  schema::filling_words(actuation.actuators.fill, mechanism.diagonal_count(),
+                                        schema::kDegreeWord),
                   limit ? fmt::format("; stroke limit {:.10g} %", 100 * *limit) : "");
   if (actuation.weakest) {
     text += fmt::format("weakest at {:g} deg: {:.4g} N mm about the pilot crease\n",
@@ -63,9 +65,13 @@ std::string energies_text(const Actuation& actuation) {
 }
 
 std::string springs_text(const solver::Sheet& sheet, const Actuation& actuation) {
+  const solver::Fill& fill = actuation.actuators.fill;
+  if (std::holds_alternative<solver::NoFill>(fill)) return "";
   const solver::Mechanism& mechanism = sheet.mechanism();
-  std::string text = actuation.from_deg ? "\n diagonal     free_mm  force there  elongation\n"
-                                        : "\n diagonal     free_mm  force_at_D  elongation\n";
+  std::string text =
+      fmt::format("\n diagonal {:>11}  {}  elongation\n",
+                  std::holds_alternative<solver::RubberPlates>(fill) ? "cut_out_mm" : "free_mm",
+                  actuation.from_deg ? "force there" : "force_at_D");
   const Index row = actuation.from_row;
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
     const double force_n = actuation.force_n(row, d);

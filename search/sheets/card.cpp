@@ -8,6 +8,7 @@
 #include "schema/files/features.hpp"
 #include "schema/pattern/fill_words.hpp"
 #include "schema/pattern/perforation_check.hpp"
+#include "search/sheets/card_contact.hpp"
 #include "search/sheets/card_copies.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/row_certifier.hpp"
@@ -17,6 +18,7 @@
 #include "solver/certificate/member_proof.hpp"
 #include "solver/contact/least_box.hpp"
 #include "solver/records/strokes.hpp"
+#include "solver/sheet/energy_history.hpp"
 
 namespace misalign::search {
 namespace {
@@ -40,8 +42,9 @@ class CardMaker {
                                   "`misalign fold` shows its first fault");
     }
     used_deg_ = std::min(design_.from_deg.value_or(d_deg), d_deg);
-    springs_ = solver::actuate(sheet_, design_.actuators(sheet_.base()),
-                               used_deg_ < d_deg ? Number(used_deg_) : std::nullopt);
+    const Number from_deg = used_deg_ < d_deg ? Number(used_deg_) : std::nullopt;
+    springs_ = solver::actuate(sheet_, actuators_on(sheet_, design_, from_deg), from_deg);
+    need_energy(sheet_, design_.fill(sheet_.base()), "it has no card");
     release_ = deploy_options(design_, sheet_);
     release_.from_deg = release_deg();
   }
@@ -70,14 +73,20 @@ class CardMaker {
     ask(key, what, unit, {}, found, Bound::at_least, note);
   }
 
-  // The largest sample up to which the energy rises from the angle of rest on.
+  // The largest sample up to which the energy rises; from a stop on, by its moment.
   void energy_falls_from() {
-    if (design_.is_springs()) return;
+    const solver::Fill& fill = springs_.actuators.fill;
+    if (schema::are_equal_springs(fill)) return;
     double from_deg = stop_deg();
-    for (std::size_t row = 1; row < springs_.pilot_deg.size(); ++row) {
-      if (springs_.pilot_deg[row] <= stop_deg()) continue;
-      if (!(springs_.moment_n_mm[row] > 0)) break;
-      from_deg = springs_.pilot_deg[row];
+    if (from_deg == 0) {
+      from_deg = sheet_.sample_deg(
+          solver::energy_history(sheet_, sheet_.history(), fill).deploys_from_sample);
+    } else {
+      for (std::size_t row = 1; row < springs_.pilot_deg.size(); ++row) {
+        if (springs_.pilot_deg[row] <= stop_deg()) continue;
+        if (!(springs_.moment_n_mm[row] > 0)) break;
+        from_deg = springs_.pilot_deg[row];
+      }
     }
     ask("energy_falls_from_deg", fmt::format("Deployment angle, energy of {} falls", parts()),
         "deg", used_deg_, from_deg);
@@ -87,8 +96,10 @@ class CardMaker {
   void deploys_from() {
     const bool is_decided = sheet_.verdict().first_fault != solver::Fault::undecided;
     const double d_deg = sheet_.deploys_from_deg();
-    ask("deploys_from_deg", "Deployment angle D, every diagonal monotone", "deg",
-        design_.from_deg.value_or(used_deg_), is_decided ? Number(d_deg) : std::nullopt,
+    ask("deploys_from_deg",
+        by_energy() ? "Deployment angle D, total energy falls"
+                    : "Deployment angle D, every diagonal monotone",
+        "deg", design_.from_deg.value_or(used_deg_), is_decided ? Number(d_deg) : std::nullopt,
         Bound::at_least,
         is_decided
             ? ""
@@ -100,25 +111,16 @@ class CardMaker {
     deploys_from();
     energy_falls_from();
     const auto [certified_deg, note] = certified();
-    ask("certified_deg", "Certified angle, proven between samples too", "deg", used_deg_,
-        certified_deg, Bound::at_least, note);
-    const solver::ContactStudy contact =
-        contact_of(sheet_, {{}, used_deg_, spring_bodies(design_, solver::kSpringDiameter_mm)});
-    ask("first_contact_deg", "First panel contact", "deg", used_deg_,
-        contact.first ? contact.first->pilot_deg : contact.known_until_deg);
-    const bool is_reached = contact.reach_deg >= contact.used_from_deg;
-    const Number thickness_mm =
-        contact.thickness ? Number(is_reached ? contact.thickness->thickness_mm : 0) : std::nullopt;
-    ask("thickness_mm",
-        fmt::format("Maximum panel thickness, tapered, corners trimmed by {:g} mm",
-                    contact.trim_mm),
-        "mm", design_.thickness_mm, thickness_mm);
-    if (const auto& met = contact.springs->springs.closest) {
-      tell("spring_clearance_mm",
-           fmt::format("Spring clearance, springs of {:g} mm", solver::kSpringDiameter_mm), "mm",
-           met->clear_mm, spring_clearance_note(chosen_.base, sheet_.panels(), *contact.springs));
+    ask("certified_deg",
+        by_energy() ? "Certified angle, by energy, proven between samples too"
+                    : "Certified angle, proven between samples too",
+        "deg", used_deg_, certified_deg, Bound::at_least, note);
+    for (schema::CardLine& line : contact_lines(chosen_, sheet_, design_, used_deg_)) {
+      lines_.push_back(std::move(line));
     }
   }
+
+  bool by_energy() const { return chosen_.sampling.energy_of.has_value(); }
 
   std::pair<Number, std::string> certified() const {
     if (!sheet_.base().springs.in_mid_plane()) {
@@ -158,7 +160,7 @@ class CardMaker {
     } else {
       stop();
     }
-    // Pre-stretch may bend the panels instead of driving the sheet.
+    // Plates have to drive the sheet: their pre-stretch may bend its panels instead.
     ask("static_friction_n_mm_per_mm",
         fmt::format("Static friction overcome, worst at {:.3g}°", friction.static_deg), "N mm/mm",
         design_.is_springs() ? Number{} : Number{0}, least, Bound::at_least,

@@ -25,12 +25,13 @@ std::string shown_deg(double certified_deg) {
   return fmt::format("{:.10g}", std::floor(certified_deg * kParts + kRounding) / kParts);
 }
 
-bool is_of_energy(const schema::CertificateRecord& row) {
-  return row.criterion == solver::name_of(solver::CertifiedBy::energy);
+bool is_of_energy(const schema::NamedCertificate& sheet) {
+  return sheet.criterion == solver::CertifiedBy::energy;
 }
 
 // The reason why a certificate ends before the requested angle.
-std::string reason(const schema::CertificateRecord& row) {
+std::string reason(const schema::NamedCertificate& sheet) {
+  const schema::CertificateRecord& row = sheet.row;
   switch (solver::certificate_end(row.end).value_or(CertificateEnd::flat_branch)) {
     case CertificateEnd::to_the_end:
       break;
@@ -46,8 +47,8 @@ std::string reason(const schema::CertificateRecord& row) {
     case CertificateEnd::fold_limit:
       return "there the proof stops, next to a fold limit";
     case CertificateEnd::unclear_slope:
-      return is_of_energy(row) ? "beyond it the energy or a crease is not proven monotone"
-                               : "beyond it a diagonal or crease is not proven monotone";
+      return is_of_energy(sheet) ? "beyond it the energy or a crease is not proven monotone"
+                                 : "beyond it a diagonal or crease is not proven monotone";
     case CertificateEnd::flat_branch:
       return "the branch next to flat cannot be proven";
   }
@@ -126,14 +127,14 @@ std::string ends_text(const schema::CertificateCheck& check) {
 std::string certified_text(const schema::NamedCertificate& sheet) {
   const schema::CertificateRecord& row = sheet.row;
   std::string text = sheet.name + ": ";
-  if (row.intervals == 0) return text + "nothing is certified: " + reason(row) + "\n";
+  if (row.intervals == 0) return text + "nothing is certified: " + reason(sheet) + "\n";
   text += fmt::format("certified from flat to {} deg", shown_deg(row.certified_deg));
   if (row.end == solver::name_of(CertificateEnd::to_the_end)) {
     text += ", as requested";
   } else {
-    text += fmt::format(" of {:.10g} requested; {}", row.asked_deg, reason(row));
+    text += fmt::format(" of {:.10g} requested; {}", row.asked_deg, reason(sheet));
   }
-  if (is_of_energy(row)) text += "; the energy rises, diagonals need not be monotone";
+  if (is_of_energy(sheet)) text += "; by the total energy, not by diagonals";
   if (row.contact) text += "; no panels meet";
   text += fmt::format(" ({}, {:.3g} ms, {:.3g} kB", count_text(row.intervals, "interval"),
                       1e3 * row.seconds, 1e-3 * static_cast<double>(sheet.bytes));

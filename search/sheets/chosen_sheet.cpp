@@ -9,6 +9,8 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/hash.hpp"
+#include "schema/pattern/fill_words.hpp"
+#include "schema/pattern/judging_fill.hpp"
 #include "schema/pattern/obj_format.hpp"
 #include "schema/pattern/pattern_document.hpp"
 #include "search/sheets/campaign_sheet.hpp"
@@ -16,6 +18,36 @@
 #include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
+namespace {
+
+// Returns whether files can say it: judging_fill.hpp.
+bool is_equal_in_all_holes(const solver::Fill& fill) {
+  if (const auto* const springs = std::get_if<solver::Springs>(&fill)) {
+    return springs->single.empty() && springs->preload.others.empty();
+  }
+  const auto* const plates = std::get_if<solver::RubberPlates>(&fill);
+  return plates && plates->cut_outs.empty();
+}
+
+void judge(ChosenSheet& chosen, const schema::Design& options,
+           std::optional<solver::CertifiedBy> criterion) {
+  if (!criterion) return;
+  if (*criterion == solver::CertifiedBy::diagonals) return chosen.judge_by({});
+  if (chosen.sampling.energy_of) return;
+  const solver::Fill fill = options.merged_over(chosen.design).fill(chosen.base.base);
+  if (!schema::drives_to_flat(fill) || !is_equal_in_all_holes(fill)) {
+    throw schema::UserError(solver::OptionFault{
+        "criterion", "energy",
+        "needs a filling that is relaxed flat and equal in all holes, and this is " +
+            schema::filling_words(fill, 2 * static_cast<int>(chosen.base.base.holes.size()),
+                                  schema::kDegreeWord),
+        "change the design's filling, or take it out"});
+  }
+  chosen.judge_by(fill);
+}
+
+}  // namespace
+
 StationOptions station_of_use(const schema::Design& design, const schema::Sampling& sampling) {
   if (!design.from_deg) return {};
   const double away_deg = std::remainder(*design.from_deg, sampling.sample_deg);
@@ -38,6 +70,13 @@ schema::Json ChosenSheet::whose() const {
     json["sheet"] = schema::hex(schema::hash_of(schema::pattern_json(base, shifts_mm).dump()));
   }
   return json;
+}
+
+void ChosenSheet::judge_by(const std::optional<solver::Fill>& fill) {
+  sampling.energy_of = fill;
+  if (!drawn) return;
+  drawn->campaign.energy.reset();
+  if (fill) drawn->campaign.energy = schema::EnergyAcceptance{*fill};
 }
 
 schema::Campaign ChosenSheet::as_campaign() const {
@@ -108,11 +147,12 @@ Subject::Subject(ChosenSheet what, const schema::Design& options)
       sheet(model.sheet(chosen.shifts_mm, schema::printable(chosen.name()))) {}
 
 Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
-                     const schema::Design& options) {
+                     const schema::Design& options, std::optional<solver::CertifiedBy> criterion) {
   if (is_pattern_file(path)) {
     if (draw) throw only_of_a_catalogue(path, "the draw " + std::to_string(*draw));
     ChosenSheet chosen = sheet_of_pattern_file(path);
     say_reading(path, chosen.base);
+    judge(chosen, options, criterion);
     return {std::move(chosen), options};
   }
   const auto database = schema::open_for_reading(path);
@@ -124,7 +164,9 @@ Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
   }
   schema::Campaign campaign = schema::read_campaign_of(*database, path);
   Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database, campaign, *draw);
-  return {sheet_of_draw(std::move(campaign), *draw, std::move(shifts_mm)), options};
+  ChosenSheet chosen = sheet_of_draw(std::move(campaign), *draw, std::move(shifts_mm));
+  judge(chosen, options, criterion);
+  return {std::move(chosen), options};
 }
 
 void warn_beyond_d(const solver::Sheet& sheet, std::optional<double> from_deg) {

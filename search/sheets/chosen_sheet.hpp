@@ -7,6 +7,7 @@
 
 #include "schema/pattern/pattern_file.hpp"
 #include "search/sheets/folding_model.hpp"
+#include "solver/records/certificate.hpp"
 
 namespace misalign::search {
 
@@ -38,6 +39,9 @@ struct ChosenSheet {
   /// Makes a campaign of the sheet alone, with the first sample as threshold and the default seed:
   /// an exported candidate does not say its campaign's.
   schema::Campaign as_campaign() const;
+
+  /// Judges it by the energy of this filling, or by diagonals.
+  void judge_by(const std::optional<solver::Fill>& fill);
 
   SheetKey key() const { return {drawn ? std::optional(drawn->draw) : std::nullopt, pattern}; }
   /// The same with the draw's "campaign", or a fingerprint of the pattern's "sheet".
@@ -77,10 +81,12 @@ struct Subject {
 };
 
 /// The sheet of a pattern file, or of a draw of a catalogue's campaign, accepted or not; `options`
-/// override the file's design. UserError: 2 no draw of a catalogue, or one of a pattern
-/// file; 3 as above and as from open_for_reading.
+/// override the file's design, and `criterion` how the sheet is judged: by the energy of the
+/// filling that judges it, else of the design's. UserError: 2 no draw of a catalogue, or one of a
+/// pattern file, or a filling that judges no sheet; 3 as above and as from open_for_reading.
 Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
-                     const schema::Design& options = {});
+                     const schema::Design& options = {},
+                     std::optional<solver::CertifiedBy> criterion = {});
 
 /// A station at the angle of use, where no sample is.
 StationOptions station_of_use(const schema::Design& design, const schema::Sampling& sampling);

@@ -28,10 +28,8 @@ bool read_number(std::string_view text, Number& number) {
 std::pair<int, double> other_rest(const solver::Mechanism& mechanism, const std::string& text) {
   const auto equals = text.find('=');
   double rest_deg = 0;
-  int diagonal = -1;
-  for (int d = 0; d < mechanism.diagonal_count() && equals != std::string::npos; ++d) {
-    if (text.substr(0, equals) == schema::diagonal_label(mechanism, d)) diagonal = d;
-  }
+  const int diagonal =
+      equals == std::string::npos ? -1 : diagonal_of_label(mechanism, text.substr(0, equals));
   const bool has_angle = equals != std::string::npos &&
                          read_number(std::string_view(text).substr(equals + 1), rest_deg);
   if (diagonal >= 0 && has_angle && rest_deg >= 0) return {diagonal, rest_deg};
@@ -77,6 +75,12 @@ solver::HeldPanel held_panel(const solver::Sheet& sheet, const std::array<int, 2
 }
 
 }  // namespace
+
+int diagonal_of_label(const solver::Mechanism& mechanism, const std::string& label) {
+  int d = mechanism.diagonal_count() - 1;
+  while (d >= 0 && schema::diagonal_label(mechanism, d) != label) --d;
+  return d;
+}
 
 double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sheet& sheet) {
   if (design.friction_n_mm_per_mm || !design.film) return design.friction_n_mm_per_mm.value_or(0);
@@ -135,7 +139,7 @@ solver::BentPanelsOptions bending(const schema::Design& design) {
   const schema::Material material = design.material.value_or(schema::Material{});
   solver::BentPanelsOptions options;
   options.material = {material.e_gpa, material.poisson};
-  // Nothing drives the sheet at a stop, nor when flat.
+  // A filling drives the sheet at its angle of rest by preload or pre-stretch alone.
   options.to_deg = design.rest_deg.value_or(0) + design.margin_to_deg.value_or(options.to_deg);
   return options;
 }

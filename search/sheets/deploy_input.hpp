@@ -23,6 +23,9 @@ struct DeployInput {
   solver::ReleaseOptions of(const solver::Sheet& sheet, const schema::Design& of_file) const;
 };
 
+/// Returns the number of a diagonal named "A3-A9"; -1 if there is none.
+int diagonal_of_label(const solver::Mechanism& mechanism, const std::string& label);
+
 /// The dry friction of a sheet's creases: the design's, or the mean loss of their films from the
 /// angle of release.
 double hinge_friction_n_mm_per_mm(const schema::Design& design, const solver::Sheet& sheet);

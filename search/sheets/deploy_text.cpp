@@ -15,16 +15,16 @@ using solver::Deployment;
 using solver::DeploymentStudy;
 using solver::Outcome;
 
-std::string released_sheet_text(const DeploymentStudy& study) {
+std::string released_sheet_text(int diagonals, const DeploymentStudy& study) {
   const solver::Fill& fill = study.sheet.fill;
   const auto* const springs = std::get_if<solver::Springs>(&fill);
   const solver::Plates& plates = study.sheet.plates;
-  std::string text =
-      fmt::format("released at rest from {:g} deg: {}{}; panels of {:g} mm, mass {:.4g} g; {}\n",
-                  study.options.from_deg, schema::filling_words(fill),
-                  springs && !springs->other_rests_deg.empty() ? " (some at other angles)" : "",
-                  plates.thickness_mm, study.mass_t * 1e6,
-                  study.sheet.held ? "one panel held" : "free in space");
+  std::string text = fmt::format(
+      "released at rest from {:g} deg: {}{}; panels of {:g} mm, mass {:.4g} g; {}\n",
+      study.options.from_deg, schema::filling_words(fill, diagonals, schema::kDegreeWord),
+      springs && !springs->other_rests_deg.empty() ? " (some at other angles)" : "",
+      plates.thickness_mm, study.mass_t * 1e6,
+      study.sheet.held ? "one panel held" : "free in space");
   if (springs && springs->preload.is_any()) {
     text += fmt::format("preload: {} in each spring at flat, its free length up to {:.4g} mm off\n",
                         schema::preload_words(springs->preload),
@@ -225,9 +225,9 @@ std::string pins_text(const solver::PinStudy& study) {
 }
 
 std::string deployment_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
-  return released_sheet_text(study) + outcome_text(study) + damping_text(study) +
-         friction_text(study) + equilibria_text(study) + wires_text(mechanism, study) +
-         forces_text(mechanism, study) + motion_text(study);
+  return released_sheet_text(mechanism.diagonal_count(), study) + outcome_text(study) +
+         damping_text(study) + friction_text(study) + equilibria_text(study) +
+         wires_text(mechanism, study) + forces_text(mechanism, study) + motion_text(study);
 }
 
 }  // namespace misalign::search

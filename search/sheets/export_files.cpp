@@ -130,8 +130,8 @@ void ExportFiles::write(const solver::Sheet& sheet, const ExportLabel& label,
     case ExportFormat::mat:
       if constexpr (has("matio")) {
         write_file(stem, schema::folded_mat(path_of(options_, stem), {model_.base(), sheet},
-                                            solver::actuate(sheet, model_.actuators()),
-                                            model_.sampling(), label.title, origin));
+                                            actuated(sheet, model_.design()), model_.sampling(),
+                                            label.title, origin));
       }
       return;
     case ExportFormat::svg:
@@ -202,7 +202,8 @@ std::vector<solver::Filler> ExportFiles::fillers_of(const solver::Sheet& sheet,
           " (corners of its holes get wider on the way); take it out, and use the frames");
 }
 
-// Writes a crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
+// Writes a crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on,
+// and its rubber plates as NAME-kit-plates likewise.
 void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& label) {
   const auto text_of = [&](schema::LineDrawing drawing) {
     if (options_.only_cut) drawing.keep_cuts();
@@ -212,25 +213,26 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
     return schema::svg_of(drawing);
   };
   if (!options_.kit) {
-    return write_file(label.stem,
-                      text_of(schema::crease_pattern_drawing(
-                          model_.base(), sheet.vertices_mm(), sheet.mechanism(), label.title,
-                          model_.design().is_springs() ? "springs" : "diagonals")));
+    return write_file(label.stem, text_of(schema::crease_pattern_drawing(
+                                      model_.base(), sheet.vertices_mm(), sheet.mechanism(),
+                                      label.title, model_.design().diagonals_name())));
   }
   const schema::KitDrawings kit = schema::kit_drawings(sheet, *options_.kit, label.title);
   if (!kit.warning.empty() && options_.warn) options_.warn(sheet.name() + ": " + kit.warning);
-  std::vector<std::string> texts;
-  for (const schema::LineDrawing& bed : kit.beds) texts.push_back(text_of(bed));
-  const std::string guide = options_.kit->guide ? guide_of(sheet, label, kit.warning) : "";
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    write_file(label.stem + (options_.kit->bed_mm ? fmt::format("-kit-{}", k + 1) : "-kit"),
-               texts[k]);
-  }
+  std::vector<schema::LineDrawing> plate_beds;
   const solver::Fill fill = model_.design().actuators(model_.base().base).fill;
   if (const auto* plates = std::get_if<solver::RubberPlates>(&fill)) {
-    write_file(label.stem + "-kit-plates",
-               text_of(schema::kit_plate_drawing(sheet, *plates, *options_.kit, label.title)));
+    plate_beds = schema::kit_plate_drawings(sheet, *plates, *options_.kit, label.title);
   }
+  const std::string guide = options_.kit->guide ? guide_of(sheet, label, kit.warning) : "";
+  const auto write_beds = [&](const std::string& stem,
+                              const std::vector<schema::LineDrawing>& beds) {
+    for (std::size_t k = 0; k < beds.size(); ++k) {
+      write_file(options_.kit->bed_mm ? fmt::format("{}-{}", stem, k + 1) : stem, text_of(beds[k]));
+    }
+  };
+  write_beds(label.stem + "-kit", kit.beds);
+  write_beds(label.stem + "-kit-plates", plate_beds);
   if (options_.kit->test_piece) {
     write_file(label.stem + "-kit-test",
                text_of(schema::kit_test_piece(*options_.kit, label.title)));

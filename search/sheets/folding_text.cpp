@@ -45,8 +45,8 @@ std::string energy_words(const schema::FoldingView& view, const std::optional<so
   if (!fill || !schema::drives_to_flat(*fill)) return "";
   const solver::EnergyHistory found = solver::energy_history(view.sheet, view.history, *fill);
   const double d_deg = found.deploys_from_sample * view.sample_deg;
-  std::string text =
-      fmt::format("\nenergy of {} falls to flat from {:g} deg", schema::fill_words(*fill), d_deg);
+  std::string text = fmt::format("\nenergy of {} falls to flat from {:g} deg",
+                                 schema::fill_words(*fill, view.mechanism.diagonal_count()), d_deg);
   if (!found.rises_to_the_end) {
     text += fmt::format("\nit rises again from {:g} deg", d_deg + view.sample_deg);
     if (found.where >= 0) {
@@ -55,6 +55,7 @@ std::string energy_words(const schema::FoldingView& view, const std::optional<so
       text += ", most by " + solver::line_label(diagonal.from, diagonal.to);
     }
   }
+  if (found.monotone_to_sample == view.history.verdict.deploys_from_sample) return text;
   return text + fmt::format("\nall diagonals are monotone from {:g} deg",
                             found.monotone_to_sample * view.sample_deg);
 }

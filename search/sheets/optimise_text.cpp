@@ -4,6 +4,7 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "search/sheets/study_texts.hpp"
+#include "search/terminal/count_text.hpp"
 #include "solver/optimise/low_slopes.hpp"
 
 namespace misalign::search {
@@ -85,9 +86,10 @@ std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
                           const ProvenBetter& better) {
   const auto& [found, certified_deg] = better;
   std::string text = fmt::format(
-      "{}: {} {:.4g} {}, now {:.4g}; {} steps, {} sheets folded{}\n", subject.sheet.name(),
-      goal_text(found), found.start().value, found.options.goal->unit_words, found.best().value,
-      found.steps(), found.evaluations,
+      "{}: {} {:.4g} {}, now {:.4g}; {}, {} folded{}\n", subject.sheet.name(), goal_text(found),
+      found.start().value, found.options.goal->unit_words, found.best().value,
+      count_text(static_cast<std::uint64_t>(found.steps()), "step"),
+      count_text(static_cast<std::uint64_t>(found.evaluations), "sheet"),
       found.stop_reason == solver::Optimised::StopReason::most_steps ? ", not converged" : "");
   text +=
       fmt::format("deploys from {:g} deg{}; largest stroke {:.3g} %, shifts up to {:.4g} mm\n",

@@ -20,15 +20,16 @@ const solver::Model& with_loops_to_close(const solver::Model& model) {
       "certificate; `misalign certify` of a file or a draw proves them");
 }
 
-// The filling whose energy is proven to rise; none if every diagonal is monotone.
+// The filling whose energy is proven to fall to flat; none if every diagonal is monotone.
 std::optional<solver::Fill> fill_of(const solver::Model& model, const CertifiedClaims& claims) {
   if (claims.criterion != solver::CertifiedBy::energy) return std::nullopt;
   assert(claims.fill);
   const char* const why = solver::why_not_certifiable(*claims.fill, model.mechanism().springs);
   if (why == nullptr) return claims.fill;
-  throw schema::UserError(schema::Cause::bad_request,
-                          std::string("certify: no proof that this energy rises is possible (") +
-                              why + "); change the filling, or give --criterion diagonals");
+  throw schema::UserError(
+      schema::Cause::bad_request,
+      std::string("certify: no proof that this energy falls to flat is possible (") + why +
+          "); change the filling, or give --criterion diagonals");
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ CertifiedClaims claims_of(const schema::Pattern& base, const schema::Sampling& s
   const solver::CertifiedBy its_criterion =
       judged_fill ? solver::CertifiedBy::energy : solver::CertifiedBy::diagonals;
   return {contact, criterion.value_or(its_criterion),
-          judged_fill ? *judged_fill : design.fill(base.base)};
+          judged_fill ? *judged_fill : design.fill(base.base), !judged_fill};
 }
 
 CertifiedClaims claims_of(const schema::Campaign& campaign,
@@ -88,8 +89,9 @@ std::optional<schema::CertificateFinding> RowCertifier::check(
 
 bool answers(const schema::CertificateRecord& row, double asked_deg,
              const CertifiedClaims& claims) {
+  if (claims.criterion == solver::CertifiedBy::energy && claims.fill_of_design) return false;
   const bool ends_for_contact = row.end == solver::name_of(solver::CertificateEnd::contact);
-  return row.asked_deg >= asked_deg && row.criterion == solver::name_of(claims.criterion) &&
+  return row.asked_deg >= asked_deg && schema::criterion_of(row) == claims.criterion &&
          (row.contact == claims.contact || (row.contact && !ends_for_contact));
 }
 

@@ -14,7 +14,8 @@ namespace misalign::search {
 struct CertifiedClaims {
   bool contact = false;  ///< true: panels are proven not to meet
   solver::CertifiedBy criterion = solver::CertifiedBy::diagonals;
-  std::optional<solver::Fill> fill = {};  ///< the filling whose energy rises; also for checks
+  std::optional<solver::Fill> fill = {};  ///< filling of the energy criterion; also for checks
+  bool fill_of_design = true;             ///< false: the filling that the campaign judges by
 };
 
 /// Claims by `criterion`, or else by the sheet's criterion; of the energy of the filling that
@@ -56,7 +57,8 @@ class RowCertifier {
   solver::Certifier certifier_;
 };
 
-/// Returns whether a certificate answers the request: no other would say more.
+/// Returns whether a certificate answers the request: no other would say more. None by energy does
+/// of a design's filling, which may have changed since.
 bool answers(const schema::CertificateRecord& row, double asked_deg, const CertifiedClaims& claims);
 
 /// Certifies accepted draws of a campaign.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "schema/exchange/rubber_json.hpp"
+#include "schema/pattern/fill_words.hpp"
 #include "search/sheets/study_texts.hpp"
 
 namespace misalign::search {
@@ -39,9 +40,10 @@ std::string hole_words(const solver::Sheet& sheet, int facet) {
 std::string rubber_text(const solver::Sheet& sheet, const solver::RubberStudy& study) {
   const solver::RubberPlates& plates = study.options.plates;
   std::string text = fmt::format(
-      "rubber plates of {:g} mm, shear modulus {:g} MPa; unstretched, each is worth springs of\n"
-      "{:.3g} N/mm on both diagonals. Creep and the rate of stretching are left out.\n",
-      plates.thickness_mm, plates.shear_mpa, study.equivalent_n_per_mm);
+      "{}, {};\nunstretched, each is worth springs of {:.3g} N/mm on both diagonals. Creep and the "
+      "rate\nof stretching are left out.\n",
+      schema::fill_words(plates, sheet.mechanism().diagonal_count()), schema::state_words(plates),
+      study.equivalent_n_per_mm);
   text += "\n    hole  stretch at_deg  edges, N/mm at_deg  state of the folded plate\n";
   for (const PlateWay& plate : study.plates) {
     text +=

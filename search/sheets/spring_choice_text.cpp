@@ -2,6 +2,7 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "search/sheets/study_texts.hpp"
+#include "search/terminal/count_text.hpp"
 
 namespace misalign::search {
 
@@ -23,12 +24,12 @@ std::string spring_choice_text(const solver::Sheet& sheet, const solver::SpringC
   }
   text += fmt::format("bound of all choices: {:.4g} N mm/mm; of the linear program: {:.4g}\n",
                       choice.bound_n_mm_per_mm, choice.relaxed_n_mm_per_mm);
-  text += fmt::format("{} of {} diagonals carry a spring{}; {} linear programs\n",
-                      choice.springs.size(), mechanism.diagonal_count(),
+  text += fmt::format("{} of {} diagonals carry a spring{}; {}\n", choice.springs.size(),
+                      mechanism.diagonal_count(),
                       !choice.proven_fewest   ? ""
                       : *choice.proven_fewest ? " (proven minimum)"
                                               : " (perhaps not the minimum)",
-                      choice.programs);
+                      count_text(static_cast<std::uint64_t>(choice.programs), "linear program"));
   text += "\n diagonal  rate N/mm     free_mm   longer than flat\n";
   for (const solver::ChosenSpring& spring : choice.springs) {
     const double flat_mm = sheet.way()->flat_mm()(spring.diagonal);

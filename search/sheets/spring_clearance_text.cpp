@@ -17,12 +17,12 @@ std::string offset_text(const solver::OffsetEnds& ends, double reach_deg) {
                                ? "springs of a hole above and below the mid-plane"
                                : "one spring of a hole above the mid-plane";
   const std::string start =
-      fmt::format("offset ends    {}, inset by {:g} mm: ", what, ends.inset_mm);
+      fmt::format("offset ends    {}, inset by {:g} mm:\n{:15}", what, ends.inset_mm, "");
   if (!ends.offset_mm) return start + "springs touch with every offset up to two diameters\n";
   return start + fmt::format(
-                     "none touch with {:g} mm, but the sheet deploys from {:g} deg; {} of {} "
+                     "none touch with {:g} mm, but the sheet deploys from {:g} deg;\n{:15}{} of {} "
                      "diagonals are monotone from {:.10g} deg\n",
-                     *ends.offset_mm, ends.deploys_from_deg, ends.monotone, ends.diagonals,
+                     *ends.offset_mm, ends.deploys_from_deg, "", ends.monotone, ends.diagonals,
                      reach_deg);
 }
 
@@ -70,9 +70,16 @@ std::string spring_clearance_text(const schema::Pattern& base, const solver::Pan
   return text + apart_text(study);
 }
 
+const solver::SpringMeeting* closest_meeting(const solver::SpringClearance& clearance) {
+  const auto& springs = clearance.springs.closest;
+  const auto& panels = clearance.panels.closest;
+  if (springs && !(panels && panels->clear_mm < springs->clear_mm)) return &*springs;
+  return panels ? &*panels : nullptr;
+}
+
 std::string spring_clearance_note(const schema::Pattern& base, const solver::Panels& panels,
                                   const solver::SpringClearance& clearance) {
-  const solver::SpringMeeting& met = *clearance.springs.closest;
+  const solver::SpringMeeting& met = *closest_meeting(clearance);
   return fmt::format("{} at {:.3g}°; {} pairs of springs touch, and {} of springs and panels",
                      schema::meeting_text(base, panels, clearance.diagonals, met), met.pilot_deg,
                      clearance.springs.touching.size(), clearance.panels.touching.size());

@@ -55,16 +55,18 @@ void check_freedom(const schema::Pattern& base, const std::string& path) {
                   path, mobility.degrees_of_freedom(), mobility.rank, mobility.unknowns));
 }
 
+std::vector<std::pair<int, int>> diagonals_of_one_hole(const solver::Mechanism& mechanism) {
+  std::vector<std::pair<int, int>> pairs;
+  for (int d = 0; d + 1 < mechanism.diagonal_count(); d += 2) pairs.emplace_back(d, d + 1);
+  return pairs;
+}
+
 // Returns the numbers of two diagonals from "A3-A9,A4-A8".
 std::pair<int, int> diagonals_named(const solver::Mechanism& mechanism, const std::string& text) {
-  const auto number = [&](const std::string& name) {
-    int d = mechanism.diagonal_count() - 1;
-    while (d >= 0 && schema::diagonal_label(mechanism, d) != name) --d;
-    return d;
-  };
   const std::size_t comma = text.find(',');
-  const int first = number(text.substr(0, comma));
-  const int second = comma == std::string::npos ? -1 : number(text.substr(comma + 1));
+  const int first = diagonal_of_label(mechanism, text.substr(0, comma));
+  const int second =
+      comma == std::string::npos ? -1 : diagonal_of_label(mechanism, text.substr(comma + 1));
   if (first >= 0 && second >= 0 && first != second) return {first, second};
   throw UserError(
       solver::OptionFault{"never_both", schema::printable(text), "names no two diagonals",
@@ -90,10 +92,38 @@ UserError study_error(const solver::Obstacle& obstacle, const std::string& sheet
 }
 
 std::optional<solver::SpringBodies> spring_bodies(const schema::Design& design,
-                                                  std::optional<double> diameter_mm,
                                                   std::optional<double> end_mm) {
-  if (!diameter_mm) return {};
-  return solver::SpringBodies{*diameter_mm, end_mm, design.plates().thickness_mm};
+  if (!design.diameter_mm || !design.is_springs()) return {};
+  solver::Springs springs = design.springs();
+  springs.rest_deg = 0;  // bodies are alike wherever springs are relaxed
+  return solver::SpringBodies{*design.diameter_mm, end_mm, design.plates().thickness_mm, springs};
+}
+
+solver::ContactOptions contact_options(const schema::Design& design, std::optional<double> trim_mm,
+                                       const SpringContact& asked) {
+  auto bodies = spring_bodies(design, asked.end_mm);
+  const bool has_trial = asked.offsets == solver::OffsetTrial::tried;
+  if (!bodies && (asked.end_mm || has_trial)) {
+    throw UserError(solver::OptionFault{
+        asked.end_mm ? "end_mm" : "offset_ends",
+        asked.end_mm ? std::optional(schema::shown_number(*asked.end_mm)) : std::nullopt,
+        design.is_springs() ? "is of springs as bodies, and the springs have no diameter"
+                            : "is of springs, and this sheet's holes have none",
+        design.is_springs() ? "give it by " + schema::parameter("diameter_mm") : "take it out"});
+  }
+  return {trim_mm, design.from_deg, std::move(bodies), asked.offsets};
+}
+
+solver::Actuators actuators_on(const solver::Sheet& sheet, const schema::Design& design,
+                               std::optional<double> from_deg) {
+  solver::Actuators actuators = design.actuators(sheet.base());
+  const double used_deg = from_deg.value_or(sheet.deploys_from_deg());
+  if (!design.is_springs() || used_deg <= 0) return actuators;
+  schema::Design with_diameter = design;
+  if (!design.diameter_mm) with_diameter.diameter_mm = solver::kSpringDiameter_mm;
+  auto touching = solver::touching_springs(sheet, *spring_bodies(with_diameter), used_deg);
+  actuators.never_both = touching ? *std::move(touching) : diagonals_of_one_hole(sheet.mechanism());
+  return actuators;
 }
 
 solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options) {
@@ -101,11 +131,22 @@ solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::Contac
                         "it is not known where panels meet");
 }
 
+void need_energy(const solver::Sheet& sheet, const solver::Fill& fill,
+                 const std::string& consequence) {
+  if (sheet.way() == nullptr) return;  // other reasons are said of a lost path
+  const std::vector<double> energy_n_mm = solver::actuate(sheet, {fill, {}}).energy_n_mm;
+  if (std::ranges::any_of(energy_n_mm, [](double n_mm) { return n_mm > 0; })) return;
+  throw UserError(Cause::bad_request,
+                  fmt::format("{}: the filling of its holes stores no energy, so {}; give springs "
+                              "or rubber plates by {}",
+                              sheet.name(), consequence, schema::parameter("fill")));
+}
+
 solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design) {
   if (design.from_deg) {
     if (const auto fault = solver::beyond_d(sheet, *design.from_deg)) throw UserError(*fault);
   }
-  return solver::actuate(sheet, design.actuators(sheet.base()), design.from_deg);
+  return solver::actuate(sheet, actuators_on(sheet, design, design.from_deg), design.from_deg);
 }
 
 std::optional<solver::RubberStudy> rubber_of(const solver::Sheet& sheet,
@@ -116,18 +157,11 @@ std::optional<solver::RubberStudy> rubber_of(const solver::Sheet& sheet,
                         "its plates cannot be studied");
 }
 
-solver::CutOutChoice chosen_cut_outs(const solver::Sheet& sheet, const schema::Design& design) {
-  const solver::Fill fill = design.actuators(sheet.base()).fill;
-  const auto* const plates = std::get_if<solver::RubberPlates>(&fill);
-  if (!plates) {
-    throw UserError(solver::OptionFault{"choose", std::nullopt,
-                                        "chooses the cut-outs of rubber plates, and the holes have "
-                                        "none",
-                                        "give the design plates"});
-  }
+solver::CutOutChoice chosen_cut_outs(const solver::Sheet& sheet, const solver::RubberPlates& plates,
+                                     std::optional<double> from_deg) {
   solver::CutOutOptions options;
-  options.plates = *plates;
-  options.from_deg = design.from_deg.value_or(sheet.deploys_from_deg());
+  options.plates = plates;
+  options.from_deg = from_deg.value_or(sheet.deploys_from_deg());
   return value_or_throw(solver::choose_cut_outs(sheet, options), sheet.name(),
                         "its cut-outs cannot be chosen");
 }
@@ -135,10 +169,15 @@ solver::CutOutChoice chosen_cut_outs(const solver::Sheet& sheet, const schema::D
 solver::SpringChoice chosen_springs(const solver::Sheet& sheet, const schema::Design& design,
                                     const SpringChoiceInput& input) {
   solver::SpringChoiceOptions options = input.options;
-  if (!options.from_deg) options.from_deg = design.from_deg;
+  options.from_deg = design.from_deg;
+  options.pull_only |= design.pull_only.value_or(false);
+  options.one_a_hole |= design.springs_on == solver::SpringsOn::one_a_hole;
   options.friction_n_mm_per_mm = design.friction_n_mm_per_mm.value_or(0);
   options.to_deg = design.margin_to_deg.value_or(options.to_deg);
   std::ranges::sort(options.rates_n_per_mm);
+  if (design.diameter_mm) {
+    options.never_both = actuators_on(sheet, design, options.from_deg).never_both;
+  }
   for (const std::string& text : input.never_both) {
     options.never_both.push_back(diagonals_named(sheet.mechanism(), text));
   }
@@ -162,6 +201,7 @@ std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
 
 schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& deploying,
                              const schema::Design& design) {
+  need_energy(sheet, deploying.sheet.fill, "its panels are not bent");
   solver::BentPanels panels = value_or_throw(solver::bend_panels(sheet, deploying, bending(design)),
                                              sheet.name(), "its panels cannot be bent");
   std::optional<solver::PreloadStudy> preload;

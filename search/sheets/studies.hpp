@@ -8,11 +8,11 @@
 #include "schema/files/user_error.hpp"
 #include "search/sheets/folding_model.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/fitting/cut_outs.hpp"
+#include "solver/fitting/spring_choice.hpp"
 #include "solver/motion/pin_friction.hpp"
 #include "solver/motion/rubber.hpp"
 #include "solver/optimise/construct.hpp"
-#include "solver/optimise/cut_outs.hpp"
-#include "solver/optimise/spring_choice.hpp"
 
 namespace misalign::search {
 
@@ -28,12 +28,32 @@ T value_or_throw(solver::StudyResult<T> result, const std::string& sheet,
   return *std::move(result);
 }
 
+/// Springs of a design as bodies; none where it gives no diameter, or its filling is no springs.
+std::optional<solver::SpringBodies> spring_bodies(const schema::Design& design,
+                                                  std::optional<double> end_mm = {});
+
+/// A question about springs as bodies.
+struct SpringContact {
+  std::optional<double> end_mm =
+      {};  ///< length left out at each end; none: kEndDiameters diameters
+  solver::OffsetTrial offsets = solver::OffsetTrial::none;
+};
+/// Options of contact from a design: its angle of use and its springs. UserError (bad_request)
+/// where something is asked of springs, and it has none with a diameter.
+solver::ContactOptions contact_options(const schema::Design& design, std::optional<double> trim_mm,
+                                       const SpringContact& asked);
+
 solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options);
 
-/// Springs of a design as bodies; none without a diameter.
-std::optional<solver::SpringBodies> spring_bodies(const schema::Design& design,
-                                                  std::optional<double> diameter_mm,
-                                                  std::optional<double> end_mm = {});
+/// The filling of a design, with the pairs of springs that touch between flat and the angle of use,
+/// or D. Springs have the design's diameter, or kSpringDiameter_mm. Where that is not known the
+/// pairs are the two of each hole.
+solver::Actuators actuators_on(const solver::Sheet& sheet, const schema::Design& design,
+                               std::optional<double> from_deg);
+
+/// UserError (bad_request) where the filling stores no energy anywhere on the way.
+void need_energy(const solver::Sheet& sheet, const solver::Fill& fill,
+                 const std::string& consequence);
 
 /// Springs of this design on a sheet of its model, which has a station at the angle of use.
 solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design);
@@ -41,16 +61,17 @@ solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& des
 /// The plates of an actuation along the way; none where the filling is not plates.
 std::optional<solver::RubberStudy> rubber_of(const solver::Sheet& sheet,
                                              const solver::Actuation& actuation);
-/// Cut-outs chosen by hole for a design's plates, from its angle of use, or D. UserError
-/// (bad_request) where the filling is not plates.
-solver::CutOutChoice chosen_cut_outs(const solver::Sheet& sheet, const schema::Design& design);
+/// Cut-outs of plates chosen by hole, from this angle of use, or D.
+solver::CutOutChoice chosen_cut_outs(const solver::Sheet& sheet, const solver::RubberPlates& plates,
+                                     std::optional<double> from_deg);
 /// Limits of chosen springs, as they are typed.
 struct SpringChoiceInput {
   solver::SpringChoiceOptions options;
   std::vector<std::string> never_both;  ///< "A3-A9,A4-A8"
 };
 /// The best springs of a sheet of this design: its angle of use and its friction hold where none
-/// is typed. UserError (bad_request): a pair that names no two diagonals.
+/// is typed, and so do its wires and one spring a hole; of springs with a diameter no two touch.
+/// UserError (bad_request): a pair that names no two diagonals.
 solver::SpringChoice chosen_springs(const solver::Sheet& sheet, const schema::Design& design,
                                     const SpringChoiceInput& input);
 

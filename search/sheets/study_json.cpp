@@ -34,7 +34,10 @@ schema::Json study_json(const Subject& subject, const solver::Actuation& springs
 }
 
 schema::Json study_json(const Subject& subject, const solver::SpringChoice& choice) {
-  return with_key(subject, schema::spring_choice_json(subject.sheet.mechanism(), choice));
+  const solver::Sheet& sheet = subject.sheet;
+  return with_key(
+      subject, {{"deploys_from_deg", sheet.deploys_from_deg()},
+                {"choice", schema::spring_choice_json(sheet.base(), sheet.mechanism(), choice)}});
 }
 
 schema::Json study_json(const Subject& subject, const ReleasedSheet& released) {

@@ -8,12 +8,12 @@
 #include "search/sheets/better_sheet.hpp"
 #include "search/sheets/stress_study.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/fitting/cut_outs.hpp"
+#include "solver/fitting/spring_choice.hpp"
 #include "solver/motion/actuation.hpp"
 #include "solver/motion/pin_friction.hpp"
 #include "solver/motion/rubber.hpp"
 #include "solver/optimise/construct.hpp"
-#include "solver/optimise/cut_outs.hpp"
-#include "solver/optimise/spring_choice.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::search {
@@ -37,7 +37,9 @@ std::string contact_text(const schema::Pattern& base, const solver::Panels& pane
 /// where springs were not judged.
 std::string spring_clearance_text(const schema::Pattern& base, const solver::Panels& panels,
                                   const solver::ContactStudy& study);
-/// The closest springs, and the numbers of pairs that touch; there are two springs at least.
+/// The closest two springs, or spring and panel; null where there are none.
+const solver::SpringMeeting* closest_meeting(const solver::SpringClearance& clearance);
+/// These, and the numbers of pairs that touch.
 std::string spring_clearance_note(const schema::Pattern& base, const solver::Panels& panels,
                                   const solver::SpringClearance& clearance);
 

@@ -3,6 +3,7 @@
 
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/rubber_json.hpp"
+#include "schema/pattern/parameters.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/sheets/study_json.hpp"
 #include "search/sheets/study_texts.hpp"
@@ -17,14 +18,26 @@ struct ActuatorsCall : SheetCall {
   schema::Design design;
   bool chooses = false;
   SpringChoiceInput choice;
+  std::vector<const CLI::Option*> of_springs;  // limits of --choose
 };
+
+void refuse_limits_of_springs(const ActuatorsCall& call) {
+  for (const CLI::Option* option : call.of_springs) {
+    if (option->count() == 0) continue;
+    throw schema::UserError(schema::Cause::bad_request,
+                            option->get_name() +
+                                ": is a limit of chosen springs, and this sheet's holes have "
+                                "rubber plates; take it out");
+  }
+}
 
 void show_actuators(const ActuatorsCall& call) {
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
   const auto& [chosen, model, sheet] = subject;
   schema::Design design = model.design();
-  const bool are_plates = std::holds_alternative<solver::RubberPlates>(design.fill(sheet.base()));
-  if (call.chooses && !are_plates) {
+  const solver::Fill fill = design.fill(sheet.base());
+  const auto* const plates = std::get_if<solver::RubberPlates>(&fill);
+  if (call.chooses && !plates) {
     const solver::SpringChoice choice = chosen_springs(sheet, design, call.choice);
     if (call.json) return put_json(study_json(subject, choice));
     put("{}: ", sheet.name());
@@ -32,7 +45,8 @@ void show_actuators(const ActuatorsCall& call) {
   }
   std::optional<solver::CutOutChoice> choice;
   if (call.chooses) {
-    choice = chosen_cut_outs(sheet, design);
+    refuse_limits_of_springs(call);
+    choice = chosen_cut_outs(sheet, *plates, design.from_deg);
     static_cast<schema::DesignFill&>(design) = schema::design_of(choice->plates, sheet.base());
   }
   const solver::Actuation actuation = actuated(sheet, design);
@@ -56,21 +70,27 @@ void show_actuators(const ActuatorsCall& call) {
 }
 
 void add_choice(CLI::App& verb, ActuatorsCall& call) {
-  constexpr double kMostRate_n_per_mm = 1e6, kMostMargin = 1e6, kMostFree = 0.5;
+  const schema::DesignLimits free = schema::parameter_limits("actuators", "free_within"),
+                             equal = schema::parameter_limits("actuators", "equal_lengths_share");
   solver::SpringChoiceOptions& options = call.choice.options;
   auto* const choose = verb.add_flag(
       "--choose", call.chooses,
-      "choose springs: rates and free lengths that overcome the most friction at every angle; "
-      "of rubber plates the cut-outs");
+      "choose springs: rates and free lengths that overcome the most friction at every angle, "
+      "whatever the design's (also with --fill '{\"kind\": \"none\"}'); of rubber plates the "
+      "cut-outs");
+  for (const char* const of_equal_springs : {"--stiffness", "--preload", "--stroke-limit"}) {
+    choose->excludes(of_equal_springs);
+  }
   add_default(verb, "--most-rate", options.most_rate_n_per_mm, "largest rate of a spring, N/mm",
-              within(1e-6, kMostRate_n_per_mm), "N_PER_MM")
+              within("actuators", "most_rate_n_per_mm"), "N_PER_MM")
       ->needs(choose);
   add_value(verb, "--rates", options.rates_n_per_mm, "rates to choose from, N/mm [any]",
-            within(1e-6, kMostRate_n_per_mm), "LIST")
+            within("actuators", "rates_n_per_mm"), "LIST")
       ->delimiter(',')
       ->needs(choose);
   add_default(verb, "--free-within", options.free_within,
-              "largest difference of a free length from flat", a_share(0, kMostFree), "SHARE")
+              "largest difference of a free length from flat", a_share(free.least, free.most),
+              "SHARE")
       ->needs(choose);
   verb.add_flag("--pull-only", options.pull_only, "every spring pulls at every angle")
       ->needs(choose);
@@ -83,20 +103,25 @@ void add_choice(CLI::App& verb, ActuatorsCall& call) {
       ->type_name("DIAGONAL,DIAGONAL")
       ->needs(choose);
   add_value(verb, "--most-springs", options.most_springs, "largest number of springs",
-            counted(1, 10000), "N")
+            counted("actuators", "most_springs"), "N")
       ->needs(choose);
   add_value(verb, "--friction", call.design.friction_n_mm_per_mm,
             "dry friction of creases, N mm/mm [the design's, or 0]",
             within("hinges.friction_n_mm_per_mm"), "N")
       ->needs(choose);
   add_value(verb, "--fewest", options.fewest_margin,
-            "as few springs as have this static margin over the friction", within(0, kMostMargin),
-            "MARGIN")
+            "as few springs as have this static margin over the friction",
+            within("actuators", "fewest_margin"), "MARGIN")
       ->needs(choose);
   add_value(verb, "--equal-lengths", options.equal_lengths_share,
             "equal free lengths where this share of the friction overcome remains",
-            a_share(1e-3, 1), "SHARE")
+            a_share(equal.least, equal.most), "SHARE")
       ->needs(choose);
+  for (const char* const limit :
+       {"--most-rate", "--rates", "--free-within", "--pull-only", "--one-a-hole", "--never-both",
+        "--most-springs", "--friction", "--fewest", "--equal-lengths"}) {
+    call.of_springs.push_back(verb.get_option(limit));
+  }
 }
 
 }  // namespace

@@ -138,10 +138,9 @@ constexpr const char* kCertifyFooter =
     "A certificate proves, rounding included, that for every pilot angle from flat to the\n"
     "certified angle the sheet has exactly one folded state near its path, that creases keep\n"
     "their signs and stay below 180 degrees, and that every diagonal is monotone; with\n"
-    "--criterion energy, that the total energy of springs or of tense rubber plates rises. What "
-    "it\n"
-    "proves in full, and what not: solver/certificate/README.md. It ends for one of these\n"
-    "reasons; the first four are proven, to within 1e-4 degrees:\n"
+    "--criterion energy, that the total energy of springs or of tense rubber plates falls\n"
+    "towards flat. In full: solver/certificate/README.md. It ends for one of\n"
+    "these reasons; the first four are proven, to within 1e-4 degrees:\n"
     "  to_the_end     it reaches the requested angle\n"
     "  reversal       a diagonal reverses, or the energy\n"
     "  over_folded    a crease folds past 180 degrees\n"
@@ -156,10 +155,11 @@ constexpr const char* kCertifyFooter =
     "proves that all loops close by the base's fold angles and that diagonals are monotone.\n"
     "Nothing is stored. Overconstrained sheets, with fewer holes than one degree of freedom\n"
     "needs, have no other proof. See solver/pattern/README.md.\n\n"
-    "A catalogue keeps certificates beside its candidates: column certified_deg of `query`,\n"
-    "`export` and --where. Certificates that answer the request are not made again, so the same\n"
-    "command resumes. For a pattern file nothing is kept: --json prints the pattern with its\n"
-    "certificate, which --check takes.\n"
+    "A catalogue keeps certificates beside its candidates: columns certified_deg and\n"
+    "certified_by of `query`, `export` and --where. Certificates that answer the request are\n"
+    "not made again, so the same command resumes; those by the energy of a design's filling\n"
+    "are, as that may have changed. For a pattern file nothing is kept: --json prints the\n"
+    "pattern with its certificate, which --check takes.\n"
     "--check makes none. It compares hash and columns, then checks every claim in arithmetic of\n"
     "many bits that shares nothing with the certifier: seconds for 6 x 6. It takes all\n"
     "candidates unless some are chosen, and counts which ends are proven. Exit code 6 if a\n"
@@ -199,12 +199,7 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
                              "[the design's, or the sheet's D]");
   to->check(within(0.01, 180))->type_name("DEG");
   auto* contact = verb.add_flag("--contact", options.contact, "also prove that no panels meet");
-  auto* criterion = verb.add_option_function<std::string>(
-      "--criterion",
-      [&options](const std::string& name) { options.criterion = solver::certified_by(name); },
-      "what is proven of the diagonals: that each is monotone, or that the total energy of what "
-      "fills the holes rises [as the sheet is judged]");
-  criterion->check(CLI::IsMember({"diagonals", "energy"}))->type_name("CRITERION");
+  auto* criterion = add_criterion(verb, options.criterion);
   auto* again = verb.add_flag("--again", options.again, "replace existing certificates");
   auto* check = verb.add_flag("--check", options.check, "check existing certificates; make none");
   for (CLI::Option* other : {to, contact, criterion, again}) check->excludes(other);

@@ -63,8 +63,7 @@ Proven prove(const CertifyCall& call, const ChosenSheet& chosen, const solver::M
 Json document_of(const ChosenSheet& sheet) {
   Json document = sheet.exported;
   if (!document.is_object() || !document.contains("pattern")) {
-    document = {{"pattern", schema::pattern_json(sheet.base, sheet.shifts_mm)},
-                {"sampling", schema::sampling_json(sheet.sampling)}};
+    document = schema::pattern_file_json(sheet.base, sheet.shifts_mm, sheet.sampling, sheet.design);
     if (sheet.exported.is_object() && sheet.exported.contains("draw")) {
       document["draw"] = sheet.exported["draw"];
     }
@@ -85,6 +84,8 @@ double deploys_from_deg(const solver::Sheet& sheet, const std::string& path) {
 void check_closed_form(const CertifyCall& call) {
   for (const auto& [is_given, option, why] :
        {std::tuple(call.options.check, "--check", "the proof is made anew in no time"),
+        std::tuple(call.options.criterion == solver::CertifiedBy::energy, "--criterion energy",
+                   "it proves that diagonals are monotone"),
         std::tuple(call.options.contact, "--contact",
                    "`misalign contact` says where panels meet")}) {
     if (!is_given) continue;

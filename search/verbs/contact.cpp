@@ -13,18 +13,17 @@ namespace {
 
 struct ContactCall : SheetCall {
   schema::Design design;
-  std::optional<double> trim_mm, diameter_mm, end_mm;
+  std::optional<double> trim_mm, end_mm;
   bool offsets = false;
 };
 
 void show_contact(const ContactCall& call) {
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
   const auto& [chosen, model, sheet] = subject;
-  using solver::OffsetTrial;
   const solver::ContactStudy study =
-      contact_of(sheet, {call.trim_mm, model.design().from_deg,
-                         spring_bodies(model.design(), call.diameter_mm, call.end_mm),
-                         call.offsets ? OffsetTrial::tried : OffsetTrial::none});
+      contact_of(sheet, contact_options(model.design(), call.trim_mm,
+                                        {call.end_mm, call.offsets ? solver::OffsetTrial::tried
+                                                                   : solver::OffsetTrial::none}));
   if (call.json) return put_json(study_json(subject, study));
   put("{}: deploys from {:g} deg\n", sheet.name(), study.deploys_from_deg);
   put(contact_text(chosen.base, sheet.panels(), study));
@@ -62,18 +61,16 @@ Action contact_verb(CLI::App& verb) {
   add_sheet(verb, *call);
   add_from(verb, call->design.from_deg);
   add_trim(verb, call->trim_mm);
-  auto* const diameter =
-      add_value(verb, "--diameter", call->diameter_mm,
-                "diameter of the springs, mm: which of them touch each other or panels",
-                within("contact", "diameter_mm"), "MM");
+  add_value(verb, "--diameter", call->design.diameter_mm,
+            "diameter of the springs, mm: which of them touch each other or panels [the design's, "
+            "or springs are not judged]",
+            within("springs.diameter_mm"), "MM");
   add_value(verb, "--end", call->end_mm,
             fmt::format("length left out at each end of a spring, mm [{:g} diameters]",
                         solver::kEndDiameters),
-            within("contact", "end_mm"), "MM")
-      ->needs(diameter);
+            within("contact", "end_mm"), "MM");
   verb.add_flag("--offset-ends", call->offsets,
-                "also the least offset of springs' ends with which none touch")
-      ->needs(diameter);
+                "also the least offset of springs' ends with which none touch");
   verb.add_flag("--json", call->json, "as JSON");
   return showing(call, show_contact);
 }

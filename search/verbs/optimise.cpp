@@ -19,6 +19,7 @@ struct OptimiseCall : SheetCall {
   schema::Design design;
   std::string material_file, output;
   std::vector<std::string> subject_to;
+  std::optional<solver::CertifiedBy> criterion;
   OptimiseInput input;
   bool with_card = false;
 };
@@ -41,7 +42,7 @@ void show_optimised(OptimiseCall call) {
   read_material(call.material_file, call.design);
   call.input.jobs = usable_threads();
   call.input.bounds = schema::bounds_of(call.subject_to);
-  Subject subject = choose_sheet(call.path, call.draw, call.design);
+  Subject subject = choose_sheet(call.path, call.draw, call.design, call.criterion);
   const ProvenBetter better = optimised(subject, call.input);
   if (!call.output.empty()) {
     schema::write_text_file(call.output, better_pattern(subject, better).dump(1) + "\n");
@@ -137,6 +138,8 @@ Action optimise_verb(CLI::App& verb) {
       "from the requested angle within the amplitude, the design's stroke limit and its largest\n"
       "force. With --ternary a step sets one coordinate or two to 0 or the amplitude.\n"
       "Otherwise shifts are free, and active limits are shown with the gain of relaxing them.\n"
+      "With --criterion energy the total energy of the springs has to fall to flat; diagonals\n"
+      "need not be monotone.\n"
       "The optimum depends on the start: try several candidates.\n"
       "Examples:\n  misalign optimise results/miura-6x6-1a2b3c4d.db 1234 --output better.json\n"
       "  misalign optimise search/patterns/table1.json --amplitude 1 --deploys-from 140\n"
@@ -145,7 +148,8 @@ Action optimise_verb(CLI::App& verb) {
       "0.1\"\n"
       "  misalign optimise search/patterns/table1.json --goal static_friction_n_mm_per_mm "
       "--thickness 2 --preload 0.1 --preload-within 0,3\n"
-      "  misalign optimise search/patterns/table1.json --goal deploys_from_deg");
+      "  misalign optimise search/patterns/table1.json --goal deploys_from_deg\n"
+      "  misalign optimise search/patterns/table1.json --criterion energy --deploys-from 140");
   auto call = std::make_shared<OptimiseCall>();
   schema::Design& design = call->design;
   add_sheet(verb, *call);
@@ -154,7 +158,7 @@ Action optimise_verb(CLI::App& verb) {
   add_springs_and_copies(verb, call->input);
   add_release_from(verb, design.from_deg, 0.01);
   add_springs(verb, design);
-  add_fill(verb, design);
+  add_criterion(verb, call->criterion);
   add_thickness(verb, design.thickness_mm);
   add_value(verb, "--friction", design.friction_n_mm_per_mm,
             "dry friction of creases, N mm/mm [the design's, or 0]",

@@ -151,6 +151,17 @@ void read_material(const std::string& file, schema::Design& design) {
   if (!file.empty()) design.material = schema::read_material_file(file);
 }
 
+CLI::Option* add_criterion(CLI::App& verb, std::optional<solver::CertifiedBy>& criterion) {
+  return verb
+      .add_option_function<std::string>(
+          "--criterion",
+          [&criterion](const std::string& name) { criterion = solver::certified_by(name); },
+          "criterion: every diagonal monotone, or the total energy of the filling [as the sheet is "
+          "judged]")
+      ->check(CLI::IsMember({"diagonals", "energy"}))
+      ->type_name("CRITERION");
+}
+
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm) {
   add_value(
       verb, "--trim", trim_mm,

@@ -9,6 +9,7 @@
 #include "schema/exchange/calculix_deck.hpp"
 #include "search/sheets/release.hpp"
 #include "search/verbs/validators.hpp"
+#include "solver/records/certificate.hpp"
 
 namespace misalign::search {
 
@@ -67,6 +68,8 @@ void add_material(CLI::App& verb, std::string& file);
 void read_material(const std::string& file, schema::Design& design);
 /// --fill, JSON as of `design.fill`. Called after the options of springs, which it excludes.
 void add_fill(CLI::App& verb, schema::DesignFill& fill);
+/// --criterion: how sheets are judged.
+CLI::Option* add_criterion(CLI::App& verb, std::optional<solver::CertifiedBy>& criterion);
 /// --trim, of the plates' corners.
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm);
 

@@ -191,7 +191,6 @@ Action stress_verb(CLI::App& verb) {
   add_stiffness(verb, call->release.design.stiffness_n_per_mm);
   add_preload(verb, call->release.design.preload_n);
   add_release(verb, call->release);
-  add_fill(verb, call->release.design);
   add_deck(verb, call->deck);
   StressStudyOptions& options = call->options;
   add_default(verb, "--time-limit", options.deck.end_s, "longest time of the motion, s",

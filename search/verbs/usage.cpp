@@ -134,7 +134,13 @@ std::string usage_sentence(const CLI::App& app, const Words& words, const std::s
 }
 
 std::string sentence_as_given(const CLI::App& verb, const schema::UserError& failure) {
-  const std::string sentence = failure.sentence(option_of);
+  std::string sentence = failure.sentence(option_of);
+  // Advice to a verb without --fill names the key of its file.
+  constexpr std::string_view kFill = "--fill ";
+  const std::size_t advice = sentence.rfind(kFill);
+  if (advice != sentence.npos && !verb.get_option_no_throw("--fill")) {
+    sentence.replace(advice, kFill.size(), "design.fill = ");
+  }
   const std::string parameter(failure.what(), std::strcspn(failure.what(), "="));
   const std::string place = place_in_design(parameter), head = option_of(parameter, true);
   const CLI::Option* const option = verb.get_option_no_throw(option_of(parameter, false));

@@ -37,7 +37,8 @@ struct ContactStudy {
   std::vector<ContactFinder::Clearance> clearances;  ///< one per pilot_deg
   std::optional<PlateThickness> thickness;           ///< none where the sheet deploys from nothing
   std::optional<SpringClearance> springs;            ///< none: not judged; up to reach_deg
-  std::vector<OffsetEnds> offsets;                   ///< if tried and springs touch
+  OffsetTrial trial = OffsetTrial::none;
+  std::vector<OffsetEnds> offsets;  ///< if tried and springs touch
 };
 
 /// Faults: from_deg lies beyond D; trim_mm leaves nothing of an edge, or end_mm of a spring.

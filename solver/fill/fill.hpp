@@ -13,16 +13,20 @@
 
 namespace misalign::solver {
 
+/// A diagonal by its vertices, in any order.
+struct DiagonalEnds {
+  int from, to;
+  bool is_on(const Diagonal& diagonal) const {
+    return std::minmax(from, to) == std::minmax(diagonal.from, diagonal.to);
+  }
+};
+
 /// Forces left in the springs of a flat sheet: those on diagonals that lengthen as the sheet folds
 /// pull, those on diagonals that shorten push.
 struct Preload {
   double each_n = 0;
-  struct OfOne {
-    int from, to;  ///< the vertices of its diagonal, in any order
+  struct OfOne : DiagonalEnds {
     double n;
-    bool is_on(const Diagonal& diagonal) const {
-      return std::minmax(from, to) == std::minmax(diagonal.from, diagonal.to);
-    }
   };
   std::vector<OfOne> others = {};  ///< springs with another force
 
@@ -47,13 +51,9 @@ struct Preload {
 };
 
 /// A spring with a rate, and a free length, of its own.
-struct SingleSpring {
-  int from, to;                   ///< the vertices of its diagonal, in any order
+struct SingleSpring : DiagonalEnds {
   double stiffness_n_per_mm;      ///< 0: the diagonal has no spring
   std::optional<double> free_mm;  ///< none: relaxed where the others are
-  bool is_on(const Diagonal& diagonal) const {
-    return std::minmax(from, to) == std::minmax(diagonal.from, diagonal.to);
-  }
 };
 
 /// Diagonals that have springs.
@@ -99,6 +99,20 @@ inline double rest_deg(const Fill& fill) {
   if (const auto* springs = std::get_if<Springs>(&fill)) return springs->rest_deg;
   if (const auto* plates = std::get_if<RubberPlates>(&fill)) return plates->rest_deg;
   return 0;
+}
+
+/// Returns whether springs of one rate, with one angle of rest, are on all diagonals.
+inline bool on_all_equally(const Springs& springs) {
+  return springs.on == SpringsOn::all && springs.single.empty() && springs.other_rests_deg.empty();
+}
+
+/// Returns whether a filling is relaxed flat, apart from preload or pre-stretch: no part of it has
+/// another rest, or a free length of its own.
+inline bool is_relaxed_flat(const Fill& fill) {
+  const auto* const springs = std::get_if<Springs>(&fill);
+  const auto is_own = [](const SingleSpring& spring) { return spring.free_mm.has_value(); };
+  return rest_deg(fill) == 0 && (!springs || (springs->other_rests_deg.empty() &&
+                                              std::ranges::none_of(springs->single, is_own)));
 }
 
 }  // namespace misalign::solver

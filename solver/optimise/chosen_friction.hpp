@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "solver/fitting/spring_choice.hpp"
 #include "solver/optimise/local_goals.hpp"
-#include "solver/optimise/spring_choice.hpp"
 
 namespace misalign::solver {
 

@@ -47,7 +47,7 @@ std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOption
 
 bool has_equal_springs(const Fill& fill) {
   const auto* const springs = std::get_if<Springs>(&fill);
-  return springs && springs->single.empty();
+  return springs && on_all_equally(*springs) && !springs->pull_only;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& o
     return OptionFault{
         "fill",
         {},
-        "an ascent follows the forces of springs of one rate on all diagonals",
+        "an ascent follows the forces of springs of one rate on all diagonals, which push, too",
         "give such springs, and choose others or plates for the sheet that it finds"};
   }
   const StudyResult<ReleaseOptions> fitted = validated_release(start, options.deploying);

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "schema/pattern/pattern_file.hpp"
+#include "solver/fitting/cut_outs.hpp"
 #include "solver/motion/deploy.hpp"
-#include "solver/optimise/cut_outs.hpp"
 #include "tests/solver/fill/membrane.hpp"
 
 namespace misalign::bench {

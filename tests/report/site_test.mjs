@@ -86,7 +86,7 @@ const kTasks = [
 // What an engineer types who never saw the program; the right pages.
 const kQueries = [
   ["Pareto", ["how-to/choose", "how-to/optimise"]],
-  ["static margin", ["how-to/hinges", "how-to/card", "how-to/choose-springs", "explanation/deployment"]],
+  ["static margin", ["how-to/hinges", "how-to/card", "explanation/deployment"]],
   ["tolerance analysis", ["how-to/cut-a-little-off"]],
   ["snap-through", ["explanation/deployment", "how-to/hinges", "how-to/elastic"]],
   ["buckling", ["explanation/deployment", "how-to/elastic"]],

@@ -34,7 +34,8 @@ TEST(CampaignSchema, HasTheKeysAndDefaultsOfTheCode) {
       // design.fill replaces design.springs.
       "/design/fill",
       // The older name of design.springs.
-      "/actuators", "/actuators/stiffness_n_per_mm", "/actuators/stroke_limit"};
+      "/actuators", "/actuators/stiffness_n_per_mm", "/actuators/stroke_limit",
+      "/actuators/preload_n", "/actuators/largest_force_n"};
   for (const auto& [at, property] : properties) {
     if (not_in_default.contains(at)) continue;
     schema_keys.insert(at);
@@ -153,6 +154,9 @@ constexpr Mutation kRefused[] = {
     {"/accept", R"({"by": "energy", "fill": {"kind": "none"}})"},
     {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "rest_deg": 60}})"},
     {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "stiffness_n_per_mm": 0}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "on": "one_a_hole"}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "stroke_limit": 0.1}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "plate", "rest_deg": 60}})"},
     {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "shear_mpa": 1}})"},
     {"/accept", R"({"by": "energy", "fill": {"kind": "plate", "prestretch": 0.09}})"},
     {"/accept", R"({"by": "energy", "fill": {"kind": "plate", "preload_n": 1}})"},
@@ -204,6 +208,10 @@ constexpr Mutation kRefused[] = {
     {"/actuators/stiffness_n_per_mm", "1000000001"},
     {"/actuators/stroke_limit", "0"},
     {"/actuators/stroke_limit", "8"},
+    {"/actuators/preload_n", "-1"},
+    {"/actuators/largest_force_n", "0"},
+    {"/actuators/rest_deg", "60"},
+    {"/actuators/diameter_mm", "5"},
     {"/design/extra", "1"},
     {"/design/from_deg", "0"},
     {"/design/from_deg", "181"},
@@ -259,6 +267,17 @@ TEST(CampaignSchema, RefusesWhatTheCodeRefuses) {
                            dotted(Pointer(mutation.at)));
   }
   expect_refused_by_both(schema, with(good, "/name", std::string(101, 'x')), "name");
+}
+
+// Both say what drives the sheet.
+TEST(CampaignSchema, RefusesActuatorsBesideAFilling) {
+  Json both = without(campaign_json(default_campaign()), Pointer("/design"));
+  both["actuators"] = Json::object();
+  both["design"] = {{"from_deg", 140}};
+  EXPECT_EQ(complaint(campaign_schema(), both), "");
+  EXPECT_EQ(refusal(both), "");
+  both["design"]["fill"] = {{"kind", "plate"}};
+  expect_refused_by_both(campaign_schema(), both, "actuators");
 }
 
 TEST(CampaignSchema, RefusesEveryWrongType) {
@@ -331,6 +350,11 @@ constexpr Mutation kAccepted[] = {
                    "stiffness_n_per_mm": 1e-6, "preload_n": 1e6, "pull_only": true}})"},
     {"/accept", R"({"by": "energy", "least_moment_n_mm": 1e9, "fill": {"kind": "plate",
                    "shear_mpa": 1e-6, "thickness_mm": 1000, "prestretch": 10}})"},
+    // What a design's filling says of springs that are equal and relaxed flat.
+    {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "rest_deg": 0.0, "on": "all",
+                   "preloads_n": null, "single": [], "stroke_limit": null, "largest_force_n": null,
+                   "diameter_mm": null}})"},
+    {"/accept", R"({"by": "energy", "fill": {"kind": "plate", "rest_deg": 0, "cut_outs": null}})"},
     {"/search", "{}"},
     {"/search", R"({"method": "splitting", "particles": 2, "sweeps": 1, "first_draws": 2})"},
     {"/search", R"({"method": "splitting", "particles": 1000000, "first_draws": 1000000000})"},
@@ -355,6 +379,8 @@ constexpr Mutation kAccepted[] = {
     {"/actuators/stiffness_n_per_mm", "1e-6"},
     {"/actuators/stroke_limit", "0.08"},
     {"/actuators/stroke_limit", "1"},
+    {"/actuators/preload_n", "3"},
+    {"/actuators/largest_force_n", "25"},
     {"/certify", "true"},
     {"/design", "{}"},
     {"/design/from_deg", "0.01"},

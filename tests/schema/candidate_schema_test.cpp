@@ -4,6 +4,7 @@
 #include "schema/catalogue/yield.hpp"
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/deploy_json.hpp"
+#include "schema/pattern/judging_fill.hpp"
 #include "schema/pattern/vertex_labels.hpp"
 #include "solver/certificate/certifier.hpp"
 #include "tests/schema/schema_agreement.hpp"
@@ -57,6 +58,31 @@ TEST(CandidateSchema, AcceptsARealCandidate) {
   EXPECT_TRUE(faults.none());
 }
 
+TEST(CandidateSchema, KnowsEveryFilling) {
+  EXPECT_EQ(table1_candidate()["actuation"]["fill"]["kind"], "springs");
+  const solver::PerforatedSheet base = default_campaign().pattern.base;
+  const solver::Diagonal diagonal = solver::build_mechanism(base).diagonals.front();
+  solver::Springs springs;
+  springs.single = {{{diagonal.from, diagonal.to}, 0, {}}};
+  springs.preload.others = {{{diagonal.from, diagonal.to}, 2}};
+  solver::RubberPlates plates;
+  plates.cut_outs = {{0, {0.9, 0.8}}};
+  for (const solver::Fill& fill :
+       {solver::Fill(springs), solver::Fill(plates), solver::Fill(solver::NoFill{})}) {
+    Json candidate = table1_candidate();
+    add_filling(fill, base, candidate["actuation"]);
+    EXPECT_EQ(complaint(candidate_schema(), candidate), "");
+    EXPECT_NE(complaint(candidate_schema(), with(candidate, "/actuation/fill/kind", "foam")), "");
+  }
+  for (const solver::Fill& fill :
+       {solver::Fill(solver::Springs{}), solver::Fill(solver::RubberPlates{})}) {
+    Json candidate = table1_candidate();
+    candidate["sampling"].update(judging_fill_json(fill));
+    EXPECT_EQ(complaint(candidate_schema(), candidate), "");
+    EXPECT_NE(complaint(candidate_schema(), with(candidate, "/sampling/fill/rest_deg", 60)), "");
+  }
+}
+
 TEST(CandidateSchema, NeedsEveryKeyAndRefusesEveryOther) {
   const Json candidate = table1_candidate(), schema = candidate_schema();
   int removed = 0;
@@ -67,12 +93,12 @@ TEST(CandidateSchema, NeedsEveryKeyAndRefusesEveryOther) {
       EXPECT_NE(complaint(schema, with(candidate, nowhere, nullptr)), "") << at;
     }
     // Elements of arrays, shifts by label and, when nothing is shifted, their object may be absent;
-    // and what nobody has proven, by which criterion it was in older files, and the rate where the
-    // filling is no springs.
-    const bool optional = at.empty() || at.to_string() == "/certificate" ||
-                          at.to_string() == "/certificate/by" ||
-                          at.back() == "stiffness_n_per_mm" ||
-                          at.to_string().find("/displacements_mm") != std::string::npos;
+    // and what nobody has proven, by which criterion it was and the filling in older files, and the
+    // rate where the filling is no springs.
+    const bool optional =
+        at.empty() || at.to_string() == "/certificate" || at.to_string() == "/certificate/by" ||
+        at.to_string() == "/actuation/fill" || at.back() == "stiffness_n_per_mm" ||
+        at.to_string().find("/displacements_mm") != std::string::npos;
     if (optional || candidate[at.parent_pointer()].is_array()) return;
     EXPECT_NE(complaint(schema, without(candidate, at)), "") << at;
     ++removed;

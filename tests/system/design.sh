@@ -83,8 +83,22 @@ refused 2 "is no filling of a hole" deploy "$table1" --fill '{"kind": "foam"}'
 refused 2 "excludes --fill" card "$table1" --fill "$plate" --stiffness 20
 refused 3 "is no hole of this sheet" actuators "$table1" --fill '{"kind": "plate", "cut_outs": [{"hole": [0, 0], "of_flat": [1, 1]}]}'
 refused 2 "is no filling for" export "$table1" --fill "$plate" --format mjcf --output o
+refused 2 "--most-rate: is a limit of chosen springs" actuators "$table1" --fill "$plate" --choose --most-rate 1
+refused 2 "excludes" actuators "$table1" --choose --stiffness 2
+refused 2 "is of springs as bodies, and the springs have no diameter" contact "$table1" --end 6
+refused 2 "has no --criterion energy" certify "$table1" --closed-form --criterion energy
+sed "s/^{/{\"design\": {\"springs\": {\"rest_deg\": 60}},/" "$table1" > stopped.json
+refused 2 "needs a filling that is relaxed flat and equal in all holes" optimise stopped.json --criterion energy
+refused 2 "stores no energy, so it has no card" card "$table1" --fill '{"kind": "none"}'
 sed "s/^{/{\"design\": {\"fill\": $plate},/" "$table1" > plates.json
+"$program" certify plates.json --criterion energy --to 20 --json > certified.json || fail "a proof of plates"
+json_test certified.json "json_extract(j, '\$.design.fill.prestretch') = 1.1" || fail "the certified file has lost its design"
+"$program" actuators "$table1" --choose --most-rate 1 --from 90 --json > chosen.json || fail "chosen springs"
+json_test chosen.json "json_extract(j, '\$.deploys_from_deg') = 156 AND json_extract(j, '\$.choice.drives')" ||
+  fail "JSON of chosen springs"
 refused 2 "is of springs, and this sheet's holes have rubber plates" actuators plates.json --stiffness 20
+refused 2 'give springs by design.fill = {"kind":"springs"}' optimise plates.json
+refused 2 'give springs by design.fill = {"kind": "springs"}' contact plates.json --diameter 5
 "$program" actuators plates.json > words && head -2 words | grep -q "rubber plates of 1 mm" || fail "plates of a file: $(cat words)"
 sed 's/"from_deg": 140/"from_deg": 200/; s/"miscut_mm": 0.05/"miscut": 0.05/' mine.json > bad.json
 "$program" config --check bad.json > err 2>&1

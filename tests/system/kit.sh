@@ -108,6 +108,10 @@ check points.json "--kerf 0.2 --against 0 --attached --point A10 r0c2 --point A1
 "$program" export attached.json --format dxf --kit $bores $panel --output never > /dev/null 2> err &&
   fail "--spring-at though the pattern says it"
 grep -q "the pattern says where its springs end" err || fail "--spring-at: $(cat err)"
+# Plates keep to the bed, too.
+"$program" export draw.json --format dxf --kit --bed 300x420 --fill '{"kind": "plate"}' --output rubber > /dev/null || fail "plates on a bed"
+[ -n "$(ls rubber | grep -e '-kit-plates-1')" ] || fail "plates on a bed: $(ls rubber)"
+
 # On a narrow bed pieces are turned.
 sheet=sheets/draw.fold
 check draw.json "--bed 200 400 --turned" --bed 200x400

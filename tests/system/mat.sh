@@ -19,6 +19,18 @@ octave-cli --no-init-file "$source_dir/tests/system/mat_test.m" \
   "out/miura-4x4-$draw.mat" replay.json springs.json "out/miura-4x4-$draw.json" "out/miura-4x4-$draw.fold" \
   out/table1.mat table1.json table1-springs.json out/table1.json out/table1.fold || fail "MAT-files in Octave"
 
+# Fillings with lists and names of diagonals in them.
+"$program" export "$table1" --format mat --output plates --fill \
+  '{"kind": "plate", "cut_outs": [{"hole": [1, 2], "of_flat": [0.9, 0.95]}]}' > /dev/null || fail "mat of plates"
+"$program" export "$table1" --format mat --output single --fill \
+  '{"kind": "springs", "preloads_n": {"A11-A17": 2}, "single": [{"from": "A11", "to": "A17", "stiffness_n_per_mm": 7}]}' \
+  > /dev/null || fail "mat of single springs"
+octave-cli --no-init-file --eval "
+  plates = load('plates/table1.mat').filling.fill; springs = load('single/table1.mat').springs;
+  assert(plates.cut_outs{1}.hole, [1; 2]); assert(plates.cut_outs{1}.of_flat, [0.9; 0.95]);
+  assert(springs.single{1}.stiffness_n_per_mm, 7); assert(springs.preloads_n.A11_A17, 2);
+  assert(springs.fill.single{1}.from, 'A11'); assert(isnan(springs.fill.single{1}.free_mm));" || fail "fillings in Octave"
+
 # The same bytes from the same sheet; and of many one after the other.
 "$program" export "$table1" --format mat --stroke-limit 0.08 --output again > /dev/null
 cmp out/table1.mat again/table1.mat || fail "mat: not the same bytes again"

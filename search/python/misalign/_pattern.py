@@ -19,12 +19,14 @@ from misalign._folding import Folding
 def _design(from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
             stroke_limit: float | None = None, friction_n_mm_per_mm: float | None = None,
             thickness_mm: float | None = None, miscut_mm: float | None = None,
-            preload_n: float | None = None, fill: dict[str, Any] | None = None) -> str:
+            preload_n: float | None = None, fill: dict[str, Any] | None = None,
+            diameter_mm: float | None = None) -> str:
     """Returns the design of a call, which overrides the pattern's."""
     for name, value in list(locals().items()):
         if name != "fill" and value is not None and not (isinstance(value, (int, float, np.number)) and np.isfinite(value)):
             raise Error(f"{name}={value}: is no finite number; give one", 2)
-    springs = {"stiffness_n_per_mm": stiffness_n_per_mm, "stroke_limit": stroke_limit, "preload_n": preload_n}
+    springs = {"stiffness_n_per_mm": stiffness_n_per_mm, "stroke_limit": stroke_limit, "preload_n": preload_n,
+               "diameter_mm": diameter_mm}
     said: dict[str, Any] = {"from_deg": from_deg, "thickness_mm": thickness_mm, "miscut_mm": miscut_mm}
     said["springs"] = {key: value for key, value in springs.items() if value is not None} or None
     said["fill"] = fill
@@ -151,14 +153,17 @@ class Pattern:
         _misalign.write(self._sheet, os.fspath(path))
 
     def contact(self, from_deg: float | None = None, trim_mm: float | None = None, diameter_mm: float | None = None,
-                end_mm: float | None = None, offset_ends: bool = False) -> dict[str, Any]:
+                end_mm: float | None = None, offset_ends: bool = False,
+                fill: dict[str, Any] | None = None) -> dict[str, Any]:
         """Studies contact of its panels and springs, and largest thickness: the JSON of `misalign contact`.
 
         `from_deg`  pilot angle between which and flat the sheet is used; None for the design's, or D
         `trim_mm`   trim of the plates' corners
-        `diameter_mm` diameter of the springs, of which those that touch are found; None not to judge them
+        `diameter_mm` diameter of the springs, of which those that touch are found; None for the design's: without
+                    one springs are not judged
         `end_mm`    length left out at each end of a spring; None for two diameters
         `offset_ends` True to find the least offset of the springs' ends with which none touch
+        `fill`      the holes' filling, as the key `fill` of a design, with its `diameter_mm`; None for the design's
 
         All studies raise `misalign.Error`: 2 for values that do not fit the sheet, 1 if its path is lost or its panels
         are too thin to bend.
@@ -169,7 +174,8 @@ class Pattern:
         >>> len(pattern.contact(from_deg=90, diameter_mm=5)["springs"]["springs"]["touching"])
         8
         """
-        return _said(_misalign.contact(self._sheet, _design(from_deg), trim_mm, diameter_mm, end_mm, offset_ends))
+        return _said(_misalign.contact(self._sheet, _design(from_deg, fill=fill, diameter_mm=diameter_mm), trim_mm,
+                                       end_mm, offset_ends))
 
     def actuators(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
                   stroke_limit: float | None = None, preload_n: float | None = None,
@@ -187,6 +193,49 @@ class Pattern:
         """
         return _said(_misalign.actuators(self._sheet, _design(
             from_deg, stiffness_n_per_mm, stroke_limit, preload_n=preload_n, fill=fill)))
+
+    def choose_springs(self, from_deg: float | None = None, friction_n_mm_per_mm: float | None = None,
+                       most_rate_n_per_mm: float = 50, rates_n_per_mm: Sequence[float] = (), free_within: float = 0.05,
+                       pull_only: bool = False, one_a_hole: bool = False, never_both: Sequence[str] = (),
+                       most_springs: int | None = None, fewest_margin: float | None = None,
+                       equal_lengths_share: float | None = None) -> dict[str, Any]:
+        """Chooses rates and free lengths of its springs: the JSON of `misalign actuators --choose`.
+
+        Values not given are the design's.
+
+        `most_rate_n_per_mm`, `rates_n_per_mm`  largest rate, N/mm, and rates to choose from; () for any
+        `free_within`          largest difference of a free length from flat, as a share
+        `pull_only`, `one_a_hole`, `never_both`  True for springs that always pull; for one a hole at most; pairs of
+                               diagonals that do not both carry springs: `["A3-A9,A4-A8"]`
+        `most_springs`         largest number of springs
+        `fewest_margin`        as few springs as have this static margin over the friction
+        `equal_lengths_share`  equal free lengths where this share of the friction overcome remains
+
+        >>> chosen = misalign.read("search/patterns/table1.json").choose_springs(one_a_hole=True, most_rate_n_per_mm=1)
+        >>> chosen["choice"]["drives"], len(chosen["choice"]["fill"]["single"]) <= 8
+        (True, True)
+        """
+        return _said(_misalign.choose_springs(
+            self._sheet, _design(from_deg, None, None, friction_n_mm_per_mm), most_rate_n_per_mm=most_rate_n_per_mm,
+            rates_n_per_mm=list(rates_n_per_mm), free_within=free_within, pull_only=pull_only, one_a_hole=one_a_hole,
+            never_both=list(never_both), most_springs=most_springs, fewest_margin=fewest_margin,
+            equal_lengths_share=equal_lengths_share))
+
+    def judged_by(self, by: str, fill: dict[str, Any] | None = None) -> Pattern:
+        """Returns the pattern judged by another criterion: "diagonals", or "energy" of a filling.
+
+        `fill`  the filling whose total energy has to fall to flat, as the key `fill` of campaigns' `accept`; None for
+                springs of 50 N/mm
+
+        >>> pattern = misalign.read("search/patterns/table1.json")
+        >>> by_energy = pattern.judged_by("energy").fold().deploys_from_deg
+        >>> by_energy >= pattern.judged_by("diagonals").fold().deploys_from_deg == pattern.fold().deploys_from_deg
+        True
+        """
+        accept: dict[str, Any] = {"by": by}
+        if fill is not None:
+            accept["fill"] = fill
+        return Pattern(_misalign.judged_by(self._sheet, text(accept)))
 
     def deploy(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
                friction_n_mm_per_mm: float | None = None, thickness_mm: float | None = None,
@@ -270,28 +319,39 @@ class Pattern:
         return _said(_misalign.card(self._sheet, _design(fill=fill), trials, jobs))
 
     def tolerance(self, amplitude_mm: float | None = None, trials: int = 1000, jobs: int = 1,
-                  from_deg: float | None = None) -> dict[str, Any]:
+                  from_deg: float | None = None, fill: dict[str, Any] | None = None) -> dict[str, Any]:
         """Studies the yield of miscut copies: the JSON of `misalign tolerance` for a pattern.
 
         `amplitude_mm`  largest cutting error of a vertex in x and in y; None for the design's `miscut_mm`
         `from_deg`      D that copies must reach; None for the design's, or the sheet's
         `jobs`          number of threads; the result does not depend on it
+        `fill`          the holes' filling, as the key `fill` of a design; None for the design's. Where it is relaxed
+                        half open, `stops` says where copies stop
 
         >>> pattern = misalign.read("search/patterns/table1.json")
         >>> pattern.tolerance(0.01, trials=20, from_deg=90)["from_threshold"]["copies"]
         20
+        >>> pattern.tolerance(0.01, trials=20, from_deg=120, fill={"kind": "springs", "rest_deg": 60})["stops"]["stopped"]
+        20
         """
         if amplitude_mm is not None:
             _misalign.check_design("amplitude_mm", "miscut_mm", amplitude_mm)
-        return _said(_misalign.tolerance(self._sheet, _design(from_deg, miscut_mm=amplitude_mm), trials, jobs))
+        return _said(_misalign.tolerance(self._sheet, _design(from_deg, miscut_mm=amplitude_mm, fill=fill), trials,
+                                          jobs))
 
-    def certify(self, from_deg: float | None = None, contact: bool = False) -> dict[str, Any]:
+    def certify(self, from_deg: float | None = None, contact: bool = False, criterion: str | None = None,
+                fill: dict[str, Any] | None = None) -> dict[str, Any]:
         """Makes a certificate up to an angle: the "certificate" in the JSON of `misalign certify`.
 
         `from_deg`  pilot angle to certify; None for the design's, or D
         `contact`   True to prove also that no panels meet
+        `criterion` "diagonals", each of which is monotone, or "energy", whose total falls to flat; None for that by
+                    which the sheet is judged
+        `fill`      the filling of that energy, as the key `fill` of a design; None for the design's
 
         >>> misalign.read("search/patterns/table1.json").certify(from_deg=20)["certified_deg"]
         20.0
+        >>> misalign.read("search/patterns/table1.json").certify(from_deg=20, criterion="energy")["by"]
+        'energy'
         """
-        return _said(_misalign.certify(self._sheet, _design(from_deg), contact))
+        return _said(_misalign.certify(self._sheet, _design(from_deg, fill=fill), contact, criterion))

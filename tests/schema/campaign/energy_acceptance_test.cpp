@@ -33,9 +33,28 @@ TEST(EnergyAcceptance, IsStoredOnlyWhereItJudges) {
   }
 }
 
+// Every way to say the same filling.
+TEST(EnergyAcceptance, TheSameFillingHasOneIdentity) {
+  const auto identity_of = [](const char* fill) {
+    Json campaign = with(R"({"accept": {"by": "energy"}})");
+    campaign["accept"]["fill"] = Json::parse(fill);
+    return identity(read(campaign));
+  };
+  const std::string springs = identity_of(R"({"kind": "springs"})");
+  EXPECT_EQ(springs, identity_of(R"({"kind": "springs", "preload_n": -0.0})"));
+  EXPECT_EQ(springs, identity_of(R"({"kind": "springs", "rest_deg": 0, "on": "all",
+                                     "preloads_n": null, "single": []})"));
+  EXPECT_NE(springs, identity_of(R"({"kind": "springs", "preload_n": 1})"));
+  EXPECT_EQ(identity_of(R"({"kind": "plate"})"),
+            identity_of(R"({"kind": "plate", "rest_deg": -0.0, "cut_outs": []})"));
+}
+
 TEST(EnergyAcceptance, WhatCannotBeIsSaid) {
   constexpr std::pair<const char*, const char*> kSaid[] = {
       {R"({"accept": {"fill": {"kind": "plate"}}})", "accept.fill (is for sheets that are judged"},
+      // What a criterion with a typing error would allow is not blamed.
+      {R"({"accept": {"by": "enrgy", "fill": {"kind": "plate"}, "least_moment_n_mm": 1}})",
+       "accept.by"},
       {R"({"accept": {"least_friction_n_mm_per_mm": 1}})", "judged by energy"},
       {R"({"accept": {"least_moment_n_mm": 1}})", "judged by energy"},
       {R"({"accept": {"by": "energy", "between_samples": "exact"}})", "accept.between_samples"},
@@ -48,7 +67,7 @@ TEST(EnergyAcceptance, WhatCannotBeIsSaid) {
       {R"({"accept": {"by": "energy", "fill": {"kind": "none"}}})", "nothing drives the sheet"},
       {R"({"accept": {"by": "energy", "fill": {"kind": "springs", "rest_deg": 60}}})",
        "relaxed flat and equal in all holes"},
-      {R"({"accept": {"by": "energy", "fill": {"kind": "springs", "preloads_n": {"A9-A15": 2}}}})",
+      {R"({"accept": {"by": "energy", "fill": {"kind": "springs", "preloads_n": {"A11-A17": 2}}}})",
        "relaxed flat and equal in all holes"},
       {R"({"accept": {"by": "energy", "fill": {"kind": "springs", "on": "one_a_hole"}}})",
        "relaxed flat and equal in all holes"},
@@ -67,6 +86,14 @@ TEST(EnergyAcceptance, WhatCannotBeIsSaid) {
   EXPECT_TRUE(faults_of(with(R"({"accept": {"by": "energy"},
       "pattern": {"springs": {"attach": {"inset_mm": 6}}}})"))
                   .empty());
+  // Keys of a design's filling with values that change nothing, and every key that does.
+  EXPECT_TRUE(faults_of(with(R"({"accept": {"by": "energy", "fill": {"kind": "springs",
+      "rest_deg": 0, "on": "all", "preloads_n": {}, "single": null, "stroke_limit": null}}})"))
+                  .empty());
+  EXPECT_EQ(faults_of(with(R"({"accept": {"by": "energy", "fill": {"kind": "springs",
+      "rest_deg": 60, "on": "one_a_hole"}}})"))
+                .size(),
+            2u);
   // All faults of a filling at once.
   EXPECT_EQ(faults_of(with(R"({"accept": {"by": "energy", "fill": {"kind": "springs",
       "stiffness_n_per_mm": -1, "preload_n": -1, "stiffnes": 1}}})"))

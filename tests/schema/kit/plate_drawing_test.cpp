@@ -12,7 +12,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross_mm2(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+std::size_t count_of_cuts(const LineDrawing& drawing) {
+  const auto at = std::ranges::find(drawing.layers, std::string("cut"), &LineLayer::name);
+  return at == drawing.layers.end() ? 0 : at->paths.size();
+}
 
 solver::RubberPlates plates_with_a_cut_out() {
   solver::RubberPlates plates;
@@ -54,8 +59,10 @@ TEST(PlateDrawing, BondsGoRoundEveryPlate) {
   KitOptions options;
   options.bond_mm = 6;
   options.kerf_mm = 0.2;
-  const LineDrawing drawing =
-      kit_plate_drawing(kit.sheet, plates_with_a_cut_out(), options, "plates");
+  const std::vector<LineDrawing> pages =
+      kit_plate_drawings(kit.sheet, plates_with_a_cut_out(), options, "plates");
+  ASSERT_EQ(pages.size(), 1U);
+  const LineDrawing& drawing = pages.front();
   const auto layer = [&](const std::string& name) -> const LineLayer& {
     return *std::ranges::find(drawing.layers, name, &LineLayer::name);
   };
@@ -76,7 +83,7 @@ TEST(PlateDrawing, BondsGoRoundEveryPlate) {
       const Vector2d along = (cut[(k + 1) % 4] - cut[k]).normalized();
       double least = 1e9;
       for (const Vector2d& corner : lines[p].points_mm) {
-        least = std::min(least, std::abs(cross(along, corner - cut[k])));
+        least = std::min(least, std::abs(cross_mm2(along, corner - cut[k])));
       }
       EXPECT_NEAR(least, 6.1, 1e-9);
     }
@@ -84,6 +91,38 @@ TEST(PlateDrawing, BondsGoRoundEveryPlate) {
       EXPECT_GT((point - drawing.least_mm).minCoeff(), 4.9);
       EXPECT_GT((drawing.most_mm - point).minCoeff(), 4.9);
     }
+  }
+}
+
+// On beds that have room for one plate, there is one on each, and none on a bed that has not.
+TEST(PlateDrawing, PlatesKeepToTheBed) {
+  const KitFixture kit(4, 4);
+  KitOptions options;
+  options.bed_mm = Vector2d(170, 200);
+  const auto drawings = [&] {
+    return kit_plate_drawings(kit.sheet, plates_with_a_cut_out(), options, "plates");
+  };
+  const std::vector<LineDrawing> beds = drawings();
+  ASSERT_EQ(beds.size(), 2U);
+  for (const LineDrawing& bed : beds) {
+    EXPECT_EQ(bed.most_mm - bed.least_mm, *options.bed_mm);
+    EXPECT_EQ(count_of_cuts(bed), 1U);
+    for (const LineLayer& layer : bed.layers) {
+      for (const DrawnPath& path : layer.paths) {
+        for (const Vector2d& point : path.points_mm) {
+          EXPECT_GE((point - bed.least_mm).minCoeff(), options.margin_mm - 1e-9) << layer.name;
+          EXPECT_GE((bed.most_mm - point).minCoeff(), options.margin_mm - 1e-9) << layer.name;
+        }
+      }
+    }
+  }
+  options.bed_mm = Vector2d(140, 100);
+  try {
+    drawings();
+    FAIL() << "a plate beyond its bed";
+  } catch (const UserError& error) {
+    EXPECT_EQ(error.cause(), Cause::bad_request);
+    EXPECT_NE(std::string(error.what()).find("the plate of hole"), std::string::npos);
   }
 }
 

@@ -23,7 +23,7 @@ Json plate() {
                          "cut_outs": [{"hole": [1, 2], "of_flat": [0.9, 0.95]}]})");
 }
 
-std::vector<std::string> faults_of(const Json& design) {
+std::vector<std::string> faults_of_design(const Json& design) {
   InputFaults faults;
   read_design(design, "design", faults);
   return faults.sentences();
@@ -94,18 +94,18 @@ TEST(FillJson, FindsEveryFault) {
   wrong["prestretch"] = "1.1";
   wrong["colour"] = "red";
   wrong["cut_outs"] = Json::parse(R"([{"hole": [1], "of_flat": [0.9, 0.9]}, {"hole": [1, 2]}])");
-  const auto faults = faults_of({{"fill", wrong}});
+  const auto faults = faults_of_design({{"fill", wrong}});
   ASSERT_EQ(faults.size(), 5u);
   EXPECT_NE(faults[0].find("design.fill.shear_mpa = -1"), std::string::npos);
   EXPECT_NE(faults[2].find("design.fill.cut_outs[0].hole"), std::string::npos);
   EXPECT_NE(faults[3].find("design.fill.cut_outs[1].of_flat (is missing)"), std::string::npos);
   EXPECT_NE(faults[4].find("design.fill.colour"), std::string::npos);
 
-  const auto both = faults_of({{"fill", plate()}, {"springs", Json::object()}});
+  const auto both = faults_of_design({{"fill", plate()}, {"springs", Json::object()}});
   ASSERT_EQ(both.size(), 1u);
   EXPECT_NE(both.front().find("is given beside design.springs"), std::string::npos);
-  EXPECT_EQ(faults_of({{"fill", Json::object()}}).size(), 1u);
-  EXPECT_EQ(faults_of({{"fill", {{"kind", "foam"}}}}).size(), 1u);
+  EXPECT_EQ(faults_of_design({{"fill", Json::object()}}).size(), 1u);
+  EXPECT_EQ(faults_of_design({{"fill", {{"kind", "foam"}}}}).size(), 1u);
 }
 
 TEST(FillJson, NamesWhatTheSheetHas) {
@@ -124,6 +124,10 @@ TEST(FillJson, NamesWhatTheSheetHas) {
       {"from", label.substr(dash + 1)}, {"to", label.substr(0, dash)}, {"stiffness_n_per_mm", 2}};
   EXPECT_EQ(fault_of_sheet({{"kind", "springs"}, {"single", {spring}}}), "");
   EXPECT_NE(fault_of_sheet({{"kind", "springs"}, {"single", {spring, spring}}}).find("named twice"),
+            std::string::npos);
+  const std::string reversed = label.substr(dash + 1) + "-" + label.substr(0, dash);
+  EXPECT_NE(fault_of_sheet({{"kind", "springs"}, {"preloads_n", {{label, 1}, {reversed, 2}}}})
+                .find("named twice"),
             std::string::npos);
   spring["from"] = "A1";
   EXPECT_NE(fault_of_sheet({{"kind", "springs"}, {"single", {spring}}}).find("is no diagonal"),
@@ -156,6 +160,14 @@ TEST(FillJson, OptionsGoBeforeFilesOfTheSameFilling) {
   } catch (const UserError& error) {
     EXPECT_EQ(error.cause(), Cause::bad_request);
     EXPECT_NE(std::string(error.what()).find("rubber plates"), std::string::npos);
+  }
+  // Each value of springs by itself, also those that are no numbers.
+  for (const char* value :
+       {R"({"preload_n": 1})", R"({"preloads_n": {"A9-A15": 2}})", R"({"pull_only": true})",
+        R"({"on": "all"})", R"({"stroke_limit": 0.1})",
+        R"({"single": [{"from": "A9", "to": "A15", "stiffness_n_per_mm": 1}]})"}) {
+    const Design of_springs = read_design({{"springs", Json::parse(value)}}, "design", faults);
+    EXPECT_THROW(of_springs.merged_over(plates), UserError) << value;
   }
   Design springs;
   springs.fill_kind = FillKind::springs;

@@ -191,6 +191,22 @@ TEST(CertificateRows, AnswerWhatAnotherOneWouldNotAnswerBetter) {
   EXPECT_FALSE(answers(row, 170, {.contact = false}));
 }
 
+// A design is outside a campaign's identity: its filling may be another than that of the proof.
+TEST(CertificateRows, ByTheEnergyOfADesignAnswerNothing) {
+  schema::CertificateRecord row;
+  row.asked_deg = 170;
+  row.end = "reversal";
+  solver::Certificate by_energy;
+  by_energy.criterion = solver::CertifiedBy::energy;
+  const schema::Campaign diagonals = campaign_to_certify();
+  row.proof = solver::encode(solver::build_mechanism(diagonals.pattern.base), by_energy);
+  schema::Campaign energy = campaign_to_certify();
+  energy.energy = schema::EnergyAcceptance{solver::Fill{solver::Springs{}}};
+  EXPECT_FALSE(answers(row, 170, claims_of(diagonals)));
+  EXPECT_FALSE(answers(row, 170, claims_of(diagonals, solver::CertifiedBy::energy)));
+  EXPECT_TRUE(answers(row, 170, claims_of(energy)));
+}
+
 // Whether the second opinion asks for an interval in which what ends a certificate happens.
 bool needs_closing(solver::CertificateEnd end) {
   const schema::Campaign campaign = campaign_to_certify();

@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "search/sheets/better_sheet.hpp"
+#include "search/sheets/card.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/study_json.hpp"
 #include "search/sheets/study_texts.hpp"
+#include "solver/sheet/energy_history.hpp"
 
 namespace misalign::search {
 namespace {
@@ -67,7 +71,10 @@ TEST(Studies, SayWhichSpringsTouch) {
                   {"displacements_mm", {{"A7", {0.4, 0.4}}, {"A13", {0.4, -0.4}}}}});
   const double from_deg = std::min(1.0, subject.sheet.deploys_from_deg());
   const auto judged = [&](std::optional<double> diameter_mm, std::optional<double> end_mm) {
-    return contact_of(subject.sheet, {{}, from_deg, spring_bodies({}, diameter_mm, end_mm)});
+    schema::Design design;
+    design.from_deg = from_deg;
+    design.diameter_mm = diameter_mm;
+    return contact_of(subject.sheet, contact_options(design, {}, {end_mm}));
   };
   EXPECT_TRUE(study_json(subject, judged({}, {})).at("springs").is_null());
   const solver::ContactStudy study = judged(4, {});
@@ -82,6 +89,83 @@ TEST(Studies, SayWhichSpringsTouch) {
   const std::string text = contact_text(subject.chosen.base, subject.sheet.panels(), study);
   EXPECT_NE(text.find("touch          springs " + first), text.npos) << text;
   expect_refused([&] { judged(4, 60); }, Cause::bad_request, "end_mm=60: leaves nothing");
+  expect_refused([&] { judged({}, 6); }, Cause::bad_request, "end_mm=6: is of springs as bodies");
+}
+
+// Springs that cannot touch as there is one in each hole, and fillings that are no springs.
+TEST(Studies, TakeSpringsAsBodiesFromTheDesign) {
+  const Json four = {{"family", "miura"},
+                     {"rows", 4},
+                     {"columns", 4},
+                     {"displacements_mm", {{"A7", {0.4, 0.4}}, {"A13", {0.4, -0.4}}}}};
+  schema::Design design;
+  design.from_deg = 1;
+  EXPECT_FALSE(contact_options(design, {}, {}).springs);
+  design.diameter_mm = 4;
+  design.thickness_mm = 2;
+  const Subject all = subject_of(four, design);
+  EXPECT_EQ(contact_options(all.model.design(), {}, {}).springs->panel_mm, 2);
+  design.springs_on = solver::SpringsOn::one_a_hole;
+  const Subject one = subject_of(four, design);
+  const auto touching = [](const Subject& subject) {
+    return contact_of(subject.sheet, contact_options(subject.model.design(), {}, {}))
+        .springs->springs.touching;
+  };
+  EXPECT_EQ(touching(all).size(), all.chosen.base.base.holes.size());
+  EXPECT_TRUE(touching(one).empty());
+  design.fill_kind = schema::FillKind::plate;
+  EXPECT_FALSE(contact_options(design, {}, {}).springs);
+  design.fill_kind = schema::FillKind::none;
+  expect_refused(
+      [&] {
+        contact_options(design, {}, {{}, solver::OffsetTrial::tried});
+      },
+      Cause::bad_request, "offset_ends: is of springs, and this sheet's holes have none");
+}
+
+// Diagonals of one hole cross when it is flat: springs on both would touch.
+TEST(Studies, MarkNoTwoSpringsOfOneHoleAsEnough) {
+  const Subject table1(
+      sheet_of_pattern_file(std::string(MISALIGN_SOURCE_DIR) + "/search/patterns/table1.json"), {});
+  const solver::Actuation actuation = actuated(table1.sheet, table1.model.design());
+  ASSERT_TRUE(actuation.few);
+  std::set<int> holes;
+  for (const int d : actuation.few->diagonals) {
+    EXPECT_TRUE(holes.insert(d / 2).second) << "both diagonals of hole " << d / 2;
+  }
+}
+
+// Samples are counted up to where the energy of equal springs turns.
+TEST(Studies, JudgeAChosenSheetByItsEnergy) {
+  const std::string table1 = MISALIGN_SOURCE_DIR "/search/patterns/table1.json";
+  const auto energy = solver::CertifiedBy::energy;
+  const Subject by_diagonals = choose_sheet(table1, {}),
+                by_energy = choose_sheet(table1, {}, {}, energy);
+  const solver::EnergyHistory found =
+      solver::energy_history(by_diagonals.sheet, by_diagonals.sheet.history(), solver::Springs{});
+  EXPECT_EQ(by_energy.sheet.verdict().deploys_from_sample, found.deploys_from_sample);
+  EXPECT_TRUE(by_energy.chosen.sampling.energy_of);
+  const auto card_line = [](const Subject& subject) {
+    const schema::Card card = card_of(subject, {.trials = 2}).card;
+    return std::ranges::find(card.lines, "deploys_from_deg", &schema::CardLine::key)->what;
+  };
+  EXPECT_EQ(card_line(by_diagonals), "Deployment angle D, every diagonal monotone");
+  EXPECT_EQ(card_line(by_energy), "Deployment angle D, total energy falls");
+  schema::Design one;
+  one.springs_on = solver::SpringsOn::one_a_hole;
+  expect_refused([&] { choose_sheet(table1, {}, one, energy); }, Cause::bad_request,
+                 "criterion=energy: needs a filling that is relaxed flat");
+}
+
+TEST(Studies, RefuseEmptyHolesWhereEnergyIsNeeded) {
+  schema::Design none;
+  none.fill_kind = schema::FillKind::none;
+  const Subject empty = choose_sheet(MISALIGN_SOURCE_DIR "/search/patterns/table1.json", {}, none);
+  const std::string start = "table1: the filling of its holes stores no energy, so ";
+  expect_refused([&] { card_of(empty, {}); }, Cause::bad_request, start + "it has no card");
+  expect_refused(
+      [&] { bent_sheet(empty.sheet, deploy_options(none, empty.sheet), empty.model.design()); },
+      Cause::bad_request, start + "its panels are not bent");
 }
 
 TEST(Studies, SayThatPanelsAreTooThin) {

@@ -6,7 +6,7 @@
 #include <Eigen/SVD>
 #include <random>
 
-#include "solver/optimise/cut_outs.hpp"
+#include "solver/fitting/cut_outs.hpp"
 #include "tests/solver/own_sheet.hpp"
 #include "tests/solver/sheets.hpp"
 

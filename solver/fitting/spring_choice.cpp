@@ -1,10 +1,10 @@
-#include "solver/optimise/spring_choice.hpp"
+#include "solver/fitting/spring_choice.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "solver/optimise/spring_search.hpp"
+#include "solver/fitting/spring_search.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -218,11 +218,13 @@ double angle_of_use(const Sheet& sheet, const FoldingWay& way, const SpringChoic
 
 Springs SpringChoice::filling(const Mechanism& mechanism) const {
   Springs filling;
-  filling.stiffness_n_per_mm = 0;
+  filling.stiffness_n_per_mm = options.most_rate_n_per_mm;
   filling.pull_only = options.pull_only;
+  for (const Diagonal& d : mechanism.diagonals) filling.single.push_back({{d.from, d.to}, 0, {}});
   for (const ChosenSpring& spring : springs) {
-    const Diagonal& diagonal = mechanism.diagonals[static_cast<std::size_t>(spring.diagonal)];
-    filling.single.push_back({diagonal.from, diagonal.to, spring.rate_n_per_mm, spring.free_mm});
+    SingleSpring& single = filling.single[static_cast<std::size_t>(spring.diagonal)];
+    single.stiffness_n_per_mm = spring.rate_n_per_mm;
+    single.free_mm = spring.free_mm;
   }
   return filling;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/optimise/spring_program.hpp"
+#include "solver/fitting/spring_program.hpp"
 
 namespace misalign::solver {
 

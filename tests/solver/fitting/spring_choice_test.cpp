@@ -1,6 +1,6 @@
 // Chosen springs against the energies of lengths between folded vertices, sets that are tried one
 // by one, and weak duality.
-#include "solver/optimise/spring_choice.hpp"
+#include "solver/fitting/spring_choice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <iostream>
 #include <random>
 
-#include "solver/optimise/spring_search.hpp"
+#include "solver/fitting/spring_search.hpp"
 #include "tests/solver/blocks.hpp"
 
 namespace misalign::solver {

@@ -1,4 +1,4 @@
-#include "solver/optimise/spring_program.hpp"
+#include "solver/fitting/spring_program.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "solver/optimise/cut_outs.hpp"
+#include "solver/fitting/cut_outs.hpp"
 
 #include <cassert>
 #include <cmath>

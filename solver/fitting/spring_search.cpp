@@ -1,4 +1,4 @@
-#include "solver/optimise/spring_search.hpp"
+#include "solver/fitting/spring_search.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/fill/fill.hpp"
-#include "solver/optimise/spring_program.hpp"
+#include "solver/fitting/spring_program.hpp"
 #include "solver/sheet/sheet.hpp"
 #include "solver/studies/study_result.hpp"
 
@@ -59,7 +59,7 @@ struct SpringChoice {
       weights;  ///< weights of the places that limit the relaxation
 
   bool drives() const { return !springs.empty(); }
-  /// The filling of a sheet with these springs.
+  /// The filling of a sheet with these springs; its other diagonals have none.
   Springs filling(const Mechanism& mechanism) const;
 };
 
