@@ -16,7 +16,7 @@ constexpr double kRate_n_per_mm = 50;
 constexpr double kNearest = 1e-9;
 // Steps of dense matrices may end beyond a fold limit: where verdicts differ, the sheet is judged
 // again in steps so many times shorter.
-constexpr double kShorter[] = {20, 400};
+constexpr double kShorter[] = {20, 400, 4000};
 
 int run(int panels, double amplitude_mm, int from_sample, double friction, int draws,
         double step_deg) {

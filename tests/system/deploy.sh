@@ -150,7 +150,6 @@ refused 2 "'still' is none of motion, held" deploy "$table1" --forces still
 refused 2 "'soft' is none of rigid, bend" deploy "$table1" --panels soft
 refused 2 "--preload 1: is what springs are left with at flat" deploy "$table1" --preload 1 --rest-deg 20
 refused 2 "--preload 1: needs springs that push" deploy "$table1" --preload 1 --pull-only
-refused 2 "--pull-only: panels are bent by springs that pull and push" deploy "$table1" --panels bend --pull-only
 refused 2 "--margin-to 40: margins are asked from the start, 36 deg" deploy "$table1" --panels bend --margin-to 40
 refused 2 "is not a number from" deploy "$table1" --preload -1
 refused 3 "e_gpa" deploy "$table1" --material wrong.json
