@@ -42,7 +42,8 @@ function shift_words(misalignment) {
 
 function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n_per_mm }) {
   if (!stops_at_deg) return "";
-  if (!stiffness_n_per_mm) return `, and springs that are relaxed at ${degrees(stops_at_deg)} hold it there`;
+  if (!stiffness_n_per_mm)
+    return `, and springs that are relaxed at ${degrees(stops_at_deg)} hold it there`;
   return (
     `, and springs of ${number(stiffness_n_per_mm)} N/mm that are relaxed at ${degrees(stops_at_deg)} hold it there: ` +
     `rotational stiffness at least ${number(stop_stiffness_mm2_per_rad2 * stiffness_n_per_mm)} N mm/rad`
