@@ -40,7 +40,8 @@ void check_energy_acceptance(const Campaign& campaign, InputFaults& faults) {
   }
   if (campaign.search.optimisation) {
     faults.add("search.method = \"optimise\"",
-               "keeps every diagonal monotone, which accept.by = \"energy\" does not demand",
+               "ascends with springs of search.stiffness_n_per_mm, and accept.by = \"energy\" "
+               "judges by accept.fill",
                "write \"plain\" or \"splitting\"");
   }
   const char* const why =

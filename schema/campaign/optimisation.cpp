@@ -105,6 +105,12 @@ void check_optimisation(ObjectReader& reader, const Optimisation& optimisation) 
     reader.faults().add(reader.name("from_deg"), "is missing, the release angle of the sheets",
                         "write a pilot angle, such as 36");
   }
+  if (optimisation.goal->chooses_springs && optimisation.preload_n != 0) {
+    reader.faults().add(reader.shown("preload_n"),
+                        std::string("has no effect on ") + std::string(optimisation.goal->name) +
+                            ", which chooses a free length for each spring",
+                        "take it out");
+  }
   if (optimisation.ternary && optimisation.grid_mm) {
     reader.faults().add(reader.shown("grid_mm"), "applies only to free shifts", "take it out");
   }

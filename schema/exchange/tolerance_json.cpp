@@ -21,7 +21,8 @@ Json stops_json(const solver::Tolerance& t) {
       return Json{{"share", share}, {"stops_at_deg", stops.quantile_deg(share)}};
     });
   }
-  return {{"stops_at_deg", t.stops_at_deg},
+  return {{"rest_deg", t.rest_deg},
+          {"stops_at_deg", or_null(t.own_stop_deg)},
           {"stopped", stops.stops_deg.size()},
           {"flat", stops.flat},
           {"held", stops.held},

@@ -7,6 +7,7 @@
 #include "schema/exchange/tolerance_json.hpp"
 #include "schema/files/suggestion.hpp"
 #include "schema/pattern/design_json.hpp"
+#include "schema/pattern/fill_json.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/copies.hpp"
 #include "search/python/made.hpp"
@@ -185,6 +186,7 @@ std::string tolerance(const PatternSource& source, const std::string& design_tex
           "amplitude_mm: is not given, and the design has no miscut_mm; try 0.05");
     }
     options.amplitude_mm = *design.miscut_mm;
+    schema::check_fill(design, source.sheet.base.base);
     options.fill = design.fill(source.sheet.base.base);
     check_miscut(options.amplitude_mm, source.pattern(), source.sheet.shifts_mm,
                  source.sheet.pattern);

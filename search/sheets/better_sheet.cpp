@@ -140,6 +140,13 @@ void add_yield(const ChosenSheet& chosen, const OptimiseInput& input, const sche
 void choose_springs(const OptimiseInput& input, solver::OptimiseOptions& options) {
   solver::Springs& springs = options.deploying.sheet.springs();
   springs.rest_deg = input.rest_deg.value_or(springs.rest_deg);
+  if (options.goal->chooses_springs &&
+      (springs.rest_deg != 0 || springs.preload.is_any() || !input.preload_n.empty())) {
+    throw schema::UserError(solver::OptionFault{
+        "goal", std::string(options.goal->name),
+        "chooses a free length for each spring, and these have an angle of rest or a preload",
+        "take these out"});
+  }
   options.stiffness_n_per_mm = range_of("stiffness_within", "springs.stiffness_n_per_mm",
                                         input.stiffness_n_per_mm, springs.stiffness_n_per_mm);
   options.preload_n =

@@ -49,9 +49,11 @@ CardLine stop_line(const solver::Tolerance& tolerance) {
   if (const std::uint64_t others = stops.flat + stops.held; others > 0) {
     line.note = fmt::format("{} of {} copies do not stop", others, stops.trials());
   }
-  if (!stops.stops_deg.empty()) {
-    line.found = std::max(std::abs(stops.quantile_deg(0.05) - tolerance.stops_at_deg),
-                          std::abs(stops.quantile_deg(0.95) - tolerance.stops_at_deg));
+  if (tolerance.own_stop_deg.value_or(0) == 0) {
+    line.note = "the sheet itself does not stop";
+  } else if (!stops.stops_deg.empty()) {
+    line.found = std::max(std::abs(stops.quantile_deg(0.05) - *tolerance.own_stop_deg),
+                          std::abs(stops.quantile_deg(0.95) - *tolerance.own_stop_deg));
   }
   return line;
 }

@@ -29,7 +29,7 @@ std::optional<solver::Fill> fill_of(const solver::Model& model, const CertifiedC
   throw schema::UserError(
       schema::Cause::bad_request,
       std::string("certify: no proof that this energy falls to flat is possible (") + why +
-          "); change the filling, or give --criterion diagonals");
+          "); change the filling, or give " + schema::parameter("criterion", "diagonals"));
 }
 
 }  // namespace

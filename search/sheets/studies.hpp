@@ -46,7 +46,7 @@ solver::ContactOptions contact_options(const schema::Design& design, std::option
 solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options);
 
 /// The filling of a design, with the pairs of springs that touch between flat and the angle of use,
-/// or D. Springs have the design's diameter, or kSpringDiameter_mm. Where that is not known the
+/// or D. Springs have the design's diameter, or kSpringDiameter_mm. Where contact is not known the
 /// pairs are the two of each hole.
 solver::Actuators actuators_on(const solver::Sheet& sheet, const schema::Design& design,
                                std::optional<double> from_deg);

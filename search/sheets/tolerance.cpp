@@ -10,6 +10,7 @@
 #include "search/draws/draw.hpp"
 #include "search/sheets/on_threads.hpp"
 #include "search/sheets/studies.hpp"
+#include "solver/motion/deploy.hpp"
 #include "solver/sheet/sheet_filling.hpp"
 #include "solver/studies/angle_of_use.hpp"
 
@@ -43,6 +44,8 @@ class Study {
                              campaign.threshold_sample(),
                              0,
                              {},
+                             {},
+                             0,
                              {}});
       add_ranges(sheet, -1, options.trials);
       if (!options.vertices) continue;
@@ -99,18 +102,21 @@ class Study {
   void fill_the_sheets() {
     if (options_.trials == 0 || !options_.fill || solver::rest_deg(*options_.fill) == 0) return;
     const double rest_deg = solver::rest_deg(*options_.fill);
+    if (const auto fault = solver::preload_fault(*options_.fill)) throw schema::UserError(*fault);
     solver::SheetSolver solver(model_);
     for (std::size_t k = 0; k < shifts_mm_.size(); ++k) {
       const solver::Sheet sheet(solver, shifts_mm_[k]);
       if (!sheet.way() || sheet.way()->end_deg() < rest_deg) {
         throw schema::UserError(
             solver::OptionFault{"rest_deg", schema::shown_number(rest_deg),
-                                fmt::format("lies beyond the path's end, {:.6g} deg",
+                                fmt::format("lies beyond the end of a sheet's path, {:.6g} deg",
                                             sheet.way() ? sheet.way()->end_deg() : 0),
                                 "name a smaller angle"});
       }
       fillings_.push_back(solver::filling_on(*sheet.way(), *options_.fill));
-      tolerances_[k].stops_at_deg = rest_deg;
+      tolerances_[k].rest_deg = rest_deg;
+      tolerances_[k].own_stop_deg =
+          solver::stop_deg(sheet.history(), fillings_.back(), campaign_.threshold_deg);
     }
   }
 

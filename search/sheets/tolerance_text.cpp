@@ -32,9 +32,11 @@ std::string vertices_text(const solver::Tolerance& t) {
 // The stops of copies whose springs or plates are made for the sheet itself.
 std::string stops_text(const solver::Tolerance& t) {
   const solver::MiscutStops& stops = t.copies.stops;
-  std::string text =
-      fmt::format("stops at          {:g} deg; of {} copies {} stop, {} unfold flat",
-                  t.stops_at_deg, stops.trials(), stops.stops_deg.size(), stops.flat);
+  const std::string own_stop = !t.own_stop_deg        ? "nowhere"
+                               : *t.own_stop_deg == 0 ? "flat"
+                                                      : fmt::format("{:.4g} deg", *t.own_stop_deg);
+  std::string text = fmt::format("stops at          {}; of {} copies {} stop, {} unfold flat",
+                                 own_stop, stops.trials(), stops.stops_deg.size(), stops.flat);
   text += stops.held > 0 ? fmt::format(", {} are held\n", stops.held) : "\n";
   if (stops.stops_deg.empty()) return text;
   text += "stops of copies  ";

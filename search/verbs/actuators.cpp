@@ -130,7 +130,7 @@ Action actuators_verb(CLI::App& verb) {
   verb.description(schema::study_named("actuators").about);
   verb.footer(
       "Along the path:\n"
-      "  energy       strain energy of all springs\n"
+      "  energy       strain energy of the filling\n"
       "  moment       about the pilot crease, dE/d(pilot angle); negative: springs fold it on\n"
       "  advantage    mechanical advantage: force on the sheet's span per force in every diagonal\n"
       "  deployment   (180 - pilot)/180: 1 when flat\n"

@@ -7,6 +7,7 @@
 #include "schema/catalogue/recovery.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/tolerance_json.hpp"
+#include "schema/pattern/fill_json.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/sheets/tolerance_text.hpp"
@@ -124,6 +125,7 @@ int run(ToleranceCall call) {
   // Closes the catalogue again, before the writer's lock: see WriterLock.
   ToleranceTargets sheets = file ? chosen_sheet(call, *file) : choose_sheets(call);
   sheets.design = call.design.merged_over(std::move(sheets.design));
+  schema::check_fill(sheets.design, sheets.campaign.pattern.base);
   take_subject(sheets.design, call);
   if (schema::is_overconstrained(sheets.campaign.pattern.base)) {
     run_gaps(call, sheets);
@@ -149,6 +151,9 @@ void add_subject(CLI::App& verb, ToleranceCall& call) {
                              within("play_mm"), "MM")
                        ->excludes(amplitude)
                        ->excludes(vertices);
+  add_rest(verb, call.design.rest_deg);
+  add_fill(verb, call.design);
+  for (const char* stop : {"--rest-deg", "--fill"}) backlash->excludes(verb.get_option(stop));
   add_value(verb, "--backlash-from", call.backlash.from_deg,
             fmt::format("pilot angle above which a loose sheet must be monotone, degrees [{:g}]",
                         solver::BacklashOptions{}.from_deg),
@@ -199,8 +204,6 @@ Action tolerance_verb(CLI::App& verb) {
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);
   add_subject(verb, *call);
   add_from(verb, call->from_deg, "[the design's, or the campaign's threshold, or a pattern's D]");
-  add_rest(verb, call->design.rest_deg);
-  add_fill(verb, call->design);
   add_value(verb, "--trials", study.trials,
             "number of copies, or of settlings of the joints [1000]",
             counted("tolerance", "trials"), "N");

@@ -169,7 +169,8 @@ class Choice {
       double best = least();
       const Ratios base = ratios_[hole];
       for (int i = 0; i < 9; ++i) {
-        const Ratios tried = {base[0] + (i % 3 - 1) * step, base[1] + (i / 3 - 1) * step};
+        const int column = i % 3 - 1, row = i / 3 - 1;
+        const Ratios tried = {base[0] + column * step, base[1] + row * step};
         const auto [low, high] = std::minmax(tried[0], tried[1]);
         if (i == 4 || low < options_.least - 1e-9 || high > options_.most + 1e-9) continue;
         const ArrayXd drive = drive_with(h, tried);

@@ -50,7 +50,8 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const ReleaseOptions&
   return fault;
 }
 
-// A preload replaces the angle at which springs are relaxed.
+}  // namespace
+
 std::optional<OptionFault> preload_fault(const Fill& fill) {
   const auto* const filled = std::get_if<Springs>(&fill);
   if (!filled || !filled->preload.is_any()) return {};
@@ -68,8 +69,6 @@ std::optional<OptionFault> preload_fault(const Fill& fill) {
   }
   return {};
 }
-
-}  // namespace
 
 std::optional<double> DeploymentStudy::deploy_time_s() const {
   const auto flat = std::find_if(run.rows.begin(), run.rows.end(), [](const Deployment::Row& row) {

@@ -84,6 +84,10 @@ StudyResult<StaticRelease> static_release(const Sheet& sheet, const ReleaseOptio
 /// folded flat and nothing moves it. None where the angle is 0 or does not lie on its way.
 std::optional<double> springs_n_mm(const Sheet& sheet, const ReleaseOptions& options);
 
+/// Fault (preload_n) of springs that have a preload, and are relaxed at an angle or only pull: a
+/// preload replaces the angle at which springs are relaxed.
+std::optional<OptionFault> preload_fault(const Fill& fill);
+
 /// Releases a sheet. Faults: the start is flat; or it, or an angle at which springs or creases are
 /// relaxed, does not lie on its way. With damping the critical friction is the one in motion.
 /// Reasons: path_lost; not_in_this_build, without SUNDIALS.

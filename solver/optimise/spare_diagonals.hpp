@@ -10,7 +10,8 @@
 namespace misalign::solver {
 
 /// Springs on `few.diagonals` keep kShareOfFew of the least moment of all, at every sample from
-/// kSlopeFrom_deg and at the angle of use, as in actuate().
+/// kSlopeFrom_deg and at the angle of use, as in actuate(), but springs that touch are
+/// not excluded.
 struct SpareDiagonals {
   FewDiagonals few;
   Eigen::VectorXd pilot_deg;  ///< angles at which moments are evaluated

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "solver/pattern/crease_pattern.hpp"
@@ -39,8 +40,9 @@ struct Tolerance {
   int threshold_sample;
   int own_sample;  ///< D of the uncut sheet
   MiscutCopies copies;
-  std::vector<Vertex> vertices;  ///< the most harmful first; empty unless requested
-  double stops_at_deg = 0;       ///< pilot angle of the sheet's own stop; 0: flat
+  std::vector<Vertex> vertices;        ///< the most harmful first; empty unless requested
+  double rest_deg = 0;                 ///< pilot angle of its filling's rest; 0: no stops
+  std::optional<double> own_stop_deg;  ///< stop_deg() of the sheet itself
 
   /// Number of copies that deploy from the campaign's threshold.
   std::uint64_t survivors() const { return copies.from(threshold_sample); }

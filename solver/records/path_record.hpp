@@ -16,7 +16,7 @@ struct PathRecord {
   std::vector<double> flat;  ///< lengths of the diagonals, panel widths
   /// Lengths at the samples up to D, sample by sample.
   std::vector<double> lengths;
-  /// Sum of the creases' lengths times |fold angle| at the same samples (turning_mm).
+  /// Sum of lengths times |fold angle| of the creases there (turning_mm); none without a threshold.
   std::vector<double> turning_mm;
   PathExtremes extremes;
   /// Metrics of these names over the states that were solved for them, up to D.

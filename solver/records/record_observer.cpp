@@ -67,7 +67,10 @@ ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
   near_states_.clear();
   Lane& observed = lanes_[lane];
   observed.function = &function;
-  if (!sees_energy(function, observed)) return ObserverResult::unsure;
+  if (const ObserverResult seen = sees_energy(function, observed);
+      seen == ObserverResult::unsure || seen == ObserverResult::lost) {
+    return seen;
+  }
   const double end_deg = function.pilot(function.end()) / kRadPerDeg + 1e-9;
   if (observed.fault_seen) {
     evaluate_up_to(end_deg, function, observed);
@@ -96,11 +99,11 @@ ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
 
 // Judges the newest segment by the filling's energy, also beyond the verdict's fault. Returns false
 // if that is unsure.
-bool RecordObserver::sees_energy(const PathFunction& function, Lane& lane) {
-  if (lane.energy_falls) return true;
+ObserverResult RecordObserver::sees_energy(const PathFunction& function, Lane& lane) {
+  if (lane.energy_falls) return ObserverResult::enough;
   const ObserverResult seen = lane.energy.see(function);
   lane.energy_falls = seen == ObserverResult::enough;
-  return seen == ObserverResult::enough || seen == ObserverResult::go_on;
+  return seen;
 }
 
 void RecordObserver::request_d(int sample, const PathFunction& function, Lane& lane) {

@@ -18,6 +18,7 @@ std::vector<double> lengths_at(const FoldingHistory& history, Eigen::Index row, 
 
 EnergyHistory energy_history(const Sheet& sheet, const FoldingHistory& history, const Fill& fill) {
   assert(rest_deg(fill) == 0);
+  assert(!std::holds_alternative<Springs>(fill) || std::get<Springs>(fill).on == SpringsOn::all);
   const Mechanism& mechanism = sheet.mechanism();
   const double width_mm = mechanism.panel_width_mm;
   SheetGeometry<double> geometry;
@@ -47,6 +48,7 @@ EnergyHistory energy_history(const Sheet& sheet, const FoldingHistory& history, 
     }
   }
   found.monotone_to_sample = diagonals.samples_in_order();
+  if (in_order == 0) return found;  // the sides of its diagonals are not known
   for (Eigen::Index row = 0; row < history.length_mm.rows(); ++row) {
     found.energy_n_mm.push_back(energy.energy_n_mm(lengths_at(history, row, width_mm)));
   }

@@ -10,7 +10,8 @@
 namespace misalign::solver {
 
 struct EnergyHistory {
-  std::vector<double> energy_n_mm;  ///< energies at the history's stations
+  /// Energies at the history's stations; none of a sheet that folds well at none.
+  std::vector<double> energy_n_mm;
   /// Last sample up to which creases are in order and the energy rises from flat at every sample.
   int deploys_from_sample = 0;
   bool rises_to_the_end = true;  ///< false if the energy falls at the sample after

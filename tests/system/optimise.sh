@@ -96,6 +96,11 @@ refused() {  # CODE WORDS OPTION...
   [ ! -e none.json ] || fail "$*: something was written"
 }
 refused 2 "--amplitude 0.3: the sheet that it starts from has a shift of" "$table1" --amplitude 0.3 --output none.json
+refused 2 "take these out" "$table1" --goal chosen_friction_n_mm_per_mm --rest-deg 30 --output none.json
+refused 2 "take these out" "$table1" --goal chosen_friction_n_mm_per_mm --preload 1 --output none.json
+"$program" optimise "$table1" --goal chosen_friction_n_mm_per_mm --steps 2 --output chosen.json > out.txt 2> err || fail "chosen springs: $(cat err)"
+"$program" actuators chosen.json --json > chosen_springs.json || fail "actuators of chosen springs"
+grep -q '"free_mm"' chosen_springs.json || fail "the optimum's springs have no lengths of their own"
 refused 2 "--stiffness-within 60,100: the springs that it starts from have 50" "$table1" --stiffness-within 60,100 --output none.json
 refused 2 "--preload-within 3,1: the least is not below the most" "$table1" --preload-within 3,1 --output none.json
 refused 2 "--stiffness-within 0,100: springs may have 1e-06 to" "$table1" --stiffness-within 0,100 --output none.json

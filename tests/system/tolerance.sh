@@ -144,6 +144,13 @@ refused 2 "amplitude" a.db "$draw"
 refused 2 "no error is named" a.db "$draw"
 refused 2 "excludes" a.db "$draw" --backlash 0.01 --amplitude 0.05
 refused 2 "excludes" a.db "$draw" --backlash 0.01 --vertices
+refused 2 "excludes" a.db "$draw" --backlash 0.01 --rest-deg 20
+# A stop: what copies have in their holes is checked, and is that of the sheet itself.
+refused 3 "is no hole of this sheet" a.db "$draw" --amplitude 0.05 \
+  --fill '{"kind": "plate", "rest_deg": 20, "cut_outs": [{"hole": [0, 0], "of_flat": [1, 1]}]}'
+refused 2 "give one of the two" a.db "$draw" --amplitude 0.05 --fill '{"kind": "springs", "rest_deg": 20, "preload_n": 1}'
+"$program" tolerance a.db "$draw" --amplitude 0.000001 --rest-deg 20 --trials 10 --no-keep > out 2> err
+grep -q "^stops at          20 deg; of 10 copies 10 stop, 0 unfold flat$" out || fail "a stop: $(cat out err)"
 refused 2 "requires --backlash" a.db "$draw" --amplitude 0.05 --backlash-from 10
 refused 2 "is not a number" a.db "$draw" --backlash 0
 refused 2 "is not a number" a.db "$draw" --backlash nan

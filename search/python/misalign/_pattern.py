@@ -219,7 +219,7 @@ class Pattern:
         return _said(_misalign.choose_springs(
             self._sheet, _design(from_deg, None, None, friction_n_mm_per_mm), most_rate_n_per_mm=most_rate_n_per_mm,
             rates_n_per_mm=list(rates_n_per_mm), free_within=free_within, pull_only=pull_only, one_a_hole=one_a_hole,
-            never_both=list(never_both), most_springs=most_springs, fewest_margin=fewest_margin,
+            never_both=[never_both] if isinstance(never_both, str) else list(never_both), most_springs=most_springs, fewest_margin=fewest_margin,
             equal_lengths_share=equal_lengths_share))
 
     def judged_by(self, by: str, fill: dict[str, Any] | None = None) -> Pattern:

@@ -150,7 +150,8 @@ TEST_F(ToleranceTest, StopsAreThoseOfTheTrials) {
   asked.vertices = false;
   asked.fill = solver::Springs{.rest_deg = 60};
   const Tolerance exact = study(asked);
-  EXPECT_EQ(exact.stops_at_deg, 60);
+  EXPECT_EQ(exact.rest_deg, 60);
+  EXPECT_NEAR(*exact.own_stop_deg, 60, 1e-3);
   ASSERT_EQ(exact.copies.stops.stops_deg.size(), 8u);
   for (const double at_deg : exact.copies.stops.stops_deg) EXPECT_NEAR(at_deg, 60, 1e-3);
 
@@ -167,6 +168,14 @@ TEST_F(ToleranceTest, StopsAreThoseOfTheTrials) {
   }
   EXPECT_EQ(tolerance_json(study(asked))["stops"]["quantiles"].size(),
             std::size(solver::kShownShares));
+
+  // Pre-stretched plates drive it flat, whatever their rest.
+  asked.fill = solver::RubberPlates{.prestretch = 1.2, .rest_deg = 60};
+  asked.amplitude_mm = 1e-9;
+  EXPECT_EQ(study(asked).own_stop_deg, 0);
+  EXPECT_EQ(study(asked).copies.stops.flat, 8u);
+  asked.fill = solver::Springs{.rest_deg = 60, .preload = {.each_n = 1}};
+  EXPECT_THROW(study(asked), schema::UserError);
 
   asked.fill = solver::Springs{};
   EXPECT_EQ(study(asked).copies.stops.trials(), 0u);
