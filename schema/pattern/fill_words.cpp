@@ -25,11 +25,11 @@ enum class Rest { relaxed, preloaded, of_own_lengths, prestretched, of_own_cut_o
 
 Rest rest_of(const Fill& fill) {
   if (const auto* const springs = std::get_if<solver::Springs>(&fill)) {
+    if (springs->preload.is_any()) return Rest::preloaded;
     const auto is_own = [](const solver::SingleSpring& spring) {
       return spring.free_mm.has_value();
     };
-    if (std::ranges::any_of(springs->single, is_own)) return Rest::of_own_lengths;
-    return springs->preload.is_any() ? Rest::preloaded : Rest::relaxed;
+    return std::ranges::any_of(springs->single, is_own) ? Rest::of_own_lengths : Rest::relaxed;
   }
   if (const auto* const plates = std::get_if<solver::RubberPlates>(&fill)) {
     if (plates->prestretch != 1) return Rest::prestretched;
