@@ -71,9 +71,8 @@ def readable(name):
     return re.sub(r"'s\b", "", "\n\n".join(prose(text)))
 
 
-def openings():
-    """Comments that open with a question word or a preposition."""
-    for name in cpp():
+def openings_of(names):
+    for name in names:
         inside = False
         for number, line in enumerate((ROOT / name).read_text().splitlines(), 1):
             comment = COMMENT.match(line.lstrip()) or re.search(r"///<(.*)", line)
@@ -81,6 +80,16 @@ def openings():
             if first and not inside and first[1].lower() in OPENINGS:
                 yield name, number, line.strip()
             inside = bool(comment and comment[1].strip()) and line.lstrip().startswith("//")
+
+
+def openings():
+    """Comments that open with a question word or a preposition."""
+    return openings_of(cpp())
+
+
+def openings_of_tests():
+    """Comments of tests that open with a question word or a preposition."""
+    return openings_of(tracked("tests/*.[ch]pp"))
 
 
 def replaced_terms():
@@ -134,7 +143,7 @@ def subjects():
             yield "git", 0, subject
 
 
-KINDS = {"openings": openings, "replaced": replaced_terms, "pronouns": pronouns, "labels": labels,
+KINDS = {"openings": openings, "openings-of-tests": openings_of_tests, "replaced": replaced_terms, "pronouns": pronouns, "labels": labels,
          "sentences": long_sentences, "subjects": subjects}
 
 

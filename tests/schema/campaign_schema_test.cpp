@@ -351,7 +351,7 @@ constexpr Mutation kAccepted[] = {
                    "stiffness_n_per_mm": 1e-6, "preload_n": 1e6, "pull_only": true}})"},
     {"/accept", R"({"by": "energy", "least_moment_n_mm": 1e9, "fill": {"kind": "plate",
                    "shear_mpa": 1e-6, "thickness_mm": 1000, "prestretch": 10}})"},
-    // What a design's filling says of springs that are equal and relaxed flat.
+    // Keys of a design's filling may say that springs are equal and relaxed flat.
     {"/accept", R"({"by": "energy", "fill": {"kind": "springs", "rest_deg": 0.0, "on": "all",
                    "preloads_n": null, "single": [], "stroke_limit": null, "largest_force_n": null,
                    "diameter_mm": null}})"},

@@ -52,7 +52,7 @@ TEST(EnergyAcceptance, TheSameFillingHasOneIdentity) {
 TEST(EnergyAcceptance, WhatCannotBeIsSaid) {
   constexpr std::pair<const char*, const char*> kSaid[] = {
       {R"({"accept": {"fill": {"kind": "plate"}}})", "accept.fill (is for sheets that are judged"},
-      // What a criterion with a typing error would allow is not blamed.
+      // Keys of a criterion with a typing error are not blamed.
       {R"({"accept": {"by": "enrgy", "fill": {"kind": "plate"}, "least_moment_n_mm": 1}})",
        "accept.by"},
       {R"({"accept": {"least_friction_n_mm_per_mm": 1}})", "judged by energy"},

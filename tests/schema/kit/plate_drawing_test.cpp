@@ -94,7 +94,7 @@ TEST(PlateDrawing, BondsGoRoundEveryPlate) {
   }
 }
 
-// On beds that have room for one plate, there is one on each, and none on a bed that has not.
+// Each bed with room for one plate carries one; a smaller bed is refused.
 TEST(PlateDrawing, PlatesKeepToTheBed) {
   const KitFixture kit(4, 4);
   KitOptions options;

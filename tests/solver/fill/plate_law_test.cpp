@@ -169,7 +169,7 @@ TEST(PlateLaw, ForcesAreContinuousBetweenItsStates) {
   }
 }
 
-// Near the rest the energy is that of Hooke's law: G t A0 times e1^2 + e2^2 + (e1 + e2)^2 where it
+// The energy near the rest is that of Hooke's law: G t A0 times e1^2 + e2^2 + (e1 + e2)^2 where it
 // is tense, 3/2 G t A0 e1^2 where it wrinkles. Principal stretches from I1 and J^2 would lose half
 // of all digits.
 TEST(PlateLaw, KeepsItsDigitsNearTheRest) {

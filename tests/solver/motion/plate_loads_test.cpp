@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-// Of a flat panel: its two triangles'.
+// The centroid of a flat panel, from its two triangles.
 Vector3d centroid(const Matrix3Xd& at_mm) {
   Vector3d sum = Vector3d::Zero();
   double area = 0;

@@ -99,7 +99,7 @@ TEST(RubberRelease, IsFlatWhenCoordinatesSayIt) {
     const auto study = study_deployment(own.sheet, energy_options, {.from_deg = kFrom_deg});
     ASSERT_TRUE(study.deploy_time_s());
     RecordProperty("time_ms_" + std::to_string(std::lround(100 * prestretch)), scientific(time_s));
-    // What the extrapolation leaves.
+    // The extrapolation leaves an error of 1e-5.
     EXPECT_NEAR(*study.deploy_time_s() / time_s, 1, 1e-5) << prestretch;
     EXPECT_NEAR(study.run.rows.front().springs_n_mm, energy(start_mm), 1e-8 * energy(start_mm));
   }

@@ -84,7 +84,7 @@ TEST_F(InventedLengths, ErrorsLeaveAShortStepOpen) {
 TEST_F(InventedLengths, TheMarginIsTheLeastRatio) {
   const double x_mm = 0.01 * kPanelWidth_mm;
   const double unit_n_mm = kRate_n_per_mm / 2 * static_cast<double>(diagonals) * x_mm * x_mm;
-  // From flat 4 units over 20 mm; from sample 1 three units over 5 mm.
+  // The energy rises by 4 units over 20 mm from flat, and by 3 over 5 mm from sample 1.
   const double from_flat = 4 * unit_n_mm / 20, from_first = 3 * unit_n_mm / 5;
   const double least = std::min(from_flat, from_first);
   for (const double share : {1 - 1e-9, 1 + 1e-9}) {
@@ -100,7 +100,7 @@ TEST_F(InventedLengths, TheMarginIsTheLeastRatio) {
   }
 }
 
-// Where the turning does not fall towards flat, an energy that falls is enough.
+// An energy that falls is enough where the turning does not fall towards flat.
 TEST_F(InventedLengths, CreasesThatFoldBackDemandNothing) {
   EnergyJudge judge(sheet.mechanism, springs(2, 1e-3));
   judge.begin(flat, &sheet.geometry);
