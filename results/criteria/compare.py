@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Compares what both criteria accept, and how strong the strongest accepted sheets are: compare.py MISALIGN FOLDER [DRAWS]
+"""Compares what both criteria accept, and how strong the strongest accepted sheets are:
+compare.py MISALIGN FOLDER [DRAWS [PANELS...]]
 
 Searches the same draws by diagonals and by energy, on 4 x 4 to 10 x 10 panels (fewer draws of the last two), with shifts of
 0.4 and 4 mm, from 140, 170 and 179 degrees, and prints a table of the strongest sheet with at most 15 % elongation. Critical
@@ -54,7 +55,7 @@ print("| panels | shifts, mm | from | accepted: diagonals | energy | critical fr
       "| static friction: diagonals | energy | yield: diagonals | energy |")
 print("|" + "---|" * 11)
 folder.mkdir(parents=True, exist_ok=True)
-for size in SHARE:
+for size in [int(word) for word in sys.argv[4:]] or SHARE:
     for amplitude_mm in (0.4, 4.0):
         for from_deg in (140, 170, 179):
             found = {}

@@ -21,13 +21,6 @@ using Eigen::Vector2d;
 
 constexpr double kLabelPart = 0.05, kLargestLabel_mm = 4;  // share of the first diagonal
 
-std::array<int, 4> corners_of(const solver::Mechanism& mechanism, int hole) {
-  const auto d = static_cast<std::size_t>(2 * hole);
-  assert(d + 1 < mechanism.diagonals.size());
-  return {mechanism.diagonals[d].from, mechanism.diagonals[d + 1].from, mechanism.diagonals[d].to,
-          mechanism.diagonals[d + 1].to};
-}
-
 std::string hole_label(const solver::Sheet& sheet, int hole) {
   const solver::Mechanism& mechanism = sheet.mechanism();
   const solver::Diagonal& first = mechanism.diagonals[static_cast<std::size_t>(2 * hole)];
@@ -38,7 +31,7 @@ KitItem plate_item(const solver::Sheet& sheet, const solver::RubberPlates& plate
                    const KitOptions& options) {
   const solver::Mechanism& mechanism = sheet.mechanism();
   const std::array<Vector2d, 4> corners_mm = cut_out_mm(sheet, plates, hole);
-  const std::array<int, 4> vertices = corners_of(mechanism, hole);
+  const std::array<int, 4> vertices = mechanism.hole_corners(hole);
   const std::string label = hole_label(sheet, hole);
   Ring ring(corners_mm.begin(), corners_mm.end());
   if (signed_area_mm2(ring) < 0) std::ranges::reverse(ring);
@@ -76,7 +69,7 @@ KitItem plate_item(const solver::Sheet& sheet, const solver::RubberPlates& plate
 
 std::array<Vector2d, 4> cut_out_mm(const solver::Sheet& sheet, const solver::RubberPlates& plates,
                                    int hole) {
-  const std::array<int, 4> vertices = corners_of(sheet.mechanism(), hole);
+  const std::array<int, 4> vertices = sheet.mechanism().hole_corners(hole);
   const auto flat_mm = [&](std::size_t k) { return sheet.point_mm(vertices[k]); };
   const Vector2d first = flat_mm(2) - flat_mm(0), second = flat_mm(3) - flat_mm(1);
   // Shares of the diagonals up to their crossing.

@@ -82,9 +82,11 @@ std::optional<solver::Fill> read_judging_fill(ObjectReader& reader,
 }
 
 bool drives_to_flat(const solver::Fill& fill) {
-  const auto* const springs = std::get_if<solver::Springs>(&fill);
-  return !std::holds_alternative<solver::NoFill>(fill) && solver::is_relaxed_flat(fill) &&
-         (!springs || springs->on == solver::SpringsOn::all);
+  return !std::holds_alternative<solver::NoFill>(fill) && solver::is_relaxed_flat(fill);
+}
+
+bool can_judge(const solver::Fill& fill) {
+  return !std::holds_alternative<solver::NoFill>(fill) && other_keys(fill).empty();
 }
 
 Json judging_fill_json(const std::optional<solver::Fill>& fill) {

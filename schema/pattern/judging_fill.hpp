@@ -16,9 +16,10 @@ namespace misalign::schema {
 std::optional<solver::Fill> read_judging_fill(ObjectReader& reader,
                                               const solver::PerforatedSheet& base);
 
-/// Returns whether a filling is relaxed flat and has no diagonals to choose, so that its energy can
-/// be followed there.
+/// Returns whether a filling is relaxed flat, so that its energy can be followed there.
 bool drives_to_flat(const solver::Fill& fill);
+/// Returns whether sheets can be judged by it: it is equal in all holes, too.
+bool can_judge(const solver::Fill& fill);
 
 /// Returns both keys; the filling as `read_judging_fill` returns it.
 Json judging_fill_json(const std::optional<solver::Fill>& fill);

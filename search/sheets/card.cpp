@@ -73,13 +73,12 @@ class CardMaker {
     ask(key, what, unit, {}, found, Bound::at_least, note);
   }
 
-  // The largest sample up to which the energy rises; by moments above a stop and of some springs.
+  // The largest sample up to which the energy rises; by moments above a stop.
   void energy_falls_from() {
     const solver::Fill& fill = springs_.actuators.fill;
     if (schema::are_equal_springs(fill)) return;
     double from_deg = stop_deg();
-    const auto* const springs = std::get_if<solver::Springs>(&fill);
-    if (from_deg == 0 && (!springs || springs->on == solver::SpringsOn::all)) {
+    if (from_deg == 0) {
       from_deg = sheet_.sample_deg(
           solver::energy_history(sheet_, sheet_.history(), fill).deploys_from_sample);
     } else {

@@ -20,22 +20,13 @@
 namespace misalign::search {
 namespace {
 
-// Returns whether files can say it: judging_fill.hpp.
-bool is_equal_in_all_holes(const solver::Fill& fill) {
-  if (const auto* const springs = std::get_if<solver::Springs>(&fill)) {
-    return springs->single.empty() && springs->preload.others.empty();
-  }
-  const auto* const plates = std::get_if<solver::RubberPlates>(&fill);
-  return plates && plates->cut_outs.empty();
-}
-
 void judge(ChosenSheet& chosen, const schema::Design& options,
            std::optional<solver::CertifiedBy> criterion) {
   if (!criterion) return;
   if (*criterion == solver::CertifiedBy::diagonals) return chosen.judge_by({});
   if (chosen.sampling.energy_of) return;
   const solver::Fill fill = options.merged_over(chosen.design).fill(chosen.base.base);
-  if (!schema::drives_to_flat(fill) || !is_equal_in_all_holes(fill)) {
+  if (!schema::can_judge(fill)) {
     throw schema::UserError(solver::OptionFault{
         "criterion", "energy",
         "needs a filling that is relaxed flat and equal in all holes, and this is " +

@@ -1,6 +1,8 @@
 // `misalign actuators`: springs on the diagonals of one sheet.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/rubber_json.hpp"
 #include "schema/pattern/parameters.hpp"
@@ -117,10 +119,8 @@ void add_choice(CLI::App& verb, ActuatorsCall& call) {
             "equal free lengths where this share of the friction overcome remains",
             a_share(equal.least, equal.most), "SHARE")
       ->needs(choose);
-  for (const char* const limit :
-       {"--most-rate", "--rates", "--free-within", "--pull-only", "--one-a-hole", "--never-both",
-        "--most-springs", "--friction", "--fewest", "--equal-lengths"}) {
-    call.of_springs.push_back(verb.get_option(limit));
+  for (const CLI::Option* const option : std::as_const(verb).get_options()) {
+    if (option->get_needs().contains(choose)) call.of_springs.push_back(option);
   }
 }
 

@@ -98,9 +98,7 @@ class Forces {
 
  private:
   std::size_t panel_of(int facet) const {
-    const auto at = std::lower_bound(panels_.facets.begin(), panels_.facets.end(), facet);
-    assert(at != panels_.facets.end() && *at == facet);
-    return static_cast<std::size_t>(at - panels_.facets.begin());
+    return static_cast<std::size_t>(panels_.panel_of(facet));
   }
   void at_corner(std::size_t panel, int vertex, const Vector3d& force_n) {
     const auto& corners = panels_.corners[panel];

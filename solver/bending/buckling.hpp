@@ -66,10 +66,9 @@ struct BucklingStudy {
     double pilot_deg = 0;
     std::array<int, 2> place{};  ///< row and column of the panel
   };
-  std::vector<double> pilot_deg;  ///< ascending
-  std::vector<std::vector<BucklingFactor>>
-      factors;                ///< a row for each panel, a factor for each of these angles
-  std::vector<Least> panels;  ///< the least of each panel
+  std::vector<double> pilot_deg;                     ///< ascending
+  std::vector<std::vector<BucklingFactor>> factors;  ///< a row for each angle, one a panel
+  std::vector<Least> panels;                         ///< the least of each panel
   const Least& least() const;
 };
 /// Factors at the angles of a bent sheet down to its options' to_deg, by the forces of its

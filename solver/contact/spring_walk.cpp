@@ -47,11 +47,8 @@ SpringAxis spring_axis(const Mechanism& mechanism, const Panels& panels,
   const Loop& loop = mechanism.loops[static_cast<std::size_t>(line.loop)];
   const auto end = [&](int corner) -> SpringAxis::End {
     const int facet = loop.carriers[static_cast<std::size_t>(corner)].facet;
-    const auto panel = std::ranges::lower_bound(panels.facets, facet);
-    assert(panel != panels.facets.end() && *panel == facet);
     const Vec3<double> at = spring_end(mechanism, geometry, loop, corner);
-    return {static_cast<int>(panel - panels.facets.begin()),
-            mechanism.panel_width_mm * Vector3d(at.x, at.y, at.z)};
+    return {panels.panel_of(facet), mechanism.panel_width_mm * Vector3d(at.x, at.y, at.z)};
   };
   const SpringAxis::End first = end(line.from_corner), second = end(line.to_corner);
   const double left_out = end_mm / (second.place_mm - first.place_mm).norm();

@@ -37,16 +37,17 @@ struct Preload {
     for (const OfOne& other : others) largest_n = std::max(largest_n, other.n);
     return largest_n;
   }
+  /// Force of one diagonal's spring.
+  double force_n(const Diagonal& diagonal) const {
+    const auto is_its = [&](const OfOne& other) { return other.is_on(diagonal); };
+    const auto at = std::ranges::find_if(others, is_its);
+    return at == others.end() ? each_n : at->n;
+  }
   /// Forces of all diagonals' springs. Vertices that are no diagonal have no effect.
   Eigen::VectorXd forces_n(const std::vector<Diagonal>& diagonals) const {
-    Eigen::VectorXd forces_n =
-        Eigen::VectorXd::Constant(static_cast<Eigen::Index>(diagonals.size()), each_n);
-    for (const OfOne& other : others) {
-      const auto is_its = [&](const Diagonal& diagonal) { return other.is_on(diagonal); };
-      const auto at = std::ranges::find_if(diagonals, is_its);
-      if (at != diagonals.end()) forces_n(at - diagonals.begin()) = other.n;
-    }
-    return forces_n;
+    return Eigen::VectorXd::NullaryExpr(std::ssize(diagonals), [&](Eigen::Index d) {
+      return force_n(diagonals[static_cast<std::size_t>(d)]);
+    });
   }
 };
 
@@ -104,6 +105,11 @@ inline double rest_deg(const Fill& fill) {
 /// Returns whether springs of one rate, with one angle of rest, are on all diagonals.
 inline bool on_all_equally(const Springs& springs) {
   return springs.on == SpringsOn::all && springs.single.empty() && springs.other_rests_deg.empty();
+}
+
+/// Returns whether springs of one rate and rest are on all diagonals, and push, too.
+inline bool are_plain(const Springs& springs) {
+  return on_all_equally(springs) && !springs.pull_only;
 }
 
 /// Returns whether a filling is relaxed flat, apart from preload or pre-stretch: no part of it has

@@ -23,86 +23,80 @@ bool is_left_out(const Springs& springs, Index d, const VectorXd& sides) {
   return d != (sides(first) <= 0 && sides(first + 1) > 0 ? first + 1 : first);
 }
 
-VectorXd rates_of(const Springs& springs, const std::vector<Diagonal>& diagonals,
-                  const VectorXd& sides) {
-  VectorXd rates(std::ssize(diagonals));
-  for (Index d = 0; d < rates.size(); ++d) {
-    const SingleSpring* const single = single_on(springs, diagonals[static_cast<std::size_t>(d)]);
-    rates(d) = single                           ? single->stiffness_n_per_mm
-               : is_left_out(springs, d, sides) ? 0
-                                                : springs.stiffness_n_per_mm;
-    assert(rates(d) >= 0);
+double rate_n_per_mm(const Springs& springs, const Diagonal& diagonal, Index d,
+                     const VectorXd& sides) {
+  if (const SingleSpring* const single = single_on(springs, diagonal)) {
+    return single->stiffness_n_per_mm;
   }
-  return rates;
+  return is_left_out(springs, d, sides) ? 0 : springs.stiffness_n_per_mm;
 }
 
-VectorXd free_lengths_mm(const Springs& springs, const VectorXd& rates_n_per_mm,
-                         const std::vector<Diagonal>& diagonals, const HoleDiagonals& holes) {
-  VectorXd free_mm = holes.rest_mm;
-  const VectorXd preload_n = springs.preload.forces_n(diagonals);
-  for (Index d = 0; d < free_mm.size(); ++d) {
-    const SingleSpring* const single = single_on(springs, diagonals[static_cast<std::size_t>(d)]);
-    if (single && single->free_mm) {
-      free_mm(d) = *single->free_mm;
-    } else if (preload_n(d) != 0 && rates_n_per_mm(d) > 0) {
-      free_mm(d) -= holes.sides(d) * preload_n(d) / rates_n_per_mm(d);
-    }
-  }
-  return free_mm;
+double free_length_mm(const Springs& springs, const Diagonal& diagonal, double rate_n_per_mm,
+                      double rest_mm, double side) {
+  const SingleSpring* const single = single_on(springs, diagonal);
+  if (single && single->free_mm) return *single->free_mm;
+  const double preload_n = springs.preload.force_n(diagonal);
+  if (preload_n == 0 || rate_n_per_mm == 0) return rest_mm;
+  return rest_mm - side * preload_n / rate_n_per_mm;
 }
 
-// The stress-free shapes: the holes at rest over the pre-stretch, or cut-outs of the flat holes.
-std::vector<HoleShape> cut_outs_of(const RubberPlates& plates, const HoleDiagonals& holes) {
-  assert(plates.prestretch > 0 && holes.product_mm2.size() == holes.rest_mm.size() / 2);
-  const auto scaled = [&](const VectorXd& lengths_mm, Index hole, double first_ratio,
-                          double second_ratio) {
-    const double first_mm = first_ratio * lengths_mm(2 * hole),
-                 second_mm = second_ratio * lengths_mm(2 * hole + 1);
-    return HoleShape{first_mm * first_mm, second_mm * second_mm,
-                     first_ratio * second_ratio * holes.product_mm2(hole)};
-  };
-  std::vector<HoleShape> shapes;
-  for (Index h = 0; h < holes.product_mm2.size(); ++h) {
-    shapes.push_back(scaled(holes.rest_mm, h, 1 / plates.prestretch, 1 / plates.prestretch));
-  }
-  for (const CutOut& cut_out : plates.cut_outs) {
-    assert(cut_out.hole >= 0 && cut_out.hole < std::ssize(shapes));
-    shapes[static_cast<std::size_t>(cut_out.hole)] =
-        scaled(holes.flat_mm, cut_out.hole, cut_out.of_flat[0], cut_out.of_flat[1]);
-  }
-  return shapes;
+// The stress-free shape: the hole at rest over the pre-stretch, or a cut-out of the flat hole.
+HoleShape cut_out_of(const RubberPlates& plates, Index hole, const HoleDiagonals& holes) {
+  assert(plates.prestretch > 0);
+  const auto is_its = [&](const CutOut& cut_out) { return cut_out.hole == hole; };
+  const auto single = std::ranges::find_if(plates.cut_outs, is_its);
+  const bool is_single = single != plates.cut_outs.end();
+  const double usual = 1 / plates.prestretch;
+  const Vector2d ratio =
+      is_single ? Vector2d(single->of_flat[0], single->of_flat[1]) : Vector2d(usual, usual);
+  const VectorXd& lengths_mm = is_single ? holes.flat_mm : holes.rest_mm;
+  const Vector2d mm = ratio.cwiseProduct(lengths_mm.segment<2>(2 * hole));
+  return {mm(0) * mm(0), mm(1) * mm(1), ratio.prod() * holes.product_mm2(hole)};
 }
 
 }  // namespace
 
 VectorXd diagonal_products_mm2(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
-  VectorXd products(mechanism.diagonal_count() / 2);
-  for (Index h = 0; h < products.size(); ++h) {
+  VectorXd products_mm2;
+  find_diagonal_products(mechanism, vertices_mm, products_mm2);
+  return products_mm2;
+}
+
+void find_diagonal_products(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+                            VectorXd& products_mm2) {
+  products_mm2.resize(mechanism.diagonal_count() / 2);
+  for (Index h = 0; h < products_mm2.size(); ++h) {
     const auto along = [&](Index d) -> Vector2d {
       const Diagonal& diagonal = mechanism.diagonals[static_cast<std::size_t>(d)];
       return vertices_mm.col(diagonal.to) - vertices_mm.col(diagonal.from);
     };
-    products(h) = along(2 * h).dot(along(2 * h + 1));
+    products_mm2(h) = along(2 * h).dot(along(2 * h + 1));
   }
-  return products;
 }
 
-Filling::Filling(const Fill& fill, const std::vector<Diagonal>& diagonals,
-                 const HoleDiagonals& holes)
-    : relaxed_mm_(holes.rest_mm), product_mm2_(holes.product_mm2) {
+void Filling::fit(const Fill& fill, const std::vector<Diagonal>& diagonals,
+                  const HoleDiagonals& holes) {
   assert(holes.rest_mm.size() == std::ssize(diagonals) && diagonals.size() % 2 == 0);
+  relaxed_mm_ = holes.rest_mm;
+  product_mm2_ = holes.product_mm2;
+  rates_n_per_mm_.setZero(relaxed_mm_.size());
+  plates_.clear();
   if (const auto* const springs = std::get_if<Springs>(&fill)) {
-    rates_n_per_mm_ = rates_of(*springs, diagonals, holes.sides);
-    relaxed_mm_ = free_lengths_mm(*springs, rates_n_per_mm_, diagonals, holes);
     pull_only_ = springs->pull_only;
+    for (Index d = 0; d < relaxed_mm_.size(); ++d) {
+      const Diagonal& diagonal = diagonals[static_cast<std::size_t>(d)];
+      rates_n_per_mm_(d) = rate_n_per_mm(*springs, diagonal, d, holes.sides);
+      assert(rates_n_per_mm_(d) >= 0);
+      relaxed_mm_(d) =
+          free_length_mm(*springs, diagonal, rates_n_per_mm_(d), holes.rest_mm(d), holes.sides(d));
+    }
   } else if (const auto* const plates = std::get_if<RubberPlates>(&fill)) {
-    for (const HoleShape& cut_out : cut_outs_of(*plates, holes)) {
-      const auto h = std::ssize(plates_);
+    assert(product_mm2_.size() == relaxed_mm_.size() / 2);
+    for (Index h = 0; h < product_mm2_.size(); ++h) {
+      const HoleShape cut_out = cut_out_of(*plates, h, holes);
       relaxed_mm_.segment<2>(2 * h) << std::sqrt(cut_out.first_mm2), std::sqrt(cut_out.second_mm2);
       plates_.emplace_back(plates->shear_mpa * plates->thickness_mm, cut_out);
     }
-  } else {
-    rates_n_per_mm_.setZero(relaxed_mm_.size());
   }
 }
 

@@ -23,11 +23,20 @@ struct HoleDiagonals {
 
 /// Products of the diagonals' vectors of all holes of a flat sheet, mm^2.
 Eigen::VectorXd diagonal_products_mm2(const Mechanism& mechanism, const FlatVertices& vertices_mm);
+/// The same into memory that is there already.
+void find_diagonal_products(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+                            Eigen::VectorXd& products_mm2);
 
 class Filling {
  public:
+  /// Nothing, in no hole.
+  Filling() = default;
   /// Single springs and cut-outs must be on diagonals and holes of the sheet.
-  Filling(const Fill& fill, const std::vector<Diagonal>& diagonals, const HoleDiagonals& holes);
+  Filling(const Fill& fill, const std::vector<Diagonal>& diagonals, const HoleDiagonals& holes) {
+    fit(fill, diagonals, holes);
+  }
+  /// Becomes the filling of another sheet, in the memory that it has.
+  void fit(const Fill& fill, const std::vector<Diagonal>& diagonals, const HoleDiagonals& holes);
 
   /// The same springs or plates in holes with other products of their diagonals (HoleDiagonals).
   Filling in_holes(const Eigen::VectorXd& product_mm2) const;
@@ -50,14 +59,12 @@ class Filling {
 
   /// Free length of each spring; of plates, the diagonals of the cut-outs.
   const Eigen::VectorXd& relaxed_mm() const { return relaxed_mm_; }
-  /// Rate of each spring, N/mm; empty for plates.
+  /// Rate of each spring, N/mm; 0 for plates.
   const Eigen::VectorXd& rates_n_per_mm() const { return rates_n_per_mm_; }
   /// The plate of a hole.
   const PlateLaw& plate(Eigen::Index hole) const;
 
  private:
-  Filling() = default;
-
   Eigen::VectorXd relaxed_mm_, rates_n_per_mm_, product_mm2_;
   bool pull_only_ = false;
   std::vector<PlateLaw> plates_;

@@ -19,7 +19,7 @@ constexpr double kInactiveError_widths = 1e-9, kLimitError_rad = 1e-8;
 constexpr double kStiffnessError = 0.05;
 
 // Relative error bound of the slopes' norm, half of the stiffness's.
-constexpr double kSlopesError = 0.025;
+constexpr double kSlopesError = kStiffnessError / 2;
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include "solver/kinematics/fold_state.hpp"
 
 #include <cassert>
+#include <cmath>
 
 namespace misalign::solver {
 namespace {
@@ -57,6 +58,27 @@ void place(const Mechanism& mechanism, const FlatVertices& vertices_mm,
     geometry.axis_x[e] = dx / length;
     geometry.axis_y[e] = dy / length;
   }
+}
+
+void find_crease_lengths(const Mechanism& mechanism, const SheetGeometry<double>& geometry,
+                         std::vector<double>& creases_mm) {
+  creases_mm.resize(mechanism.creases.size());
+  for (std::size_t k = 0; k < creases_mm.size(); ++k) {
+    const auto a = static_cast<std::size_t>(mechanism.creases[k].a),
+               b = static_cast<std::size_t>(mechanism.creases[k].b);
+    const double dx = geometry.x[b] - geometry.x[a], dy = geometry.y[b] - geometry.y[a];
+    creases_mm[k] = std::sqrt(dx * dx + dy * dy) * mechanism.panel_width_mm;
+  }
+}
+
+double turning_mm(const std::vector<double>& creases_mm,
+                  const std::vector<HalfAngle<double>>& creases) {
+  assert(creases_mm.size() == creases.size());
+  double sum_mm = 0;
+  for (std::size_t k = 0; k < creases.size(); ++k) {
+    sum_mm += creases_mm[k] * std::abs(angle_rad(creases[k]));
+  }
+  return sum_mm;
 }
 
 }  // namespace misalign::solver

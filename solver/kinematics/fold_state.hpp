@@ -41,6 +41,15 @@ struct SheetGeometry {
 void place(const Mechanism& mechanism, const FlatVertices& vertices_mm,
            SheetGeometry<double>& geometry);
 
+/// Lengths of the creases, mm.
+void find_crease_lengths(const Mechanism& mechanism, const SheetGeometry<double>& geometry,
+                         std::vector<double>& creases_mm);
+
+/// Sum over all creases of length times |fold angle|, mm: the friction of 1 N mm per mm does this
+/// work (N mm) from flat if no crease turns back.
+double turning_mm(const std::vector<double>& creases_mm,
+                  const std::vector<HalfAngle<double>>& creases);
+
 /// Turns every joint by its entry of `delta` (rad; one per unknown, in column order): creases about
 /// their axis, ball joints by R <- exp(delta) R to second order.
 template <class T>

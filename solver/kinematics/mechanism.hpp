@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <vector>
 
 #include "solver/pattern/perforation.hpp"
@@ -92,6 +93,13 @@ struct Mechanism {
   /// Seen from +z, where fold angles of valleys are positive.
   bool is_valley(const Crease& crease) const { return side * crease.assignment > 0; }
   int diagonal_count() const { return static_cast<int>(diagonals.size()); }
+  /// Vertices of a hole in their order: its diagonals lead from the first to the third, and from
+  /// the second to the fourth.
+  std::array<int, 4> hole_corners(int hole) const {
+    assert(hole >= 0 && 2 * hole + 1 < diagonal_count());
+    const Diagonal* const both = &diagonals[2 * static_cast<std::size_t>(hole)];
+    return {both[0].from, both[1].from, both[0].to, both[1].to};
+  }
 };
 
 /// Builds joints, loops and diagonals of a sheet whose holes have no hole_faults and leave the

@@ -84,7 +84,7 @@ template <class T, class Single>
 ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(model.ternary_mm()) {
   const int vertices = static_cast<int>(model.shifted().size());
   // Springs beside the vertices elongate in unshifted sheets too: expansions have no such term.
-  // Its rules are those of monotone diagonals.
+  // The rules of the expansion are those of monotone diagonals.
   if (model.criterion().energy || model.ternary_mm() <= 0 || vertices == 0 ||
       model.tests().empty() || !model.mechanism().springs.at_vertices() ||
       model.sample_deg() > kRejection.longest_sample_for_slopes_deg ||

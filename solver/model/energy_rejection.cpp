@@ -1,6 +1,6 @@
 #include "solver/model/energy_rejection.hpp"
 
-#include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "solver/model/rejection_tolerances.hpp"
@@ -11,13 +11,18 @@ namespace misalign::solver {
 EnergyRejection::EnergyRejection(const Model& model)
     : model_(model),
       slopes_until_deg_(last_sample_of_slopes(model.threshold_sample(), model.sample_deg()) *
-                        model.sample_deg()),
-      energy_(model.mechanism(), model.criterion().energy->fill),
-      flat_(model.mechanism().diagonals.size()),
-      lengths_(flat_),
-      forces_n_(flat_),
-      stiffness_n_per_mm_(flat_) {
+                        model.sample_deg()) {
+  assert(model.criterion().energy);
   const EnergyCriterion& criterion = *model.criterion().energy;
+  const auto* const springs = std::get_if<Springs>(&criterion.fill);
+  if (springs && springs->on == SpringsOn::all && !springs->preload.is_any() &&
+      is_relaxed_flat(criterion.fill)) {
+    const Eigen::VectorXd nowhere_mm = Eigen::VectorXd::Zero(model.mechanism().diagonal_count());
+    const Filling filling(criterion.fill, model.mechanism().diagonals,
+                          {nowhere_mm, nowhere_mm, nowhere_mm, {}});
+    rates_n_per_mm_.assign(filling.rates_n_per_mm().begin(), filling.rates_n_per_mm().end());
+    pull_only_ = springs->pull_only;
+  }
   if (judges() && model.threshold_sample() == criterion.from_sample) {
     friction_n_mm_per_mm_ = criterion.least_friction_n_mm_per_mm;
   }
@@ -26,7 +31,7 @@ EnergyRejection::EnergyRejection(const Model& model)
 void EnergyRejection::begin(int sheets) {
   const auto count = static_cast<std::size_t>(sheets);
   if (samples_.size() < count) samples_.resize(count);
-  for (auto& of_sheet : samples_) of_sheet.clear();
+  for (auto& of_sheet : samples_) of_sheet.assign(1, {});
 }
 
 // The energy falls on the way from flat if its rate is certainly negative, or from sample to
@@ -34,28 +39,29 @@ void EnergyRejection::begin(int sheets) {
 // friction.
 Fault EnergyRejection::fault_of(int sheet, const ObservedState& now, const double* flat) {
   if (!judges()) return Fault::none;
-  std::copy_n(flat, flat_.size(), flat_.begin());
-  std::copy_n(now.lengths, flat_.size(), lengths_.begin());
-  energy_.begin(flat_, nullptr);
-  Sample seen{{energy_.look(lengths_, forces_n_, stiffness_n_per_mm_)}, {}};
+  assert(sheet >= 0 && sheet < std::ssize(samples_) && now.length_error >= 0);
+  DrivenSample seen;
   const double width_mm = model_.mechanism().panel_width_mm;
   const double error_mm = 2 * now.length_error * width_mm;  // of a length and its flat one
   double rate = 0, rate_error = 0;                          // per arc length
   const double least_slope = kRejection.least_slope_widths_per_deg / kRadPerDeg * now.pilot_rate;
-  for (std::size_t d = 0; d < flat_.size(); ++d) {
-    const double force_n = std::abs(forces_n_[d]), slope = std::abs(now.slopes[d]) * width_mm;
-    const double force_error_n = stiffness_n_per_mm_[d] * error_mm;
-    seen.energy_n_mm.error += (force_n + force_error_n) * error_mm;
-    rate += forces_n_[d] * now.slopes[d] * width_mm;
-    rate_error += force_error_n * slope +
-                  (force_n + force_error_n) * (now.slope_error + least_slope) * width_mm;
+  for (std::size_t d = 0; d < rates_n_per_mm_.size(); ++d) {
+    const double longer_mm = (now.lengths[d] - flat[d]) * width_mm;
+    const double force_n = pull_only_ && longer_mm <= 0 ? 0 : rates_n_per_mm_[d] * longer_mm;
+    const double slope = now.slopes[d] * width_mm, force_error_n = rates_n_per_mm_[d] * error_mm;
+    const double most_n = std::abs(force_n) + force_error_n;
+    seen.energy_n_mm.value += force_n * longer_mm / 2;
+    seen.energy_n_mm.error += most_n * error_mm;
+    rate += force_n * slope;
+    rate_error +=
+        force_error_n * std::abs(slope) + most_n * (now.slope_error + least_slope) * width_mm;
   }
   const bool slopes_count = model_.sample_deg() <= kRejection.longest_sample_for_slopes_deg &&
                             now.pilot_deg <= slopes_until_deg_;
   if (slopes_count && rate < -rate_error) return Fault::energy_rises;
   if (now.sample == 0) return Fault::none;
-  std::vector<Sample>& before = samples_[static_cast<std::size_t>(sheet)];
-  for (const Sample& below : before) {
+  std::vector<DrivenSample>& before = samples_[static_cast<std::size_t>(sheet)];
+  for (const DrivenSample& below : before) {
     if (seen.energy_n_mm.high() < below.energy_n_mm.low()) return Fault::energy_rises;
   }
   if (friction_n_mm_per_mm_ > 0) {
@@ -63,26 +69,13 @@ Fault EnergyRejection::fault_of(int sheet, const ObservedState& now, const doubl
     // A diagonal is less exact than an angle (length_per_rad), and an angle is that of a half.
     seen.turning_mm = {creases.turning_mm,
                        2 * (kRejection.fold_angle_rad + now.length_error) * creases.all_mm};
-    if (now.sample == model_.threshold_sample() && is_missed(seen, before)) {
+    if (now.sample == model_.threshold_sample() &&
+        friction_ratio(seen, before, friction_n_mm_per_mm_).high < 1) {
       return Fault::weak_drive;
     }
   }
   before.push_back(seen);
   return Fault::none;
-}
-
-bool EnergyRejection::is_missed(const Sample& now, const std::vector<Sample>& before) const {
-  DriveRatio drive;
-  const auto take = [&](const Sample& below) {
-    const double demanded = friction_n_mm_per_mm_;
-    drive.take({now.energy_n_mm.value - below.energy_n_mm.value,
-                now.energy_n_mm.error + below.energy_n_mm.error},
-               {demanded * (now.turning_mm.value - below.turning_mm.value),
-                demanded * (now.turning_mm.error + below.turning_mm.error)});
-  };
-  take({});  // flat
-  for (const Sample& below : before) take(below);
-  return drive.high < 1;
 }
 
 }  // namespace misalign::solver

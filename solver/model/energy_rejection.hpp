@@ -38,22 +38,17 @@ class EnergyRejection {
   void begin(int sheets);
   /// The fault that the next state of a sheet with these flat diagonals certainly shows; or none.
   Fault fault_of(int sheet, const ObservedState& now, const double* flat);
-  /// Returns whether it judges energies: not those of plates, of preloads and of given free
-  /// lengths.
-  bool judges() const { return energy_.is_relaxed_flat(); }
+  /// Returns whether it judges energies: not those of plates, of preloads, of given free lengths
+  /// and of one spring a hole.
+  bool judges() const { return !rates_n_per_mm_.empty(); }
 
  private:
-  struct Sample {
-    Bounded energy_n_mm, turning_mm;
-  };
-  bool is_missed(const Sample& now, const std::vector<Sample>& before) const;
-
   const Model& model_;
   const double slopes_until_deg_;
-  DrivingEnergy energy_;
-  double friction_n_mm_per_mm_ = 0;  // 0: none is demanded at the threshold
-  std::vector<double> flat_, lengths_, forces_n_, stiffness_n_per_mm_;
-  std::vector<std::vector<Sample>> samples_;  // per sheet
+  std::vector<double> rates_n_per_mm_;  // of springs on the diagonals
+  bool pull_only_ = false;
+  double friction_n_mm_per_mm_ = 0;                 // 0: none is demanded at the threshold
+  std::vector<std::vector<DrivenSample>> samples_;  // per sheet: flat, and those seen
 };
 
 }  // namespace misalign::solver

@@ -109,11 +109,7 @@ bool RejectionTest::observe(int sheet, const Observation& seen) {
   }
   if (!(seen.pilot_rate > 0 && seen.pilot_deg <= threshold_deg_)) return false;
   if (seen.sample == 0 && !(seen.pilot_deg <= slopes_until_deg_)) return true;
-  const Fault fault =
-      energy_                  ? energy_->fault_of(sheet, seen,
-                                                   flat_.data() + static_cast<std::size_t>(sheet) * diagonals_)
-      : sees_both(sheet, seen) ? Fault::not_monotone
-                               : Fault::none;
+  const Fault fault = fault_of(sheet, seen);
   if (fault != Fault::none) {
     rejections_[sheet] = {fault, sample_of(seen.pilot_deg)};
     return false;
@@ -124,6 +120,12 @@ bool RejectionTest::observe(int sheet, const Observation& seen) {
   std::copy_n(seen.lengths, diagonals_,
               earlier_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
   return seen.pilot_deg < threshold_deg_;
+}
+
+Fault RejectionTest::fault_of(int sheet, const Observation& seen) {
+  const double* const flat = flat_.data() + static_cast<std::size_t>(sheet) * diagonals_;
+  if (energy_) return energy_->fault_of(sheet, seen, flat);
+  return sees_both(sheet, seen) ? Fault::not_monotone : Fault::none;
 }
 
 bool RejectionTest::sees_both(int sheet, const Observation& now) {

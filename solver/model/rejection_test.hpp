@@ -77,6 +77,7 @@ class RejectionTest {
   bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
 
  private:
+  Fault fault_of(int sheet, const Observation& observation);
   bool sees_both(int sheet, const Observation& observation);
 
   const Model& model_;

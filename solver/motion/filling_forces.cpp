@@ -39,7 +39,7 @@ std::vector<FillingForce> FillingForces::of_hole(const Filling& filling, Eigen::
     }
     return forces;
   }
-  const std::array<int, 4> corners{both[0].from, both[1].from, both[0].to, both[1].to};
+  const std::array<int, 4> corners = mechanism_.hole_corners(static_cast<int>(hole));
   const auto edges_n = edge_forces_n(state, vertices_mm(Eigen::all, corners));
   const Loop& loop = mechanism_.loops[static_cast<std::size_t>(both->loop)];
   for (std::size_t k = 0; k < 4; ++k) {
@@ -50,10 +50,8 @@ std::vector<FillingForce> FillingForces::of_hole(const Filling& filling, Eigen::
     const auto edge = std::ranges::find_if(mechanism_.edges, is_this);
     assert(edge != mechanism_.edges.end());
     const int facet = edge->left == loop.hole ? edge->right : edge->left;
-    const auto panel = std::ranges::lower_bound(panels_.facets, facet);
-    assert(panel != panels_.facets.end() && *panel == facet);
-    forces.push_back({static_cast<int>(panel - panels_.facets.begin()), from, to,
-                      edges_n.col(static_cast<Eigen::Index>(k))});
+    forces.push_back(
+        {panels_.panel_of(facet), from, to, edges_n.col(static_cast<Eigen::Index>(k))});
   }
   return forces;
 }

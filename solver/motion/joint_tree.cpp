@@ -14,12 +14,6 @@ struct Joint {
   int first, second;  // panels
 };
 
-int panel_of(const Panels& panels, int facet) {
-  const auto at = std::lower_bound(panels.facets.begin(), panels.facets.end(), facet);
-  assert(at != panels.facets.end() && *at == facet);
-  return static_cast<int>(at - panels.facets.begin());
-}
-
 // The pilot, the other creases, and ball joints.
 std::vector<Joint> joints_of(const Mechanism& mechanism, const Panels& panels) {
   assert(panels.folds.size() == mechanism.creases.size());
@@ -30,7 +24,7 @@ std::vector<Joint> joints_of(const Mechanism& mechanism, const Panels& panels) {
   std::swap(joints[0], joints[mechanism.pilot]);
   for (int i = 0; i < static_cast<int>(mechanism.balls.size()); ++i) {
     const BallJoint& ball = mechanism.balls[i];
-    joints.push_back({true, i, panel_of(panels, ball.from_facet), panel_of(panels, ball.to_facet)});
+    joints.push_back({true, i, panels.panel_of(ball.from_facet), panels.panel_of(ball.to_facet)});
   }
   return joints;
 }

@@ -50,12 +50,7 @@ PanelLoads::PanelLoads(const EnergyModel& sheet, const FoldedShape& shape,
       held_(sheet.options().held ? std::optional(sheet.options().held->panel) : std::nullopt),
       mover_(shape, way_, panels_, sheet.options().plates, held_),
       momenta_(momenta_on_the_way(way_, mover_)),
-      panel_of_facet_(base.sheet.facets.size(), -1),
-      forces_(mechanism(), panels_) {
-  for (std::size_t k = 0; k < panels_.facets.size(); ++k) {
-    panel_of_facet_[static_cast<std::size_t>(panels_.facets[k])] = static_cast<int>(k);
-  }
-}
+      forces_(mechanism(), panels_) {}
 
 void PanelLoads::pose(const Deployment::Row& at) {
   x_ = at.x;

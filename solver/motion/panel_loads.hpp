@@ -34,7 +34,7 @@ class PanelLoads {
   const Mechanism& mechanism() const { return way_.mechanism(); }
   Eigen::Index panels() const { return static_cast<Eigen::Index>(panels_.facets.size()); }
   std::optional<int> held() const { return held_; }
-  int panel_of(int facet) const { return panel_of_facet_[static_cast<std::size_t>(facet)]; }
+  int panel_of(int facet) const { return panels_.panel_of(facet); }
   const std::vector<Hinge>& hinges() const { return hinges_; }
   /// Place of a panel's vertex, mm.
   Eigen::Vector3d place_mm(int panel, int vertex) const { return mover_.place_mm(panel, vertex); }
@@ -60,7 +60,6 @@ class PanelLoads {
   const std::optional<int> held_;
   SheetMover mover_;
   const SmoothTable momenta_;
-  std::vector<int> panel_of_facet_;
   const FillingForces forces_;
   double x_ = 0;
   Moved moved_{};

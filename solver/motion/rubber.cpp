@@ -12,12 +12,6 @@ using Eigen::Index;
 
 constexpr double kEquivalent = 0.95;  // of G t
 
-std::array<int, 4> corners_of(const Mechanism& mechanism, Index hole) {
-  const Diagonal &first = mechanism.diagonals[static_cast<std::size_t>(2 * hole)],
-                 &second = mechanism.diagonals[static_cast<std::size_t>(2 * hole + 1)];
-  return {first.from, second.from, first.to, second.to};
-}
-
 PlateState state_of(const Filling& filling, Index hole, const HoleCorners& corners_mm) {
   const Eigen::Vector3d first_mm = corners_mm.col(2) - corners_mm.col(0),
                         second_mm = corners_mm.col(3) - corners_mm.col(1);
@@ -60,7 +54,7 @@ StudyResult<RubberStudy> study_rubber(const Sheet& sheet, const RubberOptions& o
   for (Index h = 0; h < filling.holes(); ++h) {
     const int loop = sheet.mechanism().diagonals[static_cast<std::size_t>(2 * h)].loop;
     PlateWay plate{.facet = sheet.mechanism().loops[static_cast<std::size_t>(loop)].hole,
-                   .corners = corners_of(sheet.mechanism(), h),
+                   .corners = sheet.mechanism().hole_corners(static_cast<int>(h)),
                    .states = {},
                    .stretch = {0, 0},
                    .edge_n_per_mm = {0, 0}};

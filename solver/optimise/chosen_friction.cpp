@@ -1,5 +1,7 @@
 #include "solver/optimise/chosen_friction.hpp"
 
+#include <cassert>
+
 namespace misalign::solver {
 
 using Eigen::VectorXd;
@@ -23,6 +25,7 @@ std::vector<GoalTerm> local_chosen_friction(SheetChanges& changes) {
   const auto choice =
       choose_springs(changes.sheet, choice_of(options.deploying, options.bending.to_deg));
   if (!choice || !choice->drives()) return {};
+  assert(choice->options.most_rate_n_per_mm > 0);
   const VectorXd& flat_mm = changes.flat.length_mm;
   VectorXd rates_n_per_mm = VectorXd::Zero(flat_mm.size()),
            of_flat = VectorXd::Ones(flat_mm.size());

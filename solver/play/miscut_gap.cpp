@@ -20,10 +20,8 @@ struct HeldPoint {
 };
 
 std::vector<HeldPoint> points_of(const Sheet& sheet) {
-  const std::vector<int>& facets = sheet.panels().facets;
   const auto column = [&](int facet) -> Index {
-    assert(std::ranges::binary_search(facets, facet) && "joints hold panels that are there");
-    const auto panel = std::ranges::lower_bound(facets, facet) - facets.begin();
+    const int panel = sheet.panels().panel_of(facet);
     return panel == 0 ? -1 : 6 * (panel - 1);
   };
   std::vector<HeldPoint> points;

@@ -19,6 +19,7 @@ struct DrivenStation {
 };
 
 DrivenStation station_at(const FoldingHistory& history, const Filling& filling, Index row) {
+  assert(row >= 0 && row < history.length_mm.rows());
   const VectorXd lengths_mm = history.length_mm.row(row);
   return {history.stations[static_cast<std::size_t>(row)].pilot_deg,
           filling.energy_n_mm(lengths_mm),

@@ -67,7 +67,7 @@ ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
   near_states_.clear();
   Lane& observed = lanes_[lane];
   observed.function = &function;
-  if (const ObserverResult seen = sees_energy(function, observed);
+  if (const ObserverResult seen = see_energy(function, observed);
       seen == ObserverResult::unsure || seen == ObserverResult::lost) {
     return seen;
   }
@@ -97,9 +97,8 @@ ObserverResult RecordObserver::see(const PathFunction& function, int lane) {
   return ObserverResult::go_on;
 }
 
-// Judges the newest segment by the filling's energy, also beyond the verdict's fault. Returns false
-// if that is unsure.
-ObserverResult RecordObserver::sees_energy(const PathFunction& function, Lane& lane) {
+// Judges the newest segment by the filling's energy, also beyond the verdict's fault.
+ObserverResult RecordObserver::see_energy(const PathFunction& function, Lane& lane) {
   if (lane.energy_falls) return ObserverResult::enough;
   const ObserverResult seen = lane.energy.see(function);
   lane.energy_falls = seen == ObserverResult::enough;

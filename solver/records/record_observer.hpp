@@ -68,7 +68,7 @@ class RecordObserver final : public QueueObserver {
   void begin_sheet(PathStart& start, int lane) override;
   void go_on_later(const PathResult& path, int sheet, const PathFunction& function);
   void finish(const PathResult& path, int lane);
-  ObserverResult sees_energy(const PathFunction& function, Lane& lane);
+  ObserverResult see_energy(const PathFunction& function, Lane& lane);
   void evaluate_up_to(double end_deg, const PathFunction& function, Lane& lane);
   void note_least_step(const Station& station, Lane& lane);
   void request_d(int sample, const PathFunction& function, Lane& lane);

@@ -18,7 +18,6 @@ std::vector<double> lengths_at(const FoldingHistory& history, Eigen::Index row, 
 
 EnergyHistory energy_history(const Sheet& sheet, const FoldingHistory& history, const Fill& fill) {
   assert(rest_deg(fill) == 0);
-  assert(!std::holds_alternative<Springs>(fill) || std::get<Springs>(fill).on == SpringsOn::all);
   const Mechanism& mechanism = sheet.mechanism();
   const double width_mm = mechanism.panel_width_mm;
   SheetGeometry<double> geometry;

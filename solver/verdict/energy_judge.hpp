@@ -11,8 +11,9 @@
 #include <optional>
 #include <vector>
 
+#include "solver/fill/filling.hpp"
+#include "solver/kinematics/fold_state.hpp"
 #include "solver/verdict/criterion.hpp"
-#include "solver/verdict/driving_energy.hpp"
 #include "solver/verdict/score.hpp"
 
 namespace misalign::solver {
@@ -37,6 +38,15 @@ struct DriveRatio {
     return scores_of(std::min(low, 1.0)) == scores_of(std::min(high, 1.0));
   }
 };
+
+/// Energy, and turning of all creases, at a sample.
+struct DrivenSample {
+  Bounded energy_n_mm, turning_mm;
+};
+/// Least ratio of the energy's rise from each sample before to the work of this friction, and
+/// `least`.
+DriveRatio friction_ratio(const DrivenSample& now, const std::vector<DrivenSample>& before,
+                          double friction_n_mm_per_mm, DriveRatio least = {});
 
 class EnergyJudge {
  public:
@@ -70,19 +80,16 @@ class EnergyJudge {
   DriveRatio drive() const;
   /// Accepts the sample looked at.
   void take();
-  /// Energy at these lengths, N mm; preloads have their sides once a sample was looked at.
+  /// Energy at these lengths, N mm; springs have their sides once a sample was looked at.
   double energy_n_mm(const std::vector<double>& lengths) {
-    return energy_.look(lengths, forces_n_, stiffness_n_per_mm_);
+    return energy_at(lengths, nullptr, forces_n_).value;
   }
   /// Corrects the lengths at the last sample taken.
   void correct_last(const std::vector<double>& lengths, const std::vector<double>* errors);
 
  private:
-  struct Sample {
-    Bounded energy_n_mm, turning_mm;
-  };
-
   double step_n_mm() const { return now_.energy_n_mm.value - samples_.back().energy_n_mm.value; }
+  void set_sides(const std::vector<double>& first_lengths);
   void find_who_pulls_back();
   Bounded energy_at(const std::vector<double>& lengths, const std::vector<double>* errors,
                     std::vector<double>& forces_n);
@@ -90,12 +97,14 @@ class EnergyJudge {
   const Mechanism& mechanism_;
   const EnergyCriterion criterion_;
   const double width_mm_;
-  DrivingEnergy energy_;
+  const bool needs_sides_;  // true of preloads, and of one spring a hole
+  HoleDiagonals holes_;
+  FlatVertices vertices_mm_;  // only of plates
+  Filling filling_;           // the sheet's
   std::vector<double> creases_mm_;
-  double all_creases_mm_ = 0;
-  std::vector<Sample> samples_;  // flat, and those taken
-  Sample now_;
-  double band_n_mm_ = 0;
+  double all_creases_mm_ = 0, band_n_mm_ = 0;
+  std::vector<DrivenSample> samples_;  // flat, and those taken
+  DrivenSample now_;
   std::vector<double> lengths_, last_lengths_, errors_, last_errors_;
   std::vector<double> forces_n_, last_forces_n_, stiffness_n_per_mm_;
   int pulls_back_ = -1;

@@ -25,18 +25,26 @@ struct CoordinateVerdict {
 /// Springs of `rate_n_per_mm` on all diagonals, relaxed flat. The path is solved every `step_deg`.
 class CoordinateJudge {
  public:
-  CoordinateJudge(const Model& model, double rate_n_per_mm, double step_deg)
-      : model_(model), rate_n_per_mm_(rate_n_per_mm), tracker_(model.mechanism()) {
+  /// Shifts grow from zero in this number of steps.
+  CoordinateJudge(const Model& model, double rate_n_per_mm, double step_deg, int growth_steps = 16)
+      : model_(model),
+        rate_n_per_mm_(rate_n_per_mm),
+        growth_steps_(growth_steps),
+        tracker_(model.mechanism()) {
     PathPlanOptions options;
     options.sample_deg = model.sample_deg();
     options.end_deg = model.path().stations.back().pilot_deg;
     options.longest_step_deg = step_deg;
     plan_ =
         plan_path(model.mechanism(), model.base().folding, model.base().sheet.vertices_mm, options);
+    start_ = plan_;
+    start_.stations.resize(1);
+    start_.stations.front().visit = true;
   }
 
   CoordinateVerdict judge(const FlatVertices& vertices_mm) {
     const EnergyCriterion& asked = *model_.criterion().energy;
+    if (!grow(vertices_mm)) return {.first_fault = Fault::fold_limit};
     place(model_.mechanism(), vertices_mm, geometry_);
     CoordinateVerdict verdict;
     std::vector<double> energies_n_mm{0}, turnings_mm{0};
@@ -61,6 +69,27 @@ class CoordinateJudge {
   }
 
  private:
+  // Large shifts grow from zero: their first state may be another branch's otherwise. Returns false
+  // where they cannot: the folding of the base ends in a limit before.
+  bool grow(const FlatVertices& vertices_mm) {
+    const FlatVertices& base_mm = model_.base().sheet.vertices_mm;
+    FoldState<double> grown = start_.start;
+    for (int k = 1; k < growth_steps_; ++k) {
+      const FlatVertices grown_mm = base_mm + (vertices_mm - base_mm) * k / growth_steps_;
+      place(model_.mechanism(), grown_mm, geometry_);
+      PathPlan next = start_;
+      next.start = grown;
+      const PathResult path =
+          tracker_.follow(geometry_, next, [&](const Station&, const FoldState<double>& state) {
+            grown = state;
+            return true;
+          });
+      if (path.end != PathEnd::end_reached) return false;
+    }
+    plan_.start = grown;
+    return true;
+  }
+
   Fault fault_of(const FoldState<double>& state) const {
     const auto& creases = model_.mechanism().creases;
     for (const HalfAngle<double>& angle : state.creases) {
@@ -117,7 +146,8 @@ class CoordinateJudge {
 
   const Model& model_;
   const double rate_n_per_mm_;
-  PathPlan plan_;
+  const int growth_steps_;
+  PathPlan plan_, start_;  // start_: the first station alone
   PathTracker tracker_;
   SheetGeometry<double> geometry_;
 };

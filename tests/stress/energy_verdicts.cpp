@@ -14,9 +14,9 @@ namespace {
 constexpr double kRate_n_per_mm = 50;
 // A comparison this close to its limit is decided by rounding.
 constexpr double kNearest = 1e-9;
-// Steps of dense matrices may end beyond a fold limit: where verdicts differ, the sheet is judged
-// again in steps so many times shorter.
-constexpr double kShorter[] = {20, 400, 4000};
+// Steps of dense matrices may end beyond a fold limit, or on another branch: where verdicts differ,
+// the sheet is judged again in shorter steps, by these factors, of the angle and of its shifts.
+constexpr int kShorter[] = {20, 400, 4000};
 
 int run(int panels, double amplitude_mm, int from_sample, double friction, int draws,
         double step_deg) {
@@ -40,9 +40,9 @@ int run(int panels, double amplitude_mm, int from_sample, double friction, int d
     };
     CoordinateVerdict right = dense.judge(sheet.vertices(block, i));
     again += !is_as(right);
-    for (const double shorter : kShorter) {
+    for (const int shorter : kShorter) {
       if (is_as(right)) break;
-      right = CoordinateJudge(model, kRate_n_per_mm, step_deg / shorter)
+      right = CoordinateJudge(model, kRate_n_per_mm, step_deg / shorter, 16 * shorter)
                   .judge(sheet.vertices(block, i));
     }
     if (right.first_fault == Fault::undecided || verdicts[k].first_fault == Fault::undecided) {

@@ -73,8 +73,11 @@ TEST(FillWords, EqualSpringsAreThoseOfOneRateOnAllDiagonals) {
   }
   // A rate of its own changes no rest, a free length does.
   EXPECT_TRUE(drives_to_flat(springs_with(kOfItsRate)));
-  for (const Fill& fill : {Fill(rest), Fill(others), Fill(springs_with(kOfItsLength)), Fill(one),
-                           Fill(solver::NoFill{})}) {
+  EXPECT_TRUE(drives_to_flat(one));
+  EXPECT_FALSE(can_judge(one) || can_judge(springs_with(kOfItsRate)));
+  EXPECT_TRUE(can_judge(wires));
+  for (const Fill& fill :
+       {Fill(rest), Fill(others), Fill(springs_with(kOfItsLength)), Fill(solver::NoFill{})}) {
     EXPECT_FALSE(drives_to_flat(fill));
   }
 }
