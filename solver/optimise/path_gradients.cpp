@@ -206,12 +206,16 @@ std::optional<PathGradients::Shape> PathGradients::vertices(double pilot_deg) {
   return folded;
 }
 
-std::optional<PathGradients::AtLimit> PathGradients::fold_limit() {
+std::optional<PathGradients::AtLimit> PathGradients::fold_limit(bool or_nearly) {
   Workspace& with = *workspace_;
   const FoldingWay& way = *sheet_.way();
   if (!way.ends_at_limit()) return {};
   way.find_state(way.end(), with.state);
-  if (!with.reach_limit()) return {};
+  if (!with.reach_limit()) {
+    if (!or_nearly) return {};
+    way.find_state(way.end(), with.state);
+    with.system.evaluate(with.geometry, with.state);
+  }
   with.gradient.at(with.geometry, with.state);
   const int equations = with.mechanism.equations;
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(with.system.jacobian().leftCols(equations));

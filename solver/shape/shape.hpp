@@ -1,0 +1,32 @@
+// The study of shapes: flat vertices with which a folded sheet lies on a target surface, while its
+// diagonals are monotone from flat to the stowed angle.
+//
+// Holes leave one degree of freedom by their count, so no condition of compatibility binds the flat
+// vertices. A step is a quadratic program: least squares of the vertices' distances, linearised
+// (PathGradients), with rows for what must stay, within a box that shrinks where these were wrong.
+// The target's curvature grows from a plane in steps.
+#pragma once
+
+#include "solver/shape/shape_fit.hpp"
+#include "solver/shape/shape_options.hpp"
+#include "solver/sheet/sheet.hpp"
+#include "solver/studies/study_result.hpp"
+
+namespace misalign::solver {
+
+struct ShapeStudy {
+  Eigen::Matrix2Xd shifts_mm;
+  ShapePose pose;
+  Eigen::VectorXd sides;
+  double rms_mm, max_mm;
+  double width_mm;  ///< root of the flat base's panels' count, times the panel width
+  int steps = 0, evaluations = 0;
+  int monotone = 0;  ///< diagonals that are monotone to the stowed angle
+  double deploys_from_deg = 0;
+};
+
+/// Shapes a sheet of this solver's model, whose base must fold to the stowed angle. Reasons:
+/// overconstrained, path_lost.
+StudyResult<ShapeStudy> shape(SheetSolver& solver, const ShapeOptions& options);
+
+}  // namespace misalign::solver

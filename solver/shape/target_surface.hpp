@@ -1,0 +1,44 @@
+// The surface that a folded sheet shall have: signed distances of points from it.
+//
+// All surfaces touch z = 0 at the origin of their frame, and their curvature can be scaled: a plane
+// at 0, themselves at 1.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+namespace misalign::solver {
+
+struct SurfaceDistance {
+  double mm;               ///< positive above, on the side of +z
+  Eigen::Vector3d normal;  ///< unit normal at the foot, towards +z: the gradient of the distance
+};
+
+class TargetSurface {
+ public:
+  virtual ~TargetSurface() = default;
+
+  /// Distance of a point whose foot is unique and near; else of a point close to its foot.
+  virtual SurfaceDistance distance(const Eigen::Vector3d& point_mm) const = 0;
+  /// The same surface with this share of its curvature, from 0, a plane, to 1.
+  virtual std::unique_ptr<TargetSurface> scaled(double share) const = 0;
+  /// Largest principal curvature of the surface near the origin, 1/mm.
+  virtual double curvature_per_mm() const = 0;
+};
+
+/// The plane z = 0.
+std::unique_ptr<TargetSurface> plane();
+/// A cylinder of this radius whose axis is parallel to y, a dome for positive radii, or to x.
+std::unique_ptr<TargetSurface> cylinder(double radius_mm, bool along_x);
+/// A sphere of this radius, a dome for positive radii.
+std::unique_ptr<TargetSurface> sphere(double radius_mm);
+/// The saddle z = (x^2 - y^2) / (2 radius).
+std::unique_ptr<TargetSurface> saddle(double radius_mm);
+/// The helicoid z = x tan(y / radius).
+std::unique_ptr<TargetSurface> helicoid(double radius_mm);
+/// Heights on a grid centred on the origin: `heights_mm` has a row per y, ascending, and a column
+/// per x. Between them the surface is smooth: a bicubic spline (Catmull and Rom 1974), and beyond
+/// the grid it goes on as it is at its rim. There must be at least two rows and columns.
+std::unique_ptr<TargetSurface> height_grid(double spacing_mm, const Eigen::MatrixXd& heights_mm);
+
+}  // namespace misalign::solver
