@@ -112,8 +112,7 @@ std::string filling_words(const Fill& fill, int diagonals, const char* degree) {
 }
 
 bool are_equal_springs(const Fill& fill) {
-  const auto* const springs = std::get_if<solver::Springs>(&fill);
-  return springs && solver::are_plain(*springs) && solver::is_relaxed_flat(fill);
+  return solver::are_plain_springs(fill) && solver::is_relaxed_flat(fill);
 }
 
 void need_springs(const Fill& fill, const std::string& who) {

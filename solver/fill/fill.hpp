@@ -107,9 +107,10 @@ inline bool on_all_equally(const Springs& springs) {
   return springs.on == SpringsOn::all && springs.single.empty() && springs.other_rests_deg.empty();
 }
 
-/// Returns whether springs of one rate and rest are on all diagonals, and push, too.
-inline bool are_plain(const Springs& springs) {
-  return on_all_equally(springs) && !springs.pull_only;
+/// Returns whether a filling is springs of one rate and rest on all diagonals, which push, too.
+inline bool are_plain_springs(const Fill& fill) {
+  const auto* const springs = std::get_if<Springs>(&fill);
+  return springs && on_all_equally(*springs) && !springs->pull_only;
 }
 
 /// Returns whether a filling is relaxed flat, apart from preload or pre-stretch: no part of it has

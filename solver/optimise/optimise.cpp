@@ -45,11 +45,6 @@ std::optional<OptionFault> shifts_fault(const Sheet& start, const OptimiseOption
   return {};
 }
 
-bool has_plain_springs(const Fill& fill) {
-  const auto* const springs = std::get_if<Springs>(&fill);
-  return springs && are_plain(*springs);
-}
-
 }  // namespace
 
 StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& options) {
@@ -57,8 +52,8 @@ StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& o
   assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
   if (start.model().is_overconstrained()) return NoResult::overconstrained;
   const auto& energy = start.model().criterion().energy;
-  if (!has_plain_springs(options.deploying.sheet.fill) ||
-      (energy && !has_plain_springs(energy->fill))) {
+  if (!are_plain_springs(options.deploying.sheet.fill) ||
+      (energy && !are_plain_springs(energy->fill))) {
     return OptionFault{
         "fill",
         {},

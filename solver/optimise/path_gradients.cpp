@@ -206,16 +206,12 @@ std::optional<PathGradients::Shape> PathGradients::vertices(double pilot_deg) {
   return folded;
 }
 
-std::optional<PathGradients::AtLimit> PathGradients::fold_limit(bool or_nearly) {
+std::optional<PathGradients::AtLimit> PathGradients::fold_limit() {
   Workspace& with = *workspace_;
   const FoldingWay& way = *sheet_.way();
   if (!way.ends_at_limit()) return {};
   way.find_state(way.end(), with.state);
-  if (!with.reach_limit()) {
-    if (!or_nearly) return {};
-    way.find_state(way.end(), with.state);
-    with.system.evaluate(with.geometry, with.state);
-  }
+  if (!with.reach_limit()) return {};
   with.gradient.at(with.geometry, with.state);
   const int equations = with.mechanism.equations;
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(with.system.jacobian().leftCols(equations));

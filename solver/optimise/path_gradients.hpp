@@ -59,9 +59,8 @@ class PathGradients {
   std::optional<Slopes> slopes(double pilot_deg);
   /// Shape with the gradients of all vertices, for distances between panels.
   std::optional<Shape> vertices(double pilot_deg);
-  /// None where the way does not end at a fold limit. Where its state cannot be corrected there are
-  /// none either, or the gradients by the way's own state, whose error is some 1e-6.
-  std::optional<AtLimit> fold_limit(bool or_nearly = false);
+  /// None where the way does not end at a fold limit.
+  std::optional<AtLimit> fold_limit();
 
  private:
   struct Workspace;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "solver/optimise/low_slopes.hpp"
 #include "solver/shape/shape_merit.hpp"
@@ -149,8 +148,6 @@ class Shaping {
     auto sheet = std::make_unique<const Sheet>(solver_, shifts_mm);
     if (!nonconvex_facets(base_, sheet->vertices_mm()).empty()) return {};
     if (!sheet->way() || sheet->way()->end_deg() <= options_.at_deg) return {};
-    // A path that is lost has no limit that a step could move.
-    if (!sheet->way()->ends_at_limit() && sheet->record().path.end == PathEnd::stalled) return {};
     const Sheet::Pose& pose = sheet->at(options_.at_deg);
     if (!pose.is_closed) return {};
     const ShapePose fitted = fitted_pose(target_, pose.vertices_mm, near);
@@ -233,17 +230,9 @@ class Shaping {
     study.sides = target_.sides;
     study.rms_mm = now_.misfit.rms_mm();
     study.max_mm = now_.misfit.max_mm();
-    study.width_mm = size_mm_;
     study.steps = steps_;
     study.evaluations = evaluations_;
     study.deploys_from_deg = now_.sheet->deploys_from_deg();
-    const double to_deg = std::min(options_.from_deg, now_.sheet->way()->end_deg());
-    VectorXd least = VectorXd::Constant(now_.sheet->mechanism().diagonal_count(),
-                                        std::numeric_limits<double>::infinity());
-    for (const LowSlope& low : low_slopes(*now_.sheet, to_deg)) {
-      least(low.diagonal) = std::min(least(low.diagonal), low.mm_per_deg);
-    }
-    study.monotone = static_cast<int>((least.array() > 0).count());
     return study;
   }
 

@@ -19,9 +19,7 @@ struct ShapeStudy {
   ShapePose pose;
   Eigen::VectorXd sides;
   double rms_mm, max_mm;
-  double width_mm;  ///< root of the flat base's panels' count, times the panel width
   int steps = 0, evaluations = 0;
-  int monotone = 0;  ///< diagonals that are monotone to the stowed angle
   double deploys_from_deg = 0;
 };
 

@@ -20,7 +20,7 @@ constexpr int kMostTries = 60;
 constexpr double kLastShare = 1e-13;
 // Weight of the middle's place and of the turn about z, beside a vertex's distance.
 constexpr double kHold = 1;
-// Damping of what a surface leaves free, such as the depth's sign on a plane.
+// Damping of steps that a surface leaves free, such as turns on a sphere.
 constexpr double kDamping = 1e-6;
 
 }  // namespace

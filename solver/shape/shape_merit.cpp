@@ -23,8 +23,8 @@ constexpr double kMisfit = 10, kShift = 0.01, kBend = 0.015, kArea = 10;
 constexpr double kPenalty = 3 * 80;
 // Weight by which the pose stays where no distance holds it, beside a distance's.
 constexpr double kHeld = 1e-3;
-// Second differences over two panels on either side, along rows and columns of the mesh: rows of
-// weights of the vertices.
+// Squares of second differences over two panels on either side, along rows and columns of the mesh:
+// a quadratic form of the vertices.
 MatrixXd second_differences(const CreasePattern& sheet) {
   std::map<std::pair<int, int>, int> vertex_at;
   constexpr int kDown[] = {0, 0, 1, 1}, kAcross[] = {0, 1, 1, 0};
@@ -49,7 +49,7 @@ MatrixXd second_differences(const CreasePattern& sheet) {
     weights(row, triples[k][0]) = weights(row, triples[k][2]) = 1;
     weights(row, triples[k][1]) = -2;
   }
-  return weights;
+  return weights.transpose() * weights;
 }
 
 double area_mm2(const CreasePattern& sheet, const FlatVertices& vertices_mm) {
@@ -70,7 +70,8 @@ ShapeMerit::ShapeMerit(const CreasePattern& base, std::vector<int> free)
       width_mm_(base.panel_width_mm),
       size_mm_(width_mm_ * std::sqrt(static_cast<double>(base.facet_count()))),
       free_(std::move(free)),
-      uneven_(second_differences(base)) {
+      area_mm2_(area_mm2(base, base.vertices_mm)),
+      unevenness_(second_differences(base)) {
   assert(!free_.empty());
 }
 
@@ -80,15 +81,14 @@ double ShapeMerit::misfit_weight() const {
 
 double ShapeMerit::value(const ShapeMisfit& misfit, const Matrix2Xd& shifts_mm,
                          const std::vector<ShapeRow>& rows) const {
-  const double area =
-      area_mm2(base_, base_.vertices_mm + shifts_mm) / area_mm2(base_, base_.vertices_mm) - 1;
-  const double off = misfit_weight() * misfit.mm.norm(),
-               shift = kShift / width_mm_ * shifts_mm.norm(),
-               bend = kBend / width_mm_ * (uneven_ * shifts_mm.transpose()).norm();
+  const double area = area_mm2(base_, base_.vertices_mm + shifts_mm) / area_mm2_ - 1;
+  const double off = misfit_weight() * misfit.mm.norm();
+  const double shift = kShift / width_mm_, bend = kBend / width_mm_;
+  const double regular = shift * shift * shifts_mm.squaredNorm() +
+                         bend * bend * (shifts_mm * unevenness_).cwiseProduct(shifts_mm).sum();
   double below = 0;
   for (const ShapeRow& row : rows) below += std::max(-row.slack, 0.0);
-  return (off * off + shift * shift + bend * bend + kArea * kArea * area * area) / 2 +
-         kPenalty / width_mm_ * below;
+  return (off * off + regular + kArea * kArea * area * area) / 2 + kPenalty / width_mm_ * below;
 }
 
 QuadraticProgram ShapeMerit::program(const ShapeMisfit& misfit, const PathGradients::Shape& folded,
@@ -126,15 +126,14 @@ QuadraticProgram ShapeMerit::program(const ShapeMisfit& misfit, const PathGradie
 void ShapeMerit::add_regular(const Sheet& sheet, QuadraticProgram& program) const {
   const Index shifts = 2 * std::ssize(free_);
   const double by_shift = kShift / width_mm_;
-  const double area = area_mm2(base_, base_.vertices_mm);
-  const double off = area_mm2(base_, sheet.vertices_mm()) / area - 1;
+  const double off = area_mm2(base_, sheet.vertices_mm()) / area_mm2_ - 1;
   MatrixXd by_area = MatrixXd::Zero(1, 2 * base_.vertex_count());
   for (const auto& facet : base_.facets) {
     for (std::size_t k = 0; k < 4; ++k) {
       const Eigen::Vector2d along =
           sheet.point_mm(facet[(k + 1) % 4]) - sheet.point_mm(facet[(k + 3) % 4]);
-      by_area(2 * facet[k]) += along.y() / (2 * area);
-      by_area(2 * facet[k] + 1) -= along.x() / (2 * area);
+      by_area(2 * facet[k]) += along.y() / (2 * area_mm2_);
+      by_area(2 * facet[k] + 1) -= along.x() / (2 * area_mm2_);
     }
   }
   const VectorXd row = kArea * of_free(by_area).transpose();
@@ -142,7 +141,7 @@ void ShapeMerit::add_regular(const Sheet& sheet, QuadraticProgram& program) cons
   program.hessian.diagonal().head(shifts).array() += by_shift * by_shift;
   program.gradient.head(shifts) += kArea * off * row;
   const double by_bend = kBend / width_mm_;
-  const MatrixXd squares = by_bend * by_bend * uneven_.transpose() * uneven_;
+  const MatrixXd squares = by_bend * by_bend * unevenness_;
   for (Index k = 0; k < shifts; ++k) {
     for (Index i = k % 2; i < shifts; i += 2) {
       program.hessian(k, i) +=

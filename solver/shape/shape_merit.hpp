@@ -32,7 +32,8 @@ class ShapeMerit {
   const CreasePattern& base_;
   const double width_mm_, size_mm_;
   const std::vector<int> free_;
-  const Eigen::MatrixXd uneven_;  // second differences of shifts, a row each, by the vertices
+  const double area_mm2_;             // the base's
+  const Eigen::MatrixXd unevenness_;  // squares of second differences, by the vertices
 };
 
 }  // namespace misalign::solver

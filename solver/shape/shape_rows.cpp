@@ -113,7 +113,7 @@ class Builder {
     const double asked_deg = options_.kind == ShapeKind::free ? options_.at_deg : options_.from_deg;
     RowVectorXd row;
     if (gradients_) {
-      const auto limit = gradients_->fold_limit(true);
+      const auto limit = gradients_->fold_limit();
       if (!limit) return;
       row = mm_per_deg * limit->by_mm;
     }

@@ -88,42 +88,36 @@ class Round final : public TargetSurface {
   Vector3d counts_;
 };
 
-class Saddle final : public HeightField {
+// A height by a formula, whose curvature at the origin is its only number.
+class Formula final : public HeightField {
  public:
-  explicit Saddle(double per_mm) : per_mm_(per_mm) {}
+  using Function = Height (*)(double per_mm, double x, double y);
+  Formula(double per_mm, Function height) : per_mm_(per_mm), height_(height) {}
   std::unique_ptr<TargetSurface> scaled(double share) const override {
-    return std::make_unique<Saddle>(share * per_mm_);
+    return std::make_unique<Formula>(share * per_mm_, height_);
   }
   double curvature_per_mm() const override { return std::abs(per_mm_); }
 
  private:
   Height at(const Vector2d& place_mm) const override {
-    const double x = place_mm.x(), y = place_mm.y();
-    return {per_mm_ / 2 * (x * x - y * y),
-            {per_mm_ * x, -per_mm_ * y},
-            Vector2d(per_mm_, -per_mm_).asDiagonal()};
+    return height_(per_mm_, place_mm.x(), place_mm.y());
   }
   double per_mm_;
+  Function height_;
 };
 
-class Helicoid final : public HeightField {
- public:
-  explicit Helicoid(double per_mm) : per_mm_(per_mm) {}
-  std::unique_ptr<TargetSurface> scaled(double share) const override {
-    return std::make_unique<Helicoid>(share * per_mm_);
-  }
-  double curvature_per_mm() const override { return std::abs(per_mm_); }
+Height saddle_height(double per_mm, double x, double y) {
+  return {per_mm / 2 * (x * x - y * y),
+          {per_mm * x, -per_mm * y},
+          Vector2d(per_mm, -per_mm).asDiagonal()};
+}
 
- private:
-  Height at(const Vector2d& place_mm) const override {
-    const double x = place_mm.x(), tangent = std::tan(per_mm_ * place_mm.y());
-    const double rate = per_mm_ * (1 + tangent * tangent);
-    Matrix2d bend;
-    bend << 0, rate, rate, 2 * per_mm_ * tangent * rate * x;
-    return {x * tangent, {tangent, x * rate}, bend};
-  }
-  double per_mm_;
-};
+Height helicoid_height(double per_mm, double x, double y) {
+  const double tangent = std::tan(per_mm * y), rate = per_mm * (1 + tangent * tangent);
+  Matrix2d bend;
+  bend << 0, rate, rate, 2 * per_mm * tangent * rate * x;
+  return {x * tangent, {tangent, x * rate}, bend};
+}
 
 class HeightGrid final : public HeightField {
  public:
@@ -216,12 +210,12 @@ std::unique_ptr<TargetSurface> sphere(double radius_mm) {
 
 std::unique_ptr<TargetSurface> saddle(double radius_mm) {
   assert(radius_mm != 0);
-  return std::make_unique<Saddle>(1 / radius_mm);
+  return std::make_unique<Formula>(1 / radius_mm, saddle_height);
 }
 
 std::unique_ptr<TargetSurface> helicoid(double radius_mm) {
   assert(radius_mm != 0);
-  return std::make_unique<Helicoid>(1 / radius_mm);
+  return std::make_unique<Formula>(1 / radius_mm, helicoid_height);
 }
 
 std::unique_ptr<TargetSurface> height_grid(double spacing_mm, const MatrixXd& heights_mm) {

@@ -1,7 +1,7 @@
 // The surface that a folded sheet shall have: signed distances of points from it.
 //
-// All surfaces touch z = 0 at the origin of their frame, and their curvature can be scaled: a plane
-// at 0, themselves at 1.
+// The curvature of a surface can be scaled: it is the plane z = 0 at 0, and itself at 1. All but
+// grids touch z = 0 at the origin.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ class TargetSurface {
   virtual SurfaceDistance distance(const Eigen::Vector3d& point_mm) const = 0;
   /// The same surface with this share of its curvature, from 0, a plane, to 1.
   virtual std::unique_ptr<TargetSurface> scaled(double share) const = 0;
-  /// Largest principal curvature of the surface near the origin, 1/mm.
+  /// Largest principal curvature at the origin, 1/mm; of a grid, a bound of all second derivatives.
   virtual double curvature_per_mm() const = 0;
 };
 
@@ -37,8 +37,8 @@ std::unique_ptr<TargetSurface> saddle(double radius_mm);
 /// The helicoid z = x tan(y / radius).
 std::unique_ptr<TargetSurface> helicoid(double radius_mm);
 /// Heights on a grid centred on the origin: `heights_mm` has a row per y, ascending, and a column
-/// per x. Between them the surface is smooth: a bicubic spline (Catmull and Rom 1974), and beyond
-/// the grid it goes on as it is at its rim. There must be at least two rows and columns.
+/// per x. Between them the surface is a bicubic spline with continuous slopes (Catmull and Rom
+/// 1974), and beyond the grid it goes straight on. There must be at least two rows and columns.
 std::unique_ptr<TargetSurface> height_grid(double spacing_mm, const Eigen::MatrixXd& heights_mm);
 
 }  // namespace misalign::solver
