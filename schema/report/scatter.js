@@ -39,9 +39,16 @@ function scale_of(metric, values) {
 /** The metrics of the candidates, and the first two axes. */
 export const metrics_of = (candidates) => metrics.filter(({ name }) => candidates.columns[name]);
 export function first_axes(candidates) {
-  const present = metrics_of(candidates).map(({ name }) => name);
-  const first = (wanted, i) => (present.includes(wanted) ? wanted : (present[i] ?? null));
-  return { across: first("stroke_max", 0), up: first("slope_min_mm_per_deg", 1) };
+  const present = metrics_of(candidates)
+    .map(({ name }) => name)
+    .filter((name) => candidates.columns[name].some((value) => value !== null));
+  const first = (i, ...wanted) =>
+    wanted.find((name) => present.includes(name)) ?? present[i] ?? null;
+  // Sheets that are driven by their energy alone have no least slope.
+  return {
+    across: first(0, "stroke_max"),
+    up: first(1, "slope_min_mm_per_deg", "energy_friction_n_mm_per_mm"),
+  };
 }
 
 class Scatter {

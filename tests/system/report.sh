@@ -188,5 +188,11 @@ sed 's/"seed": 1/"seed": 1, "search": { "method": "optimise", "from_deg": 36 }/'
 "$program" report driven.db --details 3 --output driven.html > /dev/null || fail "report driven"
 [ "$(data driven.html 'details[0].ascent.end_value')" = \
   "$(sql driven.db "SELECT end_value FROM ascent WHERE draw = $(data driven.html 'details[0].draw')")" ] || fail "another worth"
+
+# Draws that their energy alone drives.
+sed 's/"deploys_from_deg": [0-9]*/"by": "energy", &/' "$source_dir/search/campaigns/miura-4x4.json" > energy.json
+"$program" search energy.json --draws 200 --catalogue energy.db --progress none > /dev/null || fail "search energy"
+"$program" report energy.db --details 1 --output energy.html > /dev/null || fail "report energy"
+node "$web/energy_test.mjs" energy.html || fail "the page of a campaign by energy in a browser"
 node "$web/page_test.mjs" few.html none.html many.html ladder.html driven.html --odd odd.html || fail "the pages in a browser"
 finish
