@@ -126,7 +126,7 @@ Json single_json(const solver::SingleSpring& spring) {
           {"free_mm", or_null(spring.free_mm)}};
 }
 
-Json list_or_null(Json list) { return list.empty() ? Json() : list; }
+Json list_or_null(const Json& list) { return list.empty() ? Json() : list; }
 
 // Adds a fault for each that is no diagonal of the sheet, or that is named before.
 void find_diagonal_faults(const std::vector<solver::DiagonalEnds>& named,
