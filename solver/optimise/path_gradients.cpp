@@ -20,6 +20,10 @@ namespace {
 // rate at its limit.
 constexpr double kFirstAlong_rad = 1e-3, kOnCurve_rad = 1e-10, kStill = 1e-9;
 constexpr int kMostToLimit = 60;
+// Marching to a limit: the first and the shortest step, the largest correction of a step as a share
+// of it, and steps.
+constexpr double kFirstMarch_rad = 0.02, kShortestMarch_rad = 1e-5, kMarchShare = 0.2;
+constexpr int kMostMarches = 400;
 // Shift of shapes along the gradient: between rounding and curvature, both 1e-10 of a gradient.
 constexpr double kNextShape_mm = 1e-4;
 
@@ -46,32 +50,71 @@ struct PathGradients::Workspace {
     gradient.add_closure(weights.data(), of_quantity.data());
   }
 
+  // The shortest step onto the curve, and the curve's unit tangent at the state.
+  struct OnCurve {
+    VectorXd closing, tangent;
+    double pilot_rate() const { return tangent(tangent.size() - 1); }
+  };
+  OnCurve on_curve() {
+    const int n = mechanism.equations;
+    system.evaluate(geometry, state);
+    const Eigen::HouseholderQR<MatrixXd> qr(system.jacobian().transpose());
+    VectorXd step = VectorXd::Zero(n + 1);
+    step.head(n) = -qr.matrixQR().topRows(n).triangularView<Eigen::Upper>().transpose().solve(
+        system.residual());
+    return {qr.householderQ() * step, qr.householderQ() * VectorXd::Unit(n + 1, n)};
+  }
+
   // Brings the state from near the limit to it: onto the curve by the shortest step, along it by
   // secants of the pilot's rate.
   bool reach_limit() {
-    const int n = mechanism.equations;
-    VectorXd tangent, step = VectorXd::Zero(n + 1);
+    VectorXd tangent;
     double along_rad = kFirstAlong_rad, last_rate = 0;
     for (int k = 0; k < kMostToLimit; ++k) {
-      system.evaluate(geometry, state);
-      const Eigen::HouseholderQR<MatrixXd> qr(system.jacobian().transpose());
-      step.head(n) = -qr.matrixQR().topRows(n).triangularView<Eigen::Upper>().transpose().solve(
-          system.residual());
-      step(n) = 0;
-      const VectorXd closing = qr.householderQ() * step;
-      advance(mechanism, closing.data(), state);
-      if (closing.norm() > kOnCurve_rad) continue;
-      VectorXd now = qr.householderQ() * VectorXd::Unit(n + 1, n);
-      if (tangent.size() > 0 && now.dot(tangent) < 0) now = -now;
-      const double rate = now(n);
+      OnCurve now = on_curve();
+      advance(mechanism, now.closing.data(), state);
+      if (now.closing.norm() > kOnCurve_rad) continue;
+      if (tangent.size() > 0 && now.tangent.dot(tangent) < 0) now.tangent = -now.tangent;
+      const double rate = now.pilot_rate();
       if (std::abs(rate) < kStill) return true;
       if (tangent.size() > 0) along_rad *= -rate / (rate - last_rate);
       last_rate = rate;
-      tangent = now;
-      const VectorXd forward = along_rad * now;
+      tangent = now.tangent;
+      const VectorXd forward = along_rad * now.tangent;
       advance(mechanism, forward.data(), state);
     }
     return false;
+  }
+
+  // Marches from a state on the curve to one next to the limit ahead: the last before the pilot
+  // turns, by steps that end there.
+  bool march_to_limit() {
+    VectorXd tangent = on_curve().tangent;
+    if (tangent(tangent.size() - 1) < 0) tangent = -tangent;
+    double step_rad = kFirstMarch_rad;
+    for (int k = 0; k < kMostMarches && step_rad > kShortestMarch_rad; ++k) {
+      const FoldState<double> before = state;
+      const VectorXd forward = step_rad * tangent;
+      advance(mechanism, forward.data(), state);
+      OnCurve now = on_curve();
+      bool is_near = now.closing.norm() < kMarchShare * step_rad;
+      for (int closing = 0; is_near && closing < kMostToLimit; ++closing) {
+        advance(mechanism, now.closing.data(), state);
+        if (now.closing.norm() < kOnCurve_rad) break;
+        now = on_curve();
+      }
+      if (now.tangent.dot(tangent) < 0) now.tangent = -now.tangent;
+      is_near = is_near && now.tangent.dot(tangent) > 1 - kMarchShare;
+      if (is_near && now.pilot_rate() > 0) {
+        tangent = now.tangent;
+        continue;
+      }
+      // The pilot has turned, or the step was too long.
+      state = before;
+      if (is_near && step_rad < kFirstAlong_rad) return true;
+      step_rad /= 2;
+    }
+    return step_rad <= kShortestMarch_rad;
   }
 
   const Mechanism& mechanism;
@@ -211,7 +254,10 @@ std::optional<PathGradients::AtLimit> PathGradients::fold_limit() {
   const FoldingWay& way = *sheet_.way();
   if (!way.ends_at_limit()) return {};
   way.find_state(way.end(), with.state);
-  if (!with.reach_limit()) return {};
+  if (!with.reach_limit()) {
+    with.state = way.stations().back().state;
+    if (!with.march_to_limit() || !with.reach_limit()) return {};
+  }
   with.gradient.at(with.geometry, with.state);
   const int equations = with.mechanism.equations;
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(with.system.jacobian().leftCols(equations));

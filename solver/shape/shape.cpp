@@ -5,135 +5,223 @@
 #include <cmath>
 
 #include "solver/optimise/low_slopes.hpp"
-#include "solver/shape/shape_merit.hpp"
+#include "solver/shape/well_rows.hpp"
 
 namespace misalign::solver {
 namespace {
 
 using Eigen::Index;
 using Eigen::Matrix2Xd;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// The box in panel widths: the first, the largest and the least; its growth and its decline.
-constexpr double kFirstBox = 0.05, kLargestBox = 0.25, kLastBox = 1e-6, kGrow = 1.8, kShrink = 0.4;
-constexpr double kRight = 0.7, kPoor = 0.1;
-// Gain, as a share of the merit, below which a stage ends; steps of a stage.
-constexpr double kLastGain = 5e-4;
-constexpr int kStageSteps = 80;
-// The first curvature and the largest growth between stages, times the sheet's width.
-constexpr double kFirstCurvature = 0.1, kCurvatureStep = 1.0 / 12;
+// The first curvature, the largest growth between stages and the least, times the sheet's width;
+// and the misfit, in panel widths, of a stage that is repeated after a smaller growth.
+constexpr double kFirstCurvature = 0.1, kCurvatureStep = 1.0 / 12, kLeastStep = 1.0 / 96;
+constexpr double kPoorMisfit = 1e-3;
+// Misfit, in panel widths, that one degree of the path is worth.
+constexpr double kPerDegree = 6e-4;
+// Growth of the fold limit between stages.
+constexpr double kLimitStep_deg = 8;
 // Angle by whose lengths directions are chosen; angles of directions; distance of more from one
 // where a diagonal turns back; rounds of these.
-constexpr double kSigns_deg = 60, kDirections_deg = 9, kAround_deg = 1.5;
-constexpr int kRounds = 3;
+constexpr double kSigns_deg = 60, kDirections_deg = 6, kAround_deg = 1.5;
+constexpr int kRounds = 4;
+// Levels of floors.
+constexpr int kMostLevels = 12;
 
 class Shaping {
  public:
   Shaping(SheetSolver& solver, const ShapeOptions& options)
-      : solver_(solver),
-        options_(options),
-        base_(solver.model().base().sheet),
-        width_mm_(base_.panel_width_mm),
-        size_mm_(width_mm_ * std::sqrt(static_cast<double>(base_.facet_count()))),
-        free_(options.is_rim_fixed ? interior_vertices(base_) : all_vertices(base_)),
-        merit_(base_, free_) {}
+      : options_(options), descent_(solver, options) {}
 
   StudyResult<ShapeStudy> run() {
-    if (!begin()) return NoResult::path_lost;
-    climb_in_curvature();
-    if (options_.kind == ShapeKind::rest) keep_directions();
+    const double shape_deg = options_.at_deg + options_.beyond_deg;
+    if (!descent_.begin(WantedRows(shape_deg))) return NoResult::path_lost;
+    if (options_.kind == ShapeKind::free) {
+      climb_in_curvature();
+      keep_best();
+    } else {
+      // The fold limit rises after the curvature, or is asked for from the start.
+      for (const double limit_deg : {shape_deg, stowed_deg()}) {
+        descent_.begin(WantedRows(limit_deg));
+        climb_in_curvature();
+        raise_limit();
+        hold();
+        if (best_->is_good()) break;
+      }
+    }
+    descent_.move_to(std::move(best_->state));
+    descent_.wanted() = best_->wanted;
+    keep_floors();
     return result();
   }
 
  private:
-  struct State {
-    std::unique_ptr<const Sheet> sheet;
-    ShapePose pose;
-    ShapeMisfit misfit;
-    double merit;
+  // A sheet that is held at its shape, and how far it is from what is asked for: its misfit, with
+  // the degrees of its path that are missing.
+  struct Held {
+    ShapeDescent::State state;
+    WantedRows wanted;
+    double off_mm, width_mm;
+    bool is_good() const { return off_mm < kPoorMisfit * width_mm; }
   };
 
-  bool begin() {
-    const Matrix2Xd none = Matrix2Xd::Zero(2, base_.vertex_count());
-    auto sheet = std::make_unique<const Sheet>(solver_, none);
-    if (!sheet->way() || sheet->way()->end_deg() <= options_.at_deg) return false;
-    const Eigen::Matrix3Xd& folded_mm = sheet->at(options_.at_deg).vertices_mm;
-    const ShapePose pose =
-        lay_base(base_.vertices_mm, folded_mm, interior_vertices(base_), target_);
-    auto start = evaluate(none, pose);
-    if (!start) return false;
-    now_ = std::move(*start);
-    return true;
+  const ShapeDescent::State& now() const { return descent_.now(); }
+  WantedRows& wanted() { return descent_.wanted(); }
+  double stowed_deg() const { return options_.from_deg + options_.beyond_deg; }
+
+  // A stage that ends far from its surface is repeated from the one before it, nearer to that;
+  // where this does not help either, the surface is out of reach, and stages are not repeated any
+  // more.
+  void climb_in_curvature() {
+    const double whole = descent_.whole_curvature();
+    double share = 0, growth = kFirstCurvature;
+    bool is_in_reach = true;
+    while (share < 1 && whole > 0) {
+      const Matrix2Xd before_mm = now().sheet->shifts_mm();
+      const ShapePose before = now().pose;
+      const double next = std::min(1.0, share + growth / whole);
+      descent_.set_share(next);
+      descent_.refresh();
+      descent_.improve();
+      const bool is_poor = now().misfit.rms_mm() > kPoorMisfit * descent_.width_mm();
+      if (is_poor && is_in_reach && growth > kLeastStep) {
+        growth = std::max(kLeastStep, growth / 2);
+        descent_.set_share(share);
+        descent_.move_to(before_mm, before);
+        continue;
+      }
+      share = next;
+      is_in_reach = is_in_reach && !is_poor;
+      growth = is_in_reach ? std::min(growth, kCurvatureStep) : kCurvatureStep;
+    }
   }
 
-  void climb_in_curvature() {
-    const double whole = options_.target->curvature_per_mm() * size_mm_;
-    for (double share = std::min(1.0, kFirstCurvature / whole); whole > 0;
-         share = std::min(1.0, share + kCurvatureStep / whole)) {
-      target_.surface = options_.target->scaled(share);
-      refresh();
-      improve();
-      if (share == 1) break;
+  // The fold limit rises by levels to beyond the stowed angle.
+  void raise_limit() {
+    while (wanted().limit_deg < stowed_deg()) {
+      const double reached_deg = std::max(now().sheet->way()->end_deg(), wanted().limit_deg);
+      wanted().limit_deg = std::min(reached_deg + kLimitStep_deg, stowed_deg());
+      descent_.refresh();
+      descent_.improve();
     }
   }
 
   // Directions are those of the shape alone, by the lengths at one angle; of two diagonals of a
-  // hole that both grow the smaller is turned. The better of two choices of the angle stays.
-  void keep_directions() {
-    const Matrix2Xd shape_mm = now_.sheet->shifts_mm();
-    const ShapePose shape_pose = now_.pose;
-    const double end_deg = std::min(now_.sheet->way()->end_deg() - 1, options_.from_deg);
-    std::optional<State> best;
-    WantedDirections best_wanted;
-    for (const double by_deg : {std::min(kSigns_deg, end_deg), end_deg}) {
-      wanted_ = {};
-      auto again = evaluate(shape_mm, shape_pose);
-      if (!again) continue;
-      now_ = std::move(*again);
-      choose_directions(by_deg);
-      for (int round = 0; round < kRounds; ++round) {
-        refresh();
-        improve();
-        if (!add_angles()) break;
-      }
-      if (best && best->merit <= now_.merit) continue;
-      best = std::move(now_);
-      best_wanted = wanted_;
+  // hole that both grow the smaller is turned.
+  void hold() {
+    if (options_.kind != ShapeKind::rest) {
+      wanted() = WantedRows(stowed_deg());
+      wanted().has_wells = true;
+      set_angles();
+      refine();
+      return keep_best();
     }
-    if (!best) return;
-    now_ = std::move(*best);
-    wanted_ = best_wanted;
+    const Matrix2Xd shape_mm = now().sheet->shifts_mm();
+    const ShapePose shape_pose = now().pose;
+    const double end_deg = std::min(now().sheet->way()->end_deg() - 1, options_.from_deg);
+    for (const double by_deg : {std::min(kSigns_deg, end_deg), end_deg}) {
+      wanted() = WantedRows(stowed_deg());
+      if (!descent_.move_to(shape_mm, shape_pose)) continue;
+      choose_directions(by_deg);
+      refine();
+      keep_best();
+      if (best_->is_good()) return;
+    }
+    if (!best_) keep_best();
+  }
+
+  void keep_best() {
+    const double missing_deg = std::max(0.0, options_.from_deg - driven_from_deg());
+    const double off_mm = now().misfit.rms_mm() + kPerDegree * descent_.width_mm() * missing_deg;
+    if (best_ && best_->off_mm <= off_mm) return;
+    best_.emplace(Held{descent_.take(), wanted(), off_mm, descent_.width_mm()});
+  }
+
+  double driven_from_deg() const {
+    const double end_deg = std::min(now().sheet->way()->end_deg(), options_.from_deg);
+    switch (options_.kind) {
+      case ShapeKind::free:
+        return 0;
+      case ShapeKind::bistable:
+        return end_deg;
+      case ShapeKind::rest:
+        return std::min(now().sheet->deploys_from_deg(), end_deg);
+      case ShapeKind::rest_by_energy:
+        break;
+    }
+    const std::vector<double> turns = turns_deg();
+    if (turns.empty()) return end_deg;
+    return turns.front() > options_.at_deg ? turns.front() - 1 : 0;
   }
 
   void choose_directions(double by_deg) {
-    const FoldingWay& way = *now_.sheet->way();
+    const FoldingWay& way = *now().sheet->way();
     VectorXd lengths_mm, rates;
     way.find_lengths(way.x_of(by_deg), lengths_mm, rates);
     const VectorXd longer_mm = lengths_mm - way.flat_mm();
-    wanted_.sides = longer_mm.unaryExpr([](double mm) { return mm < 0 ? -1.0 : 1.0; });
+    wanted().sides = longer_mm.unaryExpr([](double mm) { return mm < 0 ? -1.0 : 1.0; });
     for (Index d = 0; d + 1 < longer_mm.size(); d += 2) {
-      if (wanted_.sides(d) < 0 || wanted_.sides(d + 1) < 0) continue;
-      wanted_.sides(longer_mm(d) < longer_mm(d + 1) ? d : d + 1) = -1;
+      if (wanted().sides(d) < 0 || wanted().sides(d + 1) < 0) continue;
+      wanted().sides(longer_mm(d) < longer_mm(d + 1) ? d : d + 1) = -1;
     }
-    wanted_.angles_deg.clear();
-    const int count = static_cast<int>(std::ceil(options_.from_deg / kDirections_deg));
-    for (int k = 1; k <= count; ++k) wanted_.angles_deg.push_back(options_.from_deg * k / count);
+    set_angles();
   }
 
-  // Adds angles around those where a diagonal turns back. Returns false where none does.
+  void set_angles() {
+    wanted().angles_deg.clear();
+    const int count = static_cast<int>(std::ceil(options_.from_deg / kDirections_deg));
+    for (int k = 1; k <= count; ++k) wanted().angles_deg.push_back(options_.from_deg * k / count);
+  }
+
+  // Improves by the rows that are wanted, and by more of them where they were too far apart.
+  void refine() {
+    for (int round = 0; round < kRounds; ++round) {
+      descent_.refresh();
+      descent_.improve();
+      if (!add_angles()) break;
+    }
+  }
+
+  // Floors rise by levels, from what the sheet has to what is asked for.
+  void keep_floors() {
+    const auto& floors = options_.keeping.floors;
+    for (int level = 0; level < kMostLevels && !floors.empty(); ++level) {
+      auto levels = floor_levels(*now().sheet, options_);
+      if (!levels) return;
+      wanted().floors = *std::move(levels);
+      refine();
+      const auto is_there = [](const WantedRows::Level& now, const OptimiseFloor& asked) {
+        return now.least == asked.least;
+      };
+      if (std::ranges::equal(wanted().floors, floors, is_there)) return;
+    }
+  }
+
+  // Angles where a diagonal, or the energy, turns back.
+  std::vector<double> turns_deg() const {
+    const double to_deg = std::min(options_.from_deg, now().sheet->way()->end_deg());
+    if (options_.kind == ShapeKind::rest_by_energy) {
+      return energy_turns_deg(*now().sheet, options_.at_deg, to_deg);
+    }
+    std::vector<double> all_deg;
+    if (options_.kind != ShapeKind::rest) return all_deg;
+    for (const LowSlope& low : low_slopes(*now().sheet, to_deg)) {
+      if (low.mm_per_deg <= 0) all_deg.push_back(low.pilot_deg);
+    }
+    return all_deg;
+  }
+
+  // Adds angles around these. Returns false where there are none.
   bool add_angles() {
-    const double to_deg = std::min(options_.from_deg, now_.sheet->way()->end_deg());
     std::vector<double> more_deg;
-    for (const LowSlope& low : low_slopes(*now_.sheet, to_deg)) {
-      if (low.mm_per_deg > 0) continue;
+    for (const double turn_deg : turns_deg()) {
       for (const double off_deg : {-kAround_deg, kAround_deg}) {
-        const double angle_deg = std::clamp(low.pilot_deg + off_deg, 1.0, options_.from_deg);
-        more_deg.push_back(std::round(angle_deg));
+        more_deg.push_back(std::round(std::clamp(turn_deg + off_deg, 1.0, options_.from_deg)));
       }
     }
-    const std::size_t before = wanted_.angles_deg.size();
-    std::vector<double>& all_deg = wanted_.angles_deg;
+    const std::size_t before = wanted().angles_deg.size();
+    std::vector<double>& all_deg = wanted().angles_deg;
     for (const double angle_deg : more_deg) {
       const auto is_near = [&](double other) { return std::abs(other - angle_deg) < 0.9; };
       if (std::ranges::none_of(all_deg, is_near)) all_deg.push_back(angle_deg);
@@ -142,116 +230,30 @@ class Shaping {
     return all_deg.size() > before;
   }
 
-  std::optional<State> evaluate(const Matrix2Xd& shifts_mm, const ShapePose& near) {
-    options_.watch();
-    ++evaluations_;
-    auto sheet = std::make_unique<const Sheet>(solver_, shifts_mm);
-    if (!nonconvex_facets(base_, sheet->vertices_mm()).empty()) return {};
-    if (!sheet->way() || sheet->way()->end_deg() <= options_.at_deg) return {};
-    const Sheet::Pose& pose = sheet->at(options_.at_deg);
-    if (!pose.is_closed) return {};
-    const ShapePose fitted = fitted_pose(target_, pose.vertices_mm, near);
-    ShapeMisfit off = misfit(target_, pose.vertices_mm, fitted);
-    const auto rows = shape_rows(*sheet, options_, wanted_, nullptr);
-    if (!rows) return {};
-    const double merit = merit_.value(off, shifts_mm, *rows);
-    return State{std::move(sheet), fitted, std::move(off), merit};
-  }
-
-  // The same sheet by other rows or another target.
-  void refresh() {
-    auto again = evaluate(now_.sheet->shifts_mm(), now_.pose);
-    if (again) now_ = std::move(*again);
-  }
-
-  void improve() {
-    double box_mm = kFirstBox * width_mm_;
-    for (int step = 0; step < kStageSteps; ++step) {
-      PathGradients gradients(*now_.sheet);
-      const auto folded = gradients.vertices(options_.at_deg);
-      const auto rows = shape_rows(*now_.sheet, options_, wanted_, &gradients);
-      if (!folded || !rows) return;
-      const QuadraticProgram program = merit_.program(now_.misfit, *folded, *now_.sheet, *rows);
-      while (true) {
-        if (box_mm < kLastBox * width_mm_) return;
-        const auto [change_mm, foreseen] = best_change(program, box_mm);
-        if (foreseen <= kLastGain * now_.merit) return;
-        auto next = evaluate(now_.sheet->shifts_mm() + change_mm, now_.pose);
-        const double gain = next ? now_.merit - next->merit : -1;
-        if (gain < kPoor * foreseen) {
-          box_mm *= kShrink;
-          if (gain <= 0) continue;
-        } else if (gain > kRight * foreseen) {
-          box_mm = std::min(kGrow * box_mm, kLargestBox * width_mm_);
-        }
-        now_ = std::move(*next);
-        ++steps_;
-        break;
-      }
-    }
-  }
-
-  // The best change of the shifts in a box, and the foreseen gain of the merit.
-  std::pair<Matrix2Xd, double> best_change(const QuadraticProgram& around, double box_mm) const {
-    const Index count = around.gradient.size(), shifts = count - 7;
-    QuadraticProgram inside = around;
-    inside.fall = inside.rise = Eigen::ArrayXd::Constant(count, box_mm);
-    inside.fall.tail(7) = inside.rise.tail(7) = size_mm_ / 4;
-    if (options_.amplitude_mm) {
-      for (Index k = 0; k < shifts; ++k) {
-        const double shift_mm =
-            now_.sheet->shifts_mm()(k % 2, free_[static_cast<std::size_t>(k / 2)]);
-        inside.rise(k) = std::clamp(*options_.amplitude_mm - shift_mm, 0.0, box_mm);
-        inside.fall(k) = std::clamp(*options_.amplitude_mm + shift_mm, 0.0, box_mm);
-      }
-    }
-    // Rows that the box does not reach.
-    std::vector<Index> reached;
-    for (Index k = 0; k < inside.slacks.size(); ++k) {
-      if (inside.slacks(k) < box_mm * inside.rows.row(k).lpNorm<1>()) reached.push_back(k);
-    }
-    const MatrixXd rows = inside.rows(reached, Eigen::all);
-    inside.rows = rows;
-    const VectorXd slacks = inside.slacks(reached);
-    inside.slacks = slacks;
-    const QuadraticOptimum best = minimize(inside);
-    Matrix2Xd change_mm = Matrix2Xd::Zero(2, base_.vertex_count());
-    for (Index k = 0; k < shifts; ++k) {
-      change_mm(k % 2, free_[static_cast<std::size_t>(k / 2)]) = best.x(k);
-    }
-    const double now = inside.penalty * (-inside.slacks.array()).max(0).sum();
-    return {change_mm, now - best.value};
-  }
-
   ShapeStudy result() const {
     ShapeStudy study;
-    study.shifts_mm = now_.sheet->shifts_mm();
-    study.pose = now_.pose;
-    study.sides = target_.sides;
-    study.rms_mm = now_.misfit.rms_mm();
-    study.max_mm = now_.misfit.max_mm();
-    study.steps = steps_;
-    study.evaluations = evaluations_;
-    study.deploys_from_deg = now_.sheet->deploys_from_deg();
+    study.shifts_mm = now().sheet->shifts_mm();
+    study.pose = now().pose;
+    study.sides = descent_.target().sides;
+    study.rms_mm = now().misfit.rms_mm();
+    study.max_mm = now().misfit.max_mm();
+    study.steps = descent_.steps();
+    study.evaluations = descent_.evaluations();
+    study.deploys_from_deg = now().sheet->deploys_from_deg();
+    study.driven_from_deg = driven_from_deg();
+    study.limits = descent_.limits();
     return study;
   }
 
-  SheetSolver& solver_;
   const ShapeOptions& options_;
-  const CreasePattern& base_;
-  const double width_mm_, size_mm_;
-  const std::vector<int> free_;
-  const ShapeMerit merit_;
-  ShapeTarget target_;  // with its curvature of now
-  WantedDirections wanted_;
-  State now_;
-  int steps_ = 0, evaluations_ = 0;
+  ShapeDescent descent_;
+  std::optional<Held> best_;
 };
 
 }  // namespace
 
 StudyResult<ShapeStudy> shape(SheetSolver& solver, const ShapeOptions& options) {
-  assert(options.target && options.at_deg > 0 && options.from_deg > options.at_deg);
+  assert(options.at_deg > 0 && options.from_deg > options.at_deg);
   if (solver.model().is_overconstrained()) return NoResult::overconstrained;
   return Shaping(solver, options).run();
 }

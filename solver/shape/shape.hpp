@@ -7,8 +7,7 @@
 // The target's curvature grows from a plane in steps.
 #pragma once
 
-#include "solver/shape/shape_fit.hpp"
-#include "solver/shape/shape_options.hpp"
+#include "solver/shape/shape_descent.hpp"
 #include "solver/sheet/sheet.hpp"
 #include "solver/studies/study_result.hpp"
 
@@ -17,10 +16,14 @@ namespace misalign::solver {
 struct ShapeStudy {
   Eigen::Matrix2Xd shifts_mm;
   ShapePose pose;
-  Eigen::VectorXd sides;
+  Eigen::VectorXd sides;  ///< those of the target's rows (ShapeTarget)
   double rms_mm, max_mm;
   int steps = 0, evaluations = 0;
   double deploys_from_deg = 0;
+  /// Angle from which springs that are relaxed at the shape drive it there; 0: none do. Bistable
+  /// sheets: the end of the path, or the stowed angle.
+  double driven_from_deg = 0;
+  std::vector<ShapeLimit> limits;
 };
 
 /// Shapes a sheet of this solver's model, whose base must fold to the stowed angle. Reasons:

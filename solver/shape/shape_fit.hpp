@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "solver/pattern/perforation.hpp"
 #include "solver/shape/target_surface.hpp"
 
 namespace misalign::solver {
@@ -24,36 +25,50 @@ struct ShapePose {
   ShapePose after(const Eigen::Matrix<double, 7, 1>& change) const;
 };
 
-/// A target, and how a sheet lies on it.
-struct ShapeTarget {
-  std::shared_ptr<const TargetSurface> surface;
-  Eigen::VectorXd sides;     ///< per vertex: 1 above the surface, -1 below
+/// The shape of a folded sheet: a surface, for its vertices or for the middles of its panels, or
+/// places of single vertices.
+struct WantedShape {
+  std::shared_ptr<const TargetSurface> surface;  ///< null where places are given
+  enum class Measured { vertices, panels } measured = Measured::vertices;
+  struct Place {
+    int vertex;
+    Eigen::Vector3d mm;
+  };
+  std::vector<Place> places;  ///< three or more, not on one line
+};
+
+/// A wanted shape, and how a sheet lies on it.
+struct ShapeTarget : WantedShape {
+  /// Weights of the vertices in what is measured: a row per vertex, per panel or per place.
+  Eigen::MatrixXd weights;
+  Eigen::VectorXd sides;     ///< per row: 1 above the surface, -1 below, 0 a panel's middle
   Eigen::Matrix2Xd flat_mm;  ///< the flat base with its middle at zero, for the turn about z
 };
 
-/// Distances of the vertices from their surfaces; and then what holds the sheet's place on the
-/// target, where it would slide to where a saddle is flat: the middle's x and y, and the turn about
-/// z as an arc of the sheet's size, weighted. Derivatives are by the pose's change, and by the
-/// vertex in the sheet's frame.
+/// Distances of a sheet from its target: of each row from its surface, or along x, y and z from its
+/// place; and, on a surface, what holds the sheet there, where it would slide to where a saddle is
+/// flat: the middle's x and y, and the turn about z as an arc of the sheet's size, weighted.
+/// Derivatives are by the pose's change, and by the place in the sheet's frame.
 struct ShapeMisfit {
-  Eigen::VectorXd mm;          ///< vertices + 3
-  Eigen::MatrixXd by_pose;     ///< (vertices + 3) x 7
-  Eigen::Matrix3Xd by_mm;      ///< per vertex, of its own distance
-  Eigen::MatrixXd hold_by_mm;  ///< 3 x (3 vertices)
+  Eigen::Index measured;       ///< distances; holds follow
+  Eigen::VectorXd mm;          ///< measured + 3 on a surface, 3 x places otherwise
+  Eigen::MatrixXd by_pose;     ///< (entries of mm) x 7
+  Eigen::Matrix3Xd by_mm;      ///< per distance, of its own row
+  Eigen::MatrixXd hold_by_mm;  ///< holds x (3 vertices)
 
-  Eigen::Index vertices() const { return by_mm.cols(); }
+  Eigen::VectorXd distances_mm() const;  ///< per row, not negative
   double rms_mm() const;
-  double max_mm() const { return mm.head(vertices()).cwiseAbs().maxCoeff(); }
+  double max_mm() const { return distances_mm().maxCoeff(); }
 };
 
 ShapeMisfit misfit(const ShapeTarget& target, const Eigen::Matrix3Xd& vertices_mm,
                    const ShapePose& pose);
 
-/// Lays the folded base on z = 0, in the middle between its two levels, and sets the target's sides
-/// and flat places. `inner` vertices lie on the levels, 1 and -1; the others, where a rim cuts
-/// panels, between them or beyond.
-ShapePose lay_base(const Eigen::Matrix2Xd& flat_mm, const Eigen::Matrix3Xd& folded_mm,
-                   const std::vector<int>& inner, ShapeTarget& target);
+/// Lays the folded base on the plane z = 0, in the middle between its two levels, or on the places,
+/// and makes the target's rows. Inner vertices lie on the levels, 1 and -1; the others, where a rim
+/// cuts panels, between them or beyond.
+ShapePose lay_base(const PerforatedSheet& base, const Eigen::Matrix3Xd& folded_mm,
+                   ShapeTarget& target);
 /// The pose with the least squares of the misfit, from one nearby.
 ShapePose fitted_pose(const ShapeTarget& target, const Eigen::Matrix3Xd& vertices_mm,
                       ShapePose pose);

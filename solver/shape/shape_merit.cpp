@@ -91,16 +91,21 @@ double ShapeMerit::value(const ShapeMisfit& misfit, const Matrix2Xd& shifts_mm,
   return (off * off + regular + kArea * kArea * area * area) / 2 + kPenalty / width_mm_ * below;
 }
 
-QuadraticProgram ShapeMerit::program(const ShapeMisfit& misfit, const PathGradients::Shape& folded,
-                                     const Sheet& sheet, const std::vector<ShapeRow>& rows) const {
+QuadraticProgram ShapeMerit::program(const ShapeMisfit& misfit, const MatrixXd& weights,
+                                     const PathGradients::Shape& folded, const Sheet& sheet,
+                                     const std::vector<ShapeRow>& rows) const {
   const Index vertices = base_.vertex_count(), shifts = 2 * std::ssize(free_), count = shifts + 7;
-  assert(misfit.vertices() == vertices && folded.by_mm.cols() == 2 * vertices);
-  MatrixXd by_all(vertices + 3, 2 * vertices);
-  for (Index v = 0; v < vertices; ++v) {
-    by_all.row(v) = misfit.by_mm.col(v).transpose() * folded.by_mm.middleRows(3 * v, 3);
+  assert(folded.by_mm.cols() == 2 * vertices);
+  MatrixXd by_all = MatrixXd::Zero(misfit.mm.size(), 2 * vertices);
+  for (Index k = 0; k < misfit.measured; ++k) {
+    for (Index v = 0; v < vertices; ++v) {
+      if (weights(k, v) == 0) continue;
+      by_all.row(k) +=
+          weights(k, v) * misfit.by_mm.col(k).transpose() * folded.by_mm.middleRows(3 * v, 3);
+    }
   }
-  by_all.bottomRows(3) = misfit.hold_by_mm * folded.by_mm;
-  MatrixXd slopes(vertices + 3, count);
+  by_all.bottomRows(misfit.hold_by_mm.rows()) = misfit.hold_by_mm * folded.by_mm;
+  MatrixXd slopes(misfit.mm.size(), count);
   slopes.leftCols(shifts) = of_free(by_all);
   slopes.rightCols(7) = misfit.by_pose;
   slopes.middleCols(shifts, 3) /= size_mm_;

@@ -19,10 +19,12 @@ class ShapeMerit {
 
   double value(const ShapeMisfit& misfit, const Eigen::Matrix2Xd& shifts_mm,
                const std::vector<ShapeRow>& rows) const;
-  /// The program without its box. Variables: x and y of each free vertex in turn, mm; then the
-  /// pose's change (ShapePose::after), turns as arcs of the sheet's size.
-  QuadraticProgram program(const ShapeMisfit& misfit, const PathGradients::Shape& folded,
-                           const Sheet& sheet, const std::vector<ShapeRow>& rows) const;
+  /// The program without its box; `weights` are those of the target's rows. Variables: x and y of
+  /// each free vertex in turn, mm; then the pose's change (ShapePose::after), turns as arcs of the
+  /// sheet's size.
+  QuadraticProgram program(const ShapeMisfit& misfit, const Eigen::MatrixXd& weights,
+                           const PathGradients::Shape& folded, const Sheet& sheet,
+                           const std::vector<ShapeRow>& rows) const;
 
  private:
   double misfit_weight() const;

@@ -5,17 +5,21 @@
 #include <memory>
 #include <optional>
 
-#include "solver/shape/target_surface.hpp"
+#include "solver/optimise/optimise_options.hpp"
+#include "solver/shape/shape_fit.hpp"
 
 namespace misalign::solver {
 
+/// Ways in which springs of one rate on all diagonals hold the sheet at its shape.
 enum class ShapeKind {
-  free,  ///< the shape alone
-  rest,  ///< all diagonals monotone: springs relaxed at the shape stop the sheet there
+  free,            ///< not at all: the shape alone
+  rest,            ///< relaxed at the shape, all diagonals monotone
+  rest_by_energy,  ///< relaxed at the shape, their energy monotone on either side
+  bistable         ///< relaxed at the shape and flat, with a barrier between
 };
 
 struct ShapeOptions {
-  std::shared_ptr<const TargetSurface> target;
+  WantedShape target;
   double at_deg = 90;     ///< pilot angle where it has the shape
   double from_deg = 110;  ///< stowed pilot angle
   ShapeKind kind = ShapeKind::rest;
@@ -25,8 +29,13 @@ struct ShapeOptions {
   double least_edge = 0.35;            ///< least length of an edge over the base's
   /// Least and largest fold angle of every crease at the shape.
   double least_fold_deg = 8, most_fold_deg = 172;
-  double beyond_deg = 2;                 ///< the fold limit lies this far beyond the stowed angle
+  double beyond_deg = 1;                 ///< the fold limit lies this far beyond the stowed angle
   double least_slope_mm_per_deg = 1e-3;  ///< the one of OptimiseOptions
+  /// Length of all springs together, |L - L_rest|, that a bistable sheet's barrier has at least.
+  double barrier_mm = 0;
+  /// Floors of goals, with their springs, hinges and panels; all vertices are `shifted`. Other
+  /// members have no effect.
+  OptimiseOptions keeping;
   std::function<void()> watch = [] {};
 };
 

@@ -5,6 +5,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "solver/optimise/goal_functions.hpp"
+#include "solver/optimise/local_goals.hpp"
+#include "solver/shape/diagonal_lengths.hpp"
+#include "solver/shape/well_rows.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -15,10 +20,12 @@ using Eigen::VectorXd;
 
 // Rows this far from their limits do not bind in any step: sine of a corner, share of an edge.
 constexpr double kFarSine = 0.3, kFarEdge = 0.3;
+// Growth of a floor from one level to the next.
+constexpr double kRaise = 2;
 
 class Builder {
  public:
-  Builder(const Sheet& sheet, const ShapeOptions& options, const WantedDirections& wanted,
+  Builder(const Sheet& sheet, const ShapeOptions& options, const WantedRows& wanted,
           PathGradients* gradients)
       : sheet_(sheet), options_(options), wanted_(wanted), gradients_(gradients) {}
 
@@ -28,6 +35,13 @@ class Builder {
     add_folds();
     add_limit();
     if (wanted_.sides.size() > 0) add_directions();
+    if (wanted_.has_wells) {
+      is_known_ = is_known_ &&
+                  (options_.kind == ShapeKind::bistable
+                       ? add_bistable_rows(sheet_, options_, gradients_, rows_)
+                       : add_energy_rows(sheet_, options_, wanted_.angles_deg, gradients_, rows_));
+    }
+    add_floors();
     if (!is_known_) return {};
     return std::move(rows_);
   }
@@ -110,7 +124,6 @@ class Builder {
     const FoldingWay& way = *sheet_.way();
     if (!way.ends_at_limit()) return;
     const double mm_per_deg = kRadPerDeg * width_mm();
-    const double asked_deg = options_.kind == ShapeKind::free ? options_.at_deg : options_.from_deg;
     RowVectorXd row;
     if (gradients_) {
       const auto limit = gradients_->fold_limit();
@@ -118,46 +131,62 @@ class Builder {
       row = mm_per_deg * limit->by_mm;
     }
     rows_.push_back({ShapeRow::Kind::limit, 0, way.end_deg(),
-                     mm_per_deg * (way.end_deg() - asked_deg - options_.beyond_deg),
-                     std::move(row)});
+                     mm_per_deg * (way.end_deg() - wanted_.limit_deg), std::move(row)});
   }
 
   void add_directions() {
-    const FoldingWay& way = *sheet_.way();
-    assert(wanted_.sides.size() == way.flat_mm().size());
-    VectorXd last_mm = way.flat_mm(), lengths_mm, rates;
-    Eigen::MatrixXd last_by_mm;
-    if (gradients_) last_by_mm = gradients_->at(0, false)->length_by_mm;
+    const double end_deg = sheet_.way()->end_deg();
+    auto last = diagonal_lengths(sheet_, 0, gradients_);
     double last_deg = 0;
     for (const double angle_deg : wanted_.angles_deg) {
-      if (angle_deg >= way.end_deg() - 0.01) break;
-      Eigen::MatrixXd by_mm;
-      if (gradients_) {
-        auto there = gradients_->at(angle_deg, false);
-        if (!there) return void(is_known_ = false);
-        lengths_mm = there->length_mm;
-        by_mm = std::move(there->length_by_mm);
-      } else {
-        way.find_lengths(way.x_of(angle_deg), lengths_mm, rates);
-      }
+      if (angle_deg >= end_deg - 0.01) break;
+      auto there = diagonal_lengths(sheet_, angle_deg, gradients_);
+      if (!last || !there) return void(is_known_ = false);
       const double least_mm = options_.least_slope_mm_per_deg / kRadPerDeg *
                               (std::cos(last_deg * kRadPerDeg) - std::cos(angle_deg * kRadPerDeg));
-      for (Index d = 0; d < lengths_mm.size(); ++d) {
+      assert(wanted_.sides.size() == there->mm.size());
+      for (Index d = 0; d < there->mm.size(); ++d) {
         const double side = wanted_.sides(d);
         RowVectorXd row;
-        if (gradients_) row = side * (by_mm.row(d) - last_by_mm.row(d));
+        if (gradients_) row = side * (there->by_mm.row(d) - last->by_mm.row(d));
         rows_.push_back({ShapeRow::Kind::direction, static_cast<int>(d), angle_deg,
-                         side * (lengths_mm(d) - last_mm(d)) - least_mm, std::move(row)});
+                         side * (there->mm(d) - last->mm(d)) - least_mm, std::move(row)});
       }
-      last_mm = lengths_mm;
-      last_by_mm = std::move(by_mm);
+      last = std::move(there);
       last_deg = angle_deg;
+    }
+  }
+
+  // Terms below their floor share its price.
+  void add_floors() {
+    for (std::size_t k = 0; k < wanted_.floors.size(); ++k) {
+      const auto [least, mm] = wanted_.floors[k];
+      const Goal& goal = *options_.keeping.floors[k].goal;
+      const auto add = [&](double value, double share_mm, RowVectorXd row) {
+        rows_.push_back({ShapeRow::Kind::floor, static_cast<int>(k), 0, share_mm * (value - least),
+                         share_mm * std::move(row)});
+      };
+      if (!gradients_) {
+        const auto value = value_of(goal, sheet_, options_.keeping);
+        if (!value) return void(is_known_ = false);
+        add(*value, mm, {});
+        continue;
+      }
+      SheetChanges changes(sheet_, options_.keeping);
+      const std::vector<GoalTerm> terms = linearization_of(goal, changes);
+      if (terms.empty() || !changes.is_known) return void(is_known_ = false);
+      const auto below = std::ranges::count_if(
+          terms, [&](const GoalTerm& term) { return term.numerator < least * term.divisor; });
+      const double share_mm = mm / static_cast<double>(std::max<std::ptrdiff_t>(1, below));
+      for (const GoalTerm& term : terms) {
+        add(term.numerator / term.divisor, share_mm, term.row.transpose() / term.divisor);
+      }
     }
   }
 
   const Sheet& sheet_;
   const ShapeOptions& options_;
-  const WantedDirections& wanted_;
+  const WantedRows& wanted_;
   PathGradients* const gradients_;
   bool is_known_ = true;
   std::vector<ShapeRow> rows_;
@@ -165,8 +194,25 @@ class Builder {
 
 }  // namespace
 
+std::optional<std::vector<WantedRows::Level>> floor_levels(const Sheet& sheet,
+                                                           const ShapeOptions& options) {
+  std::vector<WantedRows::Level> levels;
+  for (const OptimiseFloor& floor : options.keeping.floors) {
+    const auto value = value_of(*floor.goal, sheet, options.keeping);
+    SheetChanges changes(sheet, options.keeping);
+    double steepest = 0;
+    for (const GoalTerm& term : linearization_of(*floor.goal, changes)) {
+      steepest = std::max(steepest, term.row.norm() / term.divisor);
+    }
+    if (!value || steepest == 0 || !changes.is_known) return {};
+    const double reached = kRaise * *value;
+    levels.push_back({*value > 0 ? std::min(floor.least, reached) : floor.least, 1 / steepest});
+  }
+  return levels;
+}
+
 std::optional<std::vector<ShapeRow>> shape_rows(const Sheet& sheet, const ShapeOptions& options,
-                                                const WantedDirections& wanted,
+                                                const WantedRows& wanted,
                                                 PathGradients* gradients) {
   assert(sheet.way() && sheet.way()->end_deg() > options.at_deg);
   return Builder(sheet, options, wanted, gradients).build();

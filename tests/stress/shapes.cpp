@@ -84,7 +84,7 @@ int run(int panels, double only_widths) {
   for (const Wanted& wanted : kWanted) {
     if (only_widths > 0 && wanted.widths != only_widths) continue;
     ShapeOptions options;
-    options.target = surface_of(wanted, width_mm);
+    options.target.surface = surface_of(wanted, width_mm);
     const double from_deg = wanted.from_deg[panels == 8];
     options.kind = from_deg > 0 ? ShapeKind::rest : ShapeKind::free;
     options.from_deg = from_deg > 0 ? from_deg : options.at_deg + 1;

@@ -24,6 +24,7 @@ struct OnASphere {
       folded_mm.col(v) = (kRadius_mm + side * kDepth_mm) * out - kRadius_mm * Vector3d::UnitZ();
     }
     target.flat_mm = flat_mm;
+    target.weights = Eigen::MatrixXd::Identity(25, 25);
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(0.3, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
     folded_mm = ((turn * folded_mm).colwise() + Vector3d(100, -40, 12)).eval();

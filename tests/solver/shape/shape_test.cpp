@@ -11,7 +11,7 @@ namespace {
 struct Shaped {
   explicit Shaped(std::shared_ptr<const TargetSurface> target, double from_deg)
       : sheets(6, 6), model(sheets.base, all_vertices(sheets.base.sheet), {}, 0), solver(model) {
-    options.target = std::move(target);
+    options.target.surface = std::move(target);
     options.from_deg = from_deg;
   }
   const DrawableSheet sheets;
