@@ -52,13 +52,14 @@ namespace {
 // Makes one sheet's certificate.
 class TubeContinuation {
  public:
-  /// `panels` proves that none meet; null: not requested. `fill`: its energy rises; none: every
-  /// diagonal is monotone.
+  /// `panels` proves that none meet; null: not requested. `fill`: its energy rises, or `visit` sees
+  /// it; none: every diagonal is monotone.
   TubeContinuation(const Model& model, const PanelProof* panels, const std::optional<Fill>& fill,
-                   const FlatVertices& vertices_mm, double asked_deg)
+                   const FlatVertices& vertices_mm, double asked_deg, const EnergyVisitor& visit)
       : model_(model),
         mechanism_(model.mechanism()),
         panels_(panels),
+        visit_(visit),
         vertices_mm_(vertices_mm),
         prover_(mechanism_, vertices_mm) {
     certificate_.asked_deg = asked_deg;
@@ -134,14 +135,24 @@ class TubeContinuation {
       return false;
     }
     certificate_.where = -1;
+    if (!is_visited(tube)) {
+      certificate_.end = CertificateEnd::unclear_slope;
+      return false;
+    }
     accept(std::move(tube));
     begin_next(to_deg * std::min(1.0, prover_.better_length()));
     return true;
   }
 
-  // Sets the directions in which diagonals start; energies rise.
+  // Returns false where the visitor of the energy needs a shorter interval.
+  bool is_visited(const PathTube& tube) {
+    is_refused_ = visit_ && !visit_(tube, energy_->along(tube, prover_.find_diagonals(tube)));
+    return !is_refused_;
+  }
+
+  // Sets the directions in which diagonals start; energies rise, unless they are visited.
   void set_directions(const std::vector<PathModel>& slopes) {
-    directions_ = {1};
+    if (!visit_) directions_ = {1};
     if (energy_) return energy_->begin(slopes);
     directions_.clear();
     for (const PathModel& slope : slopes) {
@@ -149,10 +160,11 @@ class TubeContinuation {
     }
   }
 
-  // The slopes that must keep their signs: each diagonal's, or the energy's.
+  // The slopes that must keep their signs: each diagonal's, or the energy's, unless it is visited.
   std::vector<PathModel> driving_slopes(const PathTube& tube) const {
+    if (visit_) return {};
     DiagonalsAlong diagonals = prover_.find_diagonals(tube);
-    if (energy_) return {energy_->over(tube, diagonals)};
+    if (energy_) return {energy_->along(tube, diagonals).slope};
     return std::move(diagonals.slopes);
   }
 
@@ -192,11 +204,12 @@ class TubeContinuation {
   bool go_on() {
     const double to = std::min(at_deg() + width_deg_, farthest_deg());
     if (to - at_deg() < std::min(kShortest_deg, farthest_deg() - at_deg())) {
-      certificate_.end = CertificateEnd::fold_limit;
+      certificate_.end = is_refused_ ? CertificateEnd::unclear_slope : CertificateEnd::fold_limit;
       return false;
     }
     ++tries_;
     assert(tries_ <= kMostTries);
+    is_refused_ = false;
     PathTube tube;
     const double width = to - at_deg();
     assert(width > 0);
@@ -240,6 +253,7 @@ class TubeContinuation {
     const double resolution = std::min(0.01, 0.02 * kClosing_deg / width);
     const Obstacle first = first_obstacle(tube, resolution);
     if (first.until == 1) {
+      if (!is_visited(tube)) return shorten(width, kShorterInterval * width), true;
       accept(std::move(tube));
       begin_next(width * prover_.better_length());
       return true;
@@ -290,6 +304,7 @@ class TubeContinuation {
   const Model& model_;
   const Mechanism& mechanism_;
   const PanelProof* panels_;
+  const EnergyVisitor& visit_;
   const FlatVertices& vertices_mm_;
   TubeProver prover_;
   std::optional<EnergySlope> energy_;  // none: each diagonal
@@ -300,6 +315,7 @@ class TubeContinuation {
   // Tries since the last interval; true while one may still be longer than the one before.
   int tries_ = 0;
   bool may_widen_ = true;
+  bool is_refused_ = false;  // true where the visitor has refused the last try
 };
 
 }  // namespace
@@ -308,7 +324,9 @@ Certifier::Certifier(const Model& model, bool contact, const std::optional<Fill>
     : workspace_(new Workspace(model, contact, fill)) {}
 Certifier::~Certifier() = default;
 
-Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg) {
+Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg,
+                               const EnergyVisitor& visit) {
+  assert(!visit || workspace_->fill);
   assert(vertices_mm.cols() == workspace_->model.mechanism().vertices);
   assert(asked_deg >= 0 && asked_deg <= 180);
   if (!rounds_as_proven()) {
@@ -318,7 +336,7 @@ Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg
     return nothing;
   }
   return TubeContinuation(workspace_->model, workspace_->contact ? &workspace_->proof : nullptr,
-                          workspace_->fill, vertices_mm, asked_deg)
+                          workspace_->fill, vertices_mm, asked_deg, visit)
       .run();
 }
 

@@ -1,6 +1,7 @@
 // Makes certificates.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -9,6 +10,12 @@
 #include "solver/records/certificate.hpp"
 
 namespace misalign::solver {
+
+struct PathTube;
+struct EnergyAlong;
+
+/// Sees the energy all over an interval; returns false where a shorter interval shall be tried.
+using EnergyVisitor = std::function<bool(const PathTube&, const EnergyAlong&)>;
 
 class Certifier {
  public:
@@ -20,8 +27,11 @@ class Certifier {
   ~Certifier();
 
   /// Certifies the sheet with these vertices, from flat to `asked_deg` (its D; at most 180) or as
-  /// far as there is a proof.
-  Certificate certify(const FlatVertices& vertices_mm, double asked_deg);
+  /// far as there is a proof. With `visit`, which sees each interval in turn, it certifies the path
+  /// alone, whichever way the energy of `fill` goes; `unclear_slope` where no interval is short
+  /// enough for it.
+  Certificate certify(const FlatVertices& vertices_mm, double asked_deg,
+                      const EnergyVisitor& visit = {});
 
  private:
   struct Workspace;

@@ -6,6 +6,13 @@
 namespace misalign::solver {
 namespace {
 
+// Upper bound of the slope of f's polynomial.
+double steepest_of(const PathModel& f) {
+  double steepest = 0;
+  for (int k = 1; k <= kPathDegree; ++k) steepest += k * std::abs(f.c[k]);
+  return kUp * steepest;
+}
+
 // Returns whether f > 0 on [from, to], by its value in the middle and its largest fall from there.
 bool is_positive(const PathModel& f, double steepest, double from, double to) {
   assert(from <= to && -1 <= from && to <= 1 && "models are known there alone");
@@ -40,11 +47,14 @@ std::vector<Condition> conditions_of(const Mechanism& mechanism, const PathTube&
   return conditions;
 }
 
+int sign_on(const PathModel& f, double from, double to) {
+  const double steepest = steepest_of(f);
+  return is_positive(f, steepest, from, to) ? 1 : is_positive(-f, steepest, from, to) ? -1 : 0;
+}
+
 double positive_until(const PathModel& f, double resolution) {
   assert(resolution > 0);
-  double steepest = 0;
-  for (int k = 1; k <= kPathDegree; ++k) steepest += k * std::abs(f.c[k]);
-  steepest *= kUp;
+  const double steepest = steepest_of(f);
   return holds_until([&](double from, double to) { return is_positive(f, steepest, from, to); }, 1,
                      resolution);
 }

@@ -41,6 +41,9 @@ double holds_until(const Holds& holds, double end, double resolution) {
   return from;
 }
 
+/// The sign of f all over a part of [-1, 1]; 0 where it is not proven.
+int sign_on(const PathModel& f, double from, double to);
+
 /// The largest s up to which f is proven to be positive from s = -1 on; -1 if it is nowhere. Exact
 /// to `resolution` where f changes sign.
 double positive_until(const PathModel& f, double resolution);

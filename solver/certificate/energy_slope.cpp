@@ -11,7 +11,10 @@ namespace {
 
 constexpr double kTenseResolution = 0.01;
 
-PathModel unknown() { return PathModel::number(0, std::numeric_limits<double>::infinity()); }
+EnergyAlong unknown() {
+  const PathModel any = PathModel::number(0, std::numeric_limits<double>::infinity());
+  return {any, any};
+}
 
 bool is_proven_positive(const PathModel& f) { return positive_until(f, kTenseResolution) == 1; }
 
@@ -32,23 +35,27 @@ void EnergySlope::begin(const std::vector<PathModel>& slopes) {
   }
 }
 
-PathModel EnergySlope::over(const PathTube& tube, const DiagonalsAlong& diagonals) const {
+EnergyAlong EnergySlope::along(const PathTube& tube, const DiagonalsAlong& diagonals) const {
   const bool graded = tube.chart.is_graded();
   const PathModel sigma =
       graded ? PathModel(tube.chart.sigma()) + tube.chart.half_width() * PathModel::line(0, 1)
              : PathModel(1.0);
-  PathModel sum;
-  for (std::size_t h = 0; h < claim_.plates.size(); ++h) sum += of_plate(h, sigma, diagonals);
+  EnergyAlong sum;
+  const auto add = [&sum](const EnergyAlong& part) {
+    sum.n_mm += part.n_mm;
+    sum.slope += part.slope;
+  };
+  for (std::size_t h = 0; h < claim_.plates.size(); ++h) add(of_plate(h, sigma, diagonals));
   for (std::size_t d = 0; d < claim_.springs.size(); ++d) {
     if (claim_.springs[d].rate_n_per_mm == 0) continue;
-    sum += of_spring(d, sigma, diagonals.stretches[d], diagonals.slopes[d]);
+    add(of_spring(d, sigma, diagonals.stretches[d], diagonals.slopes[d]));
   }
   return sum;
 }
 
-// Twice its slope, N panel widths.
-PathModel EnergySlope::of_spring(std::size_t diagonal, const PathModel& sigma,
-                                 const PathModel& stretch, const PathModel& slope) const {
+// Its force F and F^2 / 2 k; twice its slope, N panel widths.
+EnergyAlong EnergySlope::of_spring(std::size_t diagonal, const PathModel& sigma,
+                                   const PathModel& stretch, const PathModel& slope) const {
   const ClaimedSpring& spring = claim_.springs[diagonal];
   const PathModel flat(flat_.squares[diagonal]), change = sigma * stretch;
   const PathModel flat_length(square_root(flat_.squares[diagonal]));
@@ -56,7 +63,6 @@ PathModel EnergySlope::of_spring(std::size_t diagonal, const PathModel& sigma,
   const PathModel by_length = slope * reciprocal(length);
   const PathModel stiffness =
       PathModel(spring.rate_n_per_mm) * PathModel(width_mm_) * reciprocal(length + flat_length);
-  if (is_relaxed_flat_) return stiffness * stretch * by_length;
   PathModel preload;
   if (spring.free_mm) {
     preload = PathModel(spring.rate_n_per_mm) *
@@ -66,14 +72,16 @@ PathModel EnergySlope::of_spring(std::size_t diagonal, const PathModel& sigma,
     if (sides_[diagonal] == 0) return unknown();
     preload = PathModel(sides_[diagonal] * spring.preload_n);
   }
-  return (stiffness * change + preload) * by_length;
+  const PathModel force = stiffness * change + preload;
+  const PathModel n_mm = PathModel(reciprocal(Ball(2 * spring.rate_n_per_mm))) * force * force;
+  return {n_mm, (is_relaxed_flat_ ? stiffness * stretch : force) * by_length};
 }
 
 // Four times its slope. A, B are the squares of the diagonals, c is their product; A0, B0, c0 are
 // those of the cut-out, D0 = A0 B0 - c0^2. Hence I1 = (B0 A + A0 B - 2 c0 c) / D0 and J^2 = (A B -
 // c^2) / D0. It is tense if J^4 exceeds l1^2, the larger root of x^2 - I1 x + J^2.
-PathModel EnergySlope::of_plate(std::size_t hole, const PathModel& sigma,
-                                const DiagonalsAlong& diagonals) const {
+EnergyAlong EnergySlope::of_plate(std::size_t hole, const PathModel& sigma,
+                                  const DiagonalsAlong& diagonals) const {
   const std::size_t i = 2 * hole, k = i + 1;
   const ClaimedPlate& plate = claim_.plates[hole];
   const Ball p(plate.of_flat[0]), q(plate.of_flat[1]);
@@ -93,8 +101,11 @@ PathModel EnergySlope::of_plate(std::size_t hole, const PathModel& sigma,
   if (!is_tense) return unknown();
   const PathModel by_trace = PathModel(b0) * a_rate + PathModel(a0) * b_rate;
   const PathModel by_square = a_rate * b + a * b_rate;
-  const PathModel factor = PathModel(Ball(plate.shear_n_per_mm) * square_root(d0)) * inverse;
-  return factor * (by_trace - reciprocal(fourth) * by_square);
+  const Ball shear = Ball(plate.shear_n_per_mm) * square_root(d0);
+  const PathModel factor = PathModel(shear) * inverse;
+  const PathModel value = trace + reciprocal(square) - PathModel(3.0);
+  const Ball area = 0.25 * shear * Ball(width_mm_) * Ball(width_mm_);
+  return {PathModel(area) * value, factor * (by_trace - reciprocal(fourth) * by_square)};
 }
 
 }  // namespace misalign::solver

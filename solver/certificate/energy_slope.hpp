@@ -4,7 +4,8 @@
 // preload p has dE/ds = (k (L - L0) + p) L' = (k u / (L + L0) + p) u' / (2 L). Graded, u is sigma
 // g: the slope of springs that are relaxed flat is divided by sigma, and is regular at flat. The
 // energy of a plate that is tense in both directions (hole_energy.hpp) is rational in the squares
-// of the diagonals.
+// of the diagonals. All of this also holds for complex s with |s| < 1, since models are bounded by
+// the sizes of their coefficients (README.md, "Wells").
 #pragma once
 
 #include <vector>
@@ -13,6 +14,13 @@
 #include "solver/certificate/tube_prover.hpp"
 
 namespace misalign::solver {
+
+/// The total energy all over a tube, and its derivative by s times a positive constant, over sigma
+/// too where all springs are relaxed flat. Radii are infinite where a plate is not proven to be
+/// tense.
+struct EnergyAlong {
+  PathModel n_mm, slope;
+};
 
 class EnergySlope {
  public:
@@ -23,15 +31,13 @@ class EnergySlope {
   /// Takes the directions in which preloads act from the first tube.
   void begin(const std::vector<PathModel>& slopes);
 
-  /// dE/ds all over a tube, times a positive function; its radius is infinite where a plate is not
-  /// proven to be tense.
-  PathModel over(const PathTube& tube, const DiagonalsAlong& diagonals) const;
+  EnergyAlong along(const PathTube& tube, const DiagonalsAlong& diagonals) const;
 
  private:
-  PathModel of_spring(std::size_t diagonal, const PathModel& sigma, const PathModel& stretch,
-                      const PathModel& slope) const;
-  PathModel of_plate(std::size_t hole, const PathModel& sigma,
-                     const DiagonalsAlong& diagonals) const;
+  EnergyAlong of_spring(std::size_t diagonal, const PathModel& sigma, const PathModel& stretch,
+                        const PathModel& slope) const;
+  EnergyAlong of_plate(std::size_t hole, const PathModel& sigma,
+                       const DiagonalsAlong& diagonals) const;
 
   const EnergyClaim claim_;
   const FlatDiagonals flat_;

@@ -158,6 +158,15 @@ TaylorModel<Degree> lower(const TaylorModel<Higher>& f) {
   return result;
 }
 
+/// The derivative of its polynomial, by s.
+template <int Degree>
+TaylorModel<Degree> derivative(const TaylorModel<Degree>& f) {
+  TaylorModel<Degree> rate;
+  for (int k = 1; k <= Degree; ++k) rate.c[k - 1] = k * f.c[k];
+  rate.radius = kUp * kUnit * rate.size();
+  return rate;
+}
+
 /// f at one s, known to within its radius; |s| <= 1.
 template <int Degree>
 Ball value_at(const TaylorModel<Degree>& f, const Ball& s) {

@@ -42,14 +42,6 @@ double limited_root(double power, int degree) {
   return low;
 }
 
-// The derivative of a polynomial, by s.
-PathModel derivative(const PathModel& p) {
-  PathModel rate;
-  for (int k = 1; k <= kPathDegree; ++k) rate.c[k - 1] = k * p.c[k];
-  rate.radius = kUp * kUnit * rate.size();
-  return rate;
-}
-
 }  // namespace
 
 // Error and contraction grow with a power of the length. Only multiplications decide, so that
