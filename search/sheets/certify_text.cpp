@@ -1,11 +1,13 @@
 #include "search/sheets/certify_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "schema/exchange/certify_json.hpp"
 #include "schema/files/printable.hpp"
 #include "schema/files/text_table.hpp"
 #include "schema/pattern/pattern_file.hpp"
@@ -29,30 +31,34 @@ bool is_of_energy(const schema::NamedCertificate& sheet) {
   return sheet.criterion == solver::CertifiedBy::energy;
 }
 
-// The reason why a certificate ends before the requested angle.
-std::string reason(const schema::NamedCertificate& sheet) {
-  const schema::CertificateRecord& row = sheet.row;
-  switch (solver::certificate_end(row.end).value_or(CertificateEnd::flat_branch)) {
+// The reason why a proof ends before the requested angle.
+std::string reason(CertificateEnd end, const std::string& place, bool is_of_energy) {
+  switch (end) {
     case CertificateEnd::to_the_end:
       break;
     case CertificateEnd::reversal:
-      return row.place.empty() ? "there the energy stops rising"
-                               : "there diagonal " + row.place + " reverses";
+      return place.empty() ? "there the energy stops rising"
+                           : "there diagonal " + place + " reverses";
     case CertificateEnd::over_folded:
-      return "there crease " + row.place + " folds past 180 deg";
+      return "there crease " + place + " folds past 180 deg";
     case CertificateEnd::sign_changed:
-      return "there crease " + row.place + " becomes flat";
+      return "there crease " + place + " becomes flat";
     case CertificateEnd::contact:
-      return "beyond it panels " + row.place + " are not proven apart";
+      return "beyond it panels " + place + " are not proven apart";
     case CertificateEnd::fold_limit:
       return "there the proof stops, next to a fold limit";
     case CertificateEnd::unclear_slope:
-      return is_of_energy(sheet) ? "beyond it the energy or a crease is not proven monotone"
-                                 : "beyond it a diagonal or crease is not proven monotone";
+      return is_of_energy ? "beyond it the energy or a crease is not proven monotone"
+                          : "beyond it a diagonal or crease is not proven monotone";
     case CertificateEnd::flat_branch:
       return "the branch next to flat cannot be proven";
   }
   return "";
+}
+
+std::string reason(const schema::NamedCertificate& sheet) {
+  return reason(solver::certificate_end(sheet.row.end).value_or(CertificateEnd::flat_branch),
+                sheet.row.place, is_of_energy(sheet));
 }
 
 template <class Value>
@@ -122,7 +128,56 @@ std::string ends_text(const schema::CertificateCheck& check) {
   return text;
 }
 
+// The angle of a stationary point, whose part is at most as long as the last decimal.
+std::string at_deg(const solver::StationaryPoint& point) {
+  return fmt::format("{:.2f}", 0.5 * (point.from_deg + point.to_deg));
+}
+
+// "no well", "one well at 90.00 deg", "2 wells at 67.92 and 121.54 deg".
+std::string wells_words(const solver::EnergyWells& wells) {
+  std::vector<std::string> angles;
+  for (const solver::StationaryPoint& point : wells.points) {
+    if (point.kind == solver::Stationary::well) angles.push_back(at_deg(point));
+  }
+  if (angles.empty()) return "no well";
+  return (angles.size() == 1 ? "one well" : fmt::format("{} wells", angles.size())) +
+         fmt::format(" at {} deg", fmt::join(angles, " and "));
+}
+
+// The energies of tops above the wells beside them, and of flat.
+std::string barriers_words(const solver::EnergyWells& wells) {
+  std::string text = wells.flat == solver::Stationary::well
+                         ? "; flat is a well, too"
+                         : "; flat is no well, the energy falls from there";
+  for (std::size_t k = 0; k < wells.points.size(); ++k) {
+    const solver::StationaryPoint& top = wells.points[k];
+    if (top.kind != solver::Stationary::top) continue;
+    const double before_n_mm = (k == 0 ? wells.flat_energy : wells.points[k - 1].energy).n_mm;
+    text += fmt::format("; a top at {} deg, {:.4g} N mm above {}", at_deg(top),
+                        top.energy.n_mm - before_n_mm,
+                        k == 0 ? "flat" : at_deg(wells.points[k - 1]) + " deg");
+    if (k + 1 == wells.points.size()) continue;
+    const solver::StationaryPoint& next = wells.points[k + 1];
+    text +=
+        fmt::format(" and {:.4g} above {} deg", top.energy.n_mm - next.energy.n_mm, at_deg(next));
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string wells_text(const solver::Sheet& sheet, const solver::EnergyWells& wells) {
+  const std::string why =
+      wells.end == CertificateEnd::unclear_slope
+          ? "beyond it a slope of the energy, or the side of a crease, is not proven"
+          : reason(wells.end, schema::crease_place(sheet.mechanism(), wells), true);
+  if (!wells.flat) return fmt::format("{}: no well is proven: {}\n", sheet.name(), why);
+  std::string text = fmt::format("{}: {} between flat and {} deg, proven", sheet.name(),
+                                 wells_words(wells), shown_deg(wells.proven_deg));
+  text += barriers_words(wells);
+  if (wells.end == CertificateEnd::to_the_end) return text + "\n";
+  return text + fmt::format("; {:.10g} deg were requested: {}\n", wells.asked_deg, why);
+}
 
 std::string certified_text(const schema::NamedCertificate& sheet) {
   const schema::CertificateRecord& row = sheet.row;

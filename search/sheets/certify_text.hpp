@@ -6,6 +6,7 @@
 
 #include "schema/pattern/pattern.hpp"
 #include "schema/records/certificate_record.hpp"
+#include "solver/certificate/energy_wells.hpp"
 #include "solver/certificate/member_proof.hpp"
 
 namespace misalign::search {
@@ -20,5 +21,8 @@ std::string check_text(const schema::CertificateCheck& check);
 /// Text of a proof that holds.
 std::string member_proof_text(const schema::Pattern& pattern, const std::string& name,
                               const solver::MemberProof& proof, double asked_deg);
+
+/// One line: "table1: one well at 60.00 deg between flat and 150 deg, proven; ...".
+std::string wells_text(const solver::Sheet& sheet, const solver::EnergyWells& wells);
 
 }  // namespace misalign::search

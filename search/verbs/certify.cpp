@@ -61,14 +61,17 @@ bool is_overconstrained(const std::string& catalogue) {
 int run_on_catalogue(CertifyCall& call, const Words& typed) {
   CertifyOptions& options = call.options;
   options.border = kCommandLine;
-  if (!options.check && !call.closed_form) schema::recover_before_writing(options.path);
-  const bool is_in_closed_form = call.closed_form || is_overconstrained(options.path);
+  if (!options.check && !call.closed_form && !call.wells)
+    schema::recover_before_writing(options.path);
+  const bool is_in_closed_form =
+      !call.wells && (call.closed_form || is_overconstrained(options.path));
   if (is_in_closed_form) check_closed_form(call);
   if (!call.choice.chooses() && !call.all && !options.check) {
     throw UserError(schema::Cause::bad_request,
                     "certify: no candidates are chosen (a catalogue holds many); give draw "
                     "numbers, --best K, --diverse K, --where SQL or --all");
   }
+  if (call.wells) return prove_wells(call);
   if (is_in_closed_form) return prove_in_closed_form(call);
   if (options.check) schema::need("FLINT");  // before other ranks are started
   if (const int count = ranks_wanted(call.ranks); count > 1) {
@@ -84,6 +87,7 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
 }
 
 int run_on_pattern(const CertifyCall& call) {
+  if (call.wells) return prove_wells(call);
   const LongWork work("certify is under way", work_style(), false);
   const ChosenSheet sheet = sheet_of_pattern_file(call.options.path);
   const solver::Model model = model_of(sheet.base, sheet.sampling);
@@ -155,6 +159,10 @@ constexpr const char* kCertifyFooter =
     "proves that all loops close by the base's fold angles and that diagonals are monotone.\n"
     "Nothing is stored. Overconstrained sheets, with fewer holes than one degree of freedom\n"
     "needs, have no other proof. See solver/pattern/README.md.\n\n"
+    "--wells proves where the total energy of the filling is least between flat and --to: \"one\n"
+    "well at 90.00 deg between flat and 119.9 deg, proven\". Springs may be relaxed at any\n"
+    "angle, and are taken as numbers: rates and free lengths. Where the proof stops before --to\n"
+    "the text says so; in JSON \"end\" is another than \"to_the_end\". Nothing is stored.\n\n"
     "A catalogue keeps certificates beside its candidates: columns certified_deg and\n"
     "certified_by of `query`, `export` and --where. Certificates that answer the request are\n"
     "not made again, so the same command resumes; those by the energy of a design's filling\n"
@@ -173,7 +181,24 @@ constexpr const char* kCertifyFooter =
     "  misalign certify search/patterns/table1.json --to 180\n"
     "  misalign certify search/patterns/table1.json --json > certified.json\n"
     "  misalign certify certified.json --check\n"
-    "  misalign certify made.json --closed-form --to 180";
+    "  misalign certify made.json --closed-form --to 180\n"
+    "  misalign certify search/patterns/table1.json --wells --rest-deg 60 --to 150";
+
+void add_wells(CLI::App& verb, CertifyCall& call) {
+  auto* wells = verb.add_flag("--wells", call.wells,
+                              "prove where the energy of the filling is least, instead: all angles "
+                              "at which the sheet can rest");
+  for (const char* other : {"--contact", "--criterion", "--again", "--check", "--closed-form"}) {
+    wells->excludes(other);
+  }
+  add_stiffness(verb, call.design.stiffness_n_per_mm);
+  add_rest(verb, call.design.rest_deg);
+  add_preload(verb, call.design.preload_n);
+  add_fill(verb, call.design);
+  for (const char* option : {"--stiffness", "--rest-deg", "--preload", "--fill"}) {
+    verb.get_option(option)->needs(wells);
+  }
+}
 
 }  // namespace
 
@@ -207,8 +232,10 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
       "--closed-form", call->closed_form,
       "prove in rational numbers, quickly and to 180 deg, sheets whose shifts keep creases' "
       "directions (misalign construct, campaigns of \"kind\": \"parallel\")");
+  add_wells(verb, *call);
   add_ranks(verb, call->ranks);
   auto* ranks = verb.get_option("--ranks");
+  verb.get_option("--wells")->excludes(ranks);
   verb.add_flag("--json", call->json,
                 "as JSON: a list, unless one DRAW is named; a pattern with its certificate");
   return [=] {

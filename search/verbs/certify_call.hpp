@@ -13,7 +13,8 @@ struct CertifyCall {
   CertifyOptions options;
   Choice choice;
   std::string ranks;  // as typed; empty where they were not
-  bool all = false, closed_form = false, json = false;
+  bool all = false, closed_form = false, wells = false, json = false;
+  schema::Design design;  // overrides the sheet's filling, for its wells
 };
 
 /// The document of an exported sheet, or one made like it.
@@ -30,5 +31,10 @@ int prove_in_closed_form(const CertifyCall& call, const ChosenSheet& chosen,
                          const solver::Model& model);
 /// The chosen candidates of a catalogue.
 int prove_in_closed_form(const CertifyCall& call);
+
+/// Proves the wells of the energy, of a pattern file or of the chosen candidates of a catalogue.
+/// UserError as choose_sheet and deploys_from_deg, (bad_request) for fillings without such a proof.
+/// Returns the exit code.
+int prove_wells(const CertifyCall& call);
 
 }  // namespace misalign::search

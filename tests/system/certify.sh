@@ -160,6 +160,19 @@ sqlite3 :memory: "
 [ "$(sqlite3 :memory: "SELECT $(field beyond.json certificate.certified_deg) BETWEEN $(cat turn) - 0.04 AND $(cat turn)")" = 1 ] ||
   fail "table 1 turns back between close steps at $(cat turn), not at $(field beyond.json certificate.certified_deg)"
 
+# Wells: of a file, whose springs are relaxed at 60 degrees, and of draws, whose are flat. Nothing is kept.
+"$program" certify "$table1" --wells --rest-deg 60 --to 150 > text || fail "wells of table 1"
+[ "$(cat text)" = "table1: one well at 60.00 deg between flat and 150 deg, proven; flat is no well, the energy falls from there" ] ||
+  fail "wells of table 1: $(cat text)"
+"$program" certify "$table1" --wells --rest-deg 60 --to 170 --json > wells.json || fail "wells beyond its end"
+[ "$(field wells.json wells)" = 1 ] && [ "$(field wells.json flat)" = top ] && [ "$(field wells.json end)" != to_the_end ] &&
+  [ "$(sqlite3 :memory: "SELECT $(field wells.json proven_deg) BETWEEN 156 AND 157")" = 1 ] ||
+  fail "wells beyond its end: $(cat wells.json)"
+wells_before=$(rows a.db)
+"$program" certify a.db --best 2 --wells > text || fail "wells of draws"
+[ "$(grep -c '^draw .* between flat and .* proven; flat is a well, too' text)" = 2 ] || fail "wells of draws: $(cat text)"
+[ "$(rows a.db)" = "$wells_before" ] || fail "wells of draws are kept"
+
 # refused CODE WORDS ARGS...
 refused() {
   local code=$1 words=$2
@@ -172,6 +185,10 @@ refused 2 "excludes --all" a.db 1 --all
 refused 2 "excludes --check" a.db --check --to 90
 refused 2 "excludes --check" a.db --check --again
 refused 2 "holds no such candidate" a.db 99999999
+refused 2 "excludes --wells" "$table1" --wells --check
+refused 2 "requires --wells" "$table1" --rest-deg 60
+refused 2 "--rest-deg 175: table1 folds to 156.3487 deg only" "$table1" --wells --rest-deg 175
+refused 2 "has no proof of its wells (the force of springs that only pull" "$table1" --wells --fill '{"kind": "springs", "pull_only": true}'
 refused 2 "is no number\|between\|range\|number" a.db 1 --to 181
 refused 2 "which is one sheet" "$table1" --all
 refused 2 "which is one sheet" "$table1" --ranks 2
