@@ -32,6 +32,12 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
     const auto design = beside.is_object() ? beside.find("design") : beside.end();
     if (design != beside.end()) read.design = read_design(*design, "design", faults);
   };
+  // A target names vertices of the pattern, which is read before.
+  const auto read_its_target = [&](const Json& beside) {
+    if (!faults.none() || !beside.is_object() || !beside.contains("target")) return;
+    read.target =
+        read_target(beside["target"], "target", read.pattern.base.sheet, directory, faults);
+  };
   if (has("vertices_coords") && has(kCarriedPattern)) {
     read.pattern = read_carried_pattern(document, faults, perforations);
     read.exported = document.value("misalign:data", Json::object());
@@ -41,13 +47,18 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
                                 perforations);
     read.exported = document;
     read_its_design(document);
+    read_its_target(document);
   } else {
     const bool is_mesh = is_fold(document);
     if (!is_mesh) read_its_design(document);
     Json pattern = is_mesh ? Json{{"family", "fold"}, {"mesh", document}} : document;
-    if (pattern.is_object()) pattern.erase("design");
+    if (pattern.is_object()) {
+      pattern.erase("design");
+      if (!is_mesh) pattern.erase("target");
+    }
     read.pattern =
         read_pattern(pattern, "", Displacements::allowed, directory, faults, perforations);
+    if (!is_mesh) read_its_target(document);
   }
   read.sampling = read_sampling(read.exported, read.pattern, faults);
   faults.refuse(source);
@@ -56,10 +67,12 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
 }
 
 Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
-                       const Sampling& sampling, const Design& design) {
+                       const Sampling& sampling, const Design& design,
+                       const std::optional<Target>& target) {
   Json json = {{"pattern", pattern_json(base, shifts_mm)}, {"sampling", sampling_json(sampling)}};
   const Json explicit_json = explicit_design_json(design);
   if (!explicit_json.empty()) json["design"] = explicit_json;
+  if (target) json["target"] = target->json;
   return json;
 }
 

@@ -7,6 +7,7 @@
 #include "schema/pattern/design.hpp"
 #include "schema/pattern/pattern_json.hpp"
 #include "schema/pattern/sampling.hpp"
+#include "schema/pattern/target.hpp"
 
 namespace misalign::schema {
 
@@ -15,9 +16,10 @@ bool is_campaign(const Json& document);
 
 struct PatternFile {
   Pattern pattern;
-  Sampling sampling;  ///< an exported candidate has its campaign's
-  Design design;      ///< "design" beside the pattern; empty without one
-  Json exported;      ///< its results (candidate.schema.json); null for other patterns
+  Sampling sampling;                            ///< an exported candidate has its campaign's
+  Design design;                                ///< "design" beside the pattern; empty without one
+  std::optional<Target> target = std::nullopt;  ///< "target" beside the pattern
+  Json exported;  ///< its results (candidate.schema.json); null for other patterns
 };
 
 /// Reads a pattern file; an exported candidate, JSON or FOLD; or a FOLD mesh without shifts.
@@ -31,9 +33,11 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
                                  const std::filesystem::path& directory,
                                  Perforations perforations = Perforations::of_one_freedom);
 
-/// Writes a pattern as such a file, with sampling and design where they differ from defaults.
+/// Writes a pattern as such a file, with sampling and design where they differ from defaults, and
+/// its target.
 Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
-                       const Sampling& sampling, const Design& design);
+                       const Sampling& sampling, const Design& design,
+                       const std::optional<Target>& target = {});
 
 /// Reads the pattern of such a file.
 Pattern read_pattern_file(const std::string& path,

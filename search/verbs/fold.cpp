@@ -20,7 +20,7 @@ struct FoldCall {
 };
 
 void fold(const FoldCall& call) {
-  const auto [pattern, sampling, design, exported] =
+  const auto [pattern, sampling, design, target, exported] =
       schema::read_sampled_pattern_file(call.pattern_path, schema::Perforations::of_one_path);
   say_reading(call.pattern_path, pattern);
   solver::PathPlanOptions path;

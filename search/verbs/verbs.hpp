@@ -47,6 +47,7 @@ Action query_verb(CLI::App& verb, const Parts& parts);
 Action replay_verb(CLI::App& verb);
 Action report_verb(CLI::App& verb);
 Action search_verb(CLI::App& verb, const Words& typed, const Parts& parts);
+Action shape_verb(CLI::App& verb);
 Action status_verb(CLI::App& verb);
 Action stress_verb(CLI::App& verb);
 Action tolerance_verb(CLI::App& verb);
@@ -73,6 +74,7 @@ inline std::vector<Verb> all_verbs(const Words& typed, const Parts& parts) {
           {"perforations", perforations_verb},
           {"construct", construct_verb},
           {"optimise", optimise_verb},
+          {"shape", shape_verb},
           {"replay", replay_verb},
           {"query", [&](CLI::App& verb) { return query_verb(verb, parts); }},
           {"export", export_verb},

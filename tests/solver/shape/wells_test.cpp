@@ -11,7 +11,7 @@
 namespace misalign::solver {
 namespace {
 
-constexpr double kWidth_mm = 480;
+constexpr double kSixWide_mm = 480;
 
 struct SixBySix {
   SixBySix()
@@ -50,7 +50,7 @@ Eigen::VectorXd flat_lengths_mm(const Sheet& sheet) {
 TEST(ShapeOfPlaces, IsFoundInAnotherFrame) {
   SixBySix dome;
   dome.options.kind = ShapeKind::free;
-  dome.options.target.surface = sphere(3 * kWidth_mm);
+  dome.options.target.surface = sphere(3 * kSixWide_mm);
   const auto known = shape(dome.solver, dome.options);
   ASSERT_TRUE(known);
   const Sheet sheet(dome.solver, known->shifts_mm);
@@ -76,7 +76,7 @@ TEST(ShapeOfPlaces, IsFoundInAnotherFrame) {
 TEST(ShapeOfPanels, HasTheirMiddlesOnTheSurface) {
   SixBySix saddle_sheet;
   saddle_sheet.options.kind = ShapeKind::free;
-  saddle_sheet.options.target.surface = saddle(5 * kWidth_mm);
+  saddle_sheet.options.target.surface = saddle(5 * kSixWide_mm);
   saddle_sheet.options.target.measured = WantedShape::Measured::panels;
   const auto found = shape(saddle_sheet.solver, saddle_sheet.options);
   ASSERT_TRUE(found);
@@ -93,12 +93,12 @@ TEST(ShapeOfPanels, HasTheirMiddlesOnTheSurface) {
       middle_mm += placed_mm.col(v) / 4;
     }
     const double up_mm =
-        (middle_mm.x() * middle_mm.x() - middle_mm.y() * middle_mm.y()) / (10 * kWidth_mm);
+        (middle_mm.x() * middle_mm.x() - middle_mm.y() * middle_mm.y()) / (10 * kSixWide_mm);
     // A panel that the rim cuts has its middle beside the sheet's.
     const double level_mm = found->sides(panel++) * found->pose.half_depth_mm;
     largest_mm = std::max(largest_mm, std::abs(middle_mm.z() - up_mm - level_mm));
   }
-  EXPECT_LT(found->max_mm, 1e-4 * kWidth_mm);
+  EXPECT_LT(found->max_mm, 1e-4 * kSixWide_mm);
   // Heights are distances but for the cosine of a slope of 0.1, of levels of 6 mm.
   EXPECT_NEAR(largest_mm, found->max_mm, 0.03);
 }
@@ -106,12 +106,12 @@ TEST(ShapeOfPanels, HasTheirMiddlesOnTheSurface) {
 TEST(BistableShape, HasEqualDiagonalsAndABarrier) {
   SixBySix sheets;
   sheets.options.kind = ShapeKind::bistable;
-  sheets.options.target.surface = saddle(3 * kWidth_mm);
+  sheets.options.target.surface = saddle(3 * kSixWide_mm);
   sheets.options.from_deg = 99;
   sheets.options.barrier_mm = 1;
   const auto found = shape(sheets.solver, sheets.options);
   ASSERT_TRUE(found);
-  EXPECT_LT(found->rms_mm, 5e-5 * kWidth_mm);
+  EXPECT_LT(found->rms_mm, 5e-5 * kSixWide_mm);
   const Sheet sheet(sheets.solver, found->shifts_mm);
   const Eigen::VectorXd flat_mm = flat_lengths_mm(sheet);
   // Programs leave a millionth of their rows' limits, 0.003 mm and the barrier.
@@ -123,26 +123,25 @@ TEST(BistableShape, HasEqualDiagonalsAndABarrier) {
 TEST(ShapeByEnergy, FallsToTheShapeFromBothSides) {
   SixBySix sheets;
   sheets.options.kind = ShapeKind::rest_by_energy;
-  sheets.options.target.surface = sphere(3 * kWidth_mm);
+  sheets.options.target.surface = sphere(3 * kSixWide_mm);
   sheets.options.from_deg = 108;
   const auto found = shape(sheets.solver, sheets.options);
   ASSERT_TRUE(found);
-  EXPECT_LT(found->rms_mm, 5e-5 * kWidth_mm);
+  EXPECT_LT(found->rms_mm, 5e-5 * kSixWide_mm);
   EXPECT_EQ(found->driven_from_deg, 108);
   const Sheet sheet(sheets.solver, found->shifts_mm);
   const Eigen::VectorXd rest_mm = lengths_mm(sheet, 90);
   double last = (flat_lengths_mm(sheet) - rest_mm).norm();
   for (double angle_deg = 4; angle_deg <= 108; angle_deg += 2) {
     const double now = (lengths_mm(sheet, angle_deg) - rest_mm).norm();
-    if (angle_deg <= 90) EXPECT_LT(now, last) << angle_deg;
-    if (angle_deg > 90) EXPECT_GT(now, last) << angle_deg;
+    EXPECT_GT(angle_deg <= 90 ? last : now, angle_deg <= 90 ? now : last) << angle_deg;
     last = now;
   }
 }
 
 TEST(ShapeWithFloors, KeepsPanelsApart) {
   SixBySix sheets;
-  sheets.options.target.surface = sphere(3 * kWidth_mm);
+  sheets.options.target.surface = sphere(3 * kSixWide_mm);
   sheets.options.from_deg = 108;
   sheets.options.keeping.floors = {{goal_named("thickness_mm"), 3}};
   const auto found = shape(sheets.solver, sheets.options);
@@ -152,7 +151,7 @@ TEST(ShapeWithFloors, KeepsPanelsApart) {
   ASSERT_TRUE(contacts && contacts->thickness);
   // Plates of 1.7 mm fit without the floor.
   EXPECT_GT(contacts->thickness->thickness_mm, 2.99);
-  EXPECT_LT(found->rms_mm, 5e-5 * kWidth_mm);
+  EXPECT_LT(found->rms_mm, 5e-5 * kSixWide_mm);
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+// Reads the shape that a folded sheet shall have: "target" of a pattern file.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "schema/files/input.hpp"
+#include "solver/pattern/crease_pattern.hpp"
+#include "solver/shape/shape_fit.hpp"
+
+namespace misalign::schema {
+
+struct Target {
+  solver::WantedShape shape;
+  std::optional<double> at_deg;  ///< pilot angle; none: where the filling rests
+  Json json;                     ///< as it was read
+};
+
+/// Reads an object such as {"surface": "sphere", "radius_mm": 1440} at `where`; wrong values are
+/// faults, and then its shape is empty. A file that it names is relative to `directory`.
+Target read_target(const Json& value, const std::string& where, const solver::CreasePattern& base,
+                   const std::filesystem::path& directory, InputFaults& faults);
+
+/// "a sphere of radius 1440 mm": the shape in words.
+std::string target_words(const Target& target);
+
+}  // namespace misalign::schema

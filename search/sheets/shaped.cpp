@@ -1,0 +1,120 @@
+#include "search/sheets/shaped.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/pattern/fill_words.hpp"
+#include "search/sheets/deploy_input.hpp"
+#include "search/sheets/studies.hpp"
+
+namespace misalign::search {
+namespace {
+
+// The angle of a shape whose file names none, and that from which it is deployed: beyond it.
+constexpr double kShape_deg = 90, kStowedBeyond_deg = 15;
+// A well this near the shape is the shape's.
+constexpr double kAtShape_deg = 0.1;
+
+using schema::UserError;
+using solver::OptionFault;
+using solver::ShapeKind;
+
+// Upper bounds have no price in a shape.
+void refuse_ceilings(const schema::OptimiseBounds& bounds) {
+  if (!bounds.stroke_max && !bounds.largest_force_n) return;
+  throw UserError(OptionFault{"subject_to", bounds.stroke_max ? "stroke_max" : "largest_force_n",
+                              "is an upper bound, and a shape keeps lower bounds of goals alone",
+                              "take it out, and call `misalign optimise` for the shaped sheet"});
+}
+
+void check_angles(const schema::Pattern& base, const solver::ShapeOptions& options) {
+  const auto refuse = [](const char* name, double deg, const std::string& why,
+                         const std::string& instead) {
+    throw UserError(OptionFault{name, solver::shown("%.10g", deg), why, instead});
+  };
+  const double end_deg = base.base.folding.end_deg();
+  if (options.at_deg >= end_deg) {
+    refuse("at_deg", options.at_deg,
+           fmt::format("the sheet that is not shifted folds to {:.4g} deg only", end_deg),
+           "name a smaller angle");
+  }
+  if (options.kind != ShapeKind::free && options.from_deg <= options.at_deg) {
+    refuse("from_deg", options.from_deg,
+           fmt::format("a sheet that is shaped at {:g} deg is stowed beyond that", options.at_deg),
+           "name a larger angle");
+  }
+}
+
+solver::ShapeOptions options_of(const schema::PatternFile& file, const ShapeInput& input,
+                                schema::Design& design) {
+  solver::ShapeOptions options = input.options;
+  options.target = file.target->shape;
+  options.at_deg =
+      input.at_deg.value_or(file.target->at_deg.value_or(design.rest_deg.value_or(kShape_deg)));
+  options.from_deg = design.from_deg.value_or(options.at_deg + kStowedBeyond_deg);
+  check_angles(file.pattern, options);
+  refuse_ceilings(input.bounds);
+  design.from_deg = options.from_deg;
+  design.rest_deg = std::nullopt;
+  if (options.kind == ShapeKind::rest || options.kind == ShapeKind::rest_by_energy) {
+    design.rest_deg = options.at_deg;
+  }
+  if (options.kind != ShapeKind::free) {
+    schema::need_plain_springs(design.fill(file.pattern.base), "`misalign shape`");
+    options.barrier_mm = std::sqrt(2 * input.barrier_n_mm / design.springs().stiffness_n_per_mm);
+  }
+  return options;
+}
+
+}  // namespace
+
+ShapedSheet shaped(const schema::PatternFile& file, const std::string& name,
+                   const ShapeInput& input) {
+  if (!file.target) {
+    throw UserError(schema::Cause::bad_input,
+                    name + R"(: has no "target", so there is no shape to find; write "target": )"
+                           R"({"surface": "sphere", "radius_mm": 1440} beside the pattern)");
+  }
+  ShapedSheet made;
+  made.design = file.design;
+  made.options = options_of(file, input, made.design);
+  solver::ShapeOptions& options = made.options;
+  const FoldingModel design_model(file.pattern, file.sampling, made.design);
+  const solver::Model model(file.pattern.base, {.end_deg = file.sampling.end_deg},
+                            file.sampling.criterion());
+  solver::SheetSolver solver(model);
+  const solver::Sheet base(solver, Eigen::Matrix2Xd::Zero(2, file.pattern.shifts_mm.cols()), name);
+  options.keeping.floors = input.bounds.floors;
+  options.keeping.shifted = solver::all_vertices(file.pattern.base.sheet);
+  options.keeping.deploying = deploy_options(made.design, base);
+  options.keeping.bending = bending(made.design);
+  made.study =
+      value_or_throw(solver::shape(solver, options), name, "it is not shaped to its target");
+  const solver::Sheet sheet(solver, made.study.shifts_mm, name);
+  made.contact = contact_of(sheet, {}).first;
+  if (options.kind == ShapeKind::free) return made;
+  made.used_from_deg = made.study.driven_from_deg;
+  if (made.contact) made.used_from_deg = std::min(made.used_from_deg, made.contact->pilot_deg);
+  if (file.pattern.base.springs.in_mid_plane()) {
+    const double to_deg = made.used_from_deg > 0 ? made.used_from_deg : options.from_deg;
+    made.wells =
+        value_or_throw(solver::prove_wells(sheet, made.design.fill(file.pattern.base), to_deg),
+                       name, "its wells are not known");
+    made.used_from_deg = std::min(made.used_from_deg, made.wells->proven_deg);
+  }
+  // What is not proven, or not free of contact, is taken back.
+  made.design.from_deg = std::nullopt;
+  if (made.used_from_deg > options.at_deg) made.design.from_deg = made.used_from_deg;
+  return made;
+}
+
+schema::Json shaped_pattern(const schema::PatternFile& file, const ShapedSheet& shaped) {
+  schema::Target target = *file.target;
+  target.json["at_deg"] = shaped.options.at_deg;
+  return schema::pattern_file_json(file.pattern, shaped.study.shifts_mm, file.sampling,
+                                   shaped.design, target);
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,46 @@
+// Shapes the sheet of a pattern file to its target, and proves where it rests.
+#pragma once
+
+#include <functional>
+
+#include "schema/campaign/optimise_bounds.hpp"
+#include "schema/pattern/pattern_file.hpp"
+#include "solver/certificate/energy_wells.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/shape/shape.hpp"
+
+namespace misalign::search {
+
+/// The request for a shape, as typed: the file's target and design complete it.
+struct ShapeInput {
+  solver::ShapeOptions options;  ///< all but target, angles and floors
+  std::optional<double> at_deg;  ///< none: the target's, or where the filling rests, or 90
+  double barrier_n_mm = 0;       ///< by the design's springs
+  schema::OptimiseBounds bounds;
+};
+
+struct ShapedSheet {
+  solver::ShapeOptions options;
+  solver::ShapeStudy study;
+  schema::Design design;  ///< with its angles of rest and of use
+  std::optional<solver::Contact> contact;
+  /// Proof of its wells; none for a shape alone, or where no proof applies.
+  std::optional<solver::EnergyWells> wells;
+  /// The stowed angle to which it is driven, proven, and without contact; 0: none.
+  double used_from_deg = 0;
+};
+
+/// Shapes the base of a file, whose shifts do not matter. UserError: 3 where the file has no
+/// target, 2 where an option does not fit, 1 where its path is lost.
+ShapedSheet shaped(const schema::PatternFile& file, const std::string& name,
+                   const ShapeInput& input);
+
+/// The sheet as a pattern file, with its target and design.
+schema::Json shaped_pattern(const schema::PatternFile& file, const ShapedSheet& shaped);
+
+/// The target, the distances, the springs that hold it, and what limits it.
+std::string shape_text(const schema::PatternFile& file, const std::string& name,
+                       const ShapedSheet& shaped);
+schema::Json shape_json(const schema::PatternFile& file, const ShapedSheet& shaped);
+
+}  // namespace misalign::search
