@@ -21,38 +21,7 @@ constexpr double kLastFootStep = 1e-14;
 // Curvatures of a grid are estimated at this many places along each side.
 constexpr int kPlaces = 24;
 
-// Height above z = 0 with its derivatives.
-struct Height {
-  double mm;
-  Vector2d slope;
-  Matrix2d bend_per_mm;
-};
-
-// A surface that is a height above a plane. Feet are found by Newton's method in x and y.
-class HeightField : public TargetSurface {
- public:
-  SurfaceDistance distance(const Vector3d& point_mm) const override {
-    Vector2d foot = point_mm.head<2>();
-    for (int step = 0; step < kMostFootSteps; ++step) {
-      const Height height = at(foot);
-      const double above_mm = height.mm - point_mm.z();
-      const Vector2d gradient = foot - point_mm.head<2>() + above_mm * height.slope;
-      const Matrix2d squares = Matrix2d::Identity() + height.slope * height.slope.transpose();
-      const Matrix2d hessian = squares + above_mm * height.bend_per_mm;
-      // Beyond a centre of curvature the Hessian of the distance is not positive definite.
-      const bool is_positive = hessian(0, 0) > 0 && hessian.determinant() > 0;
-      const Vector2d change = (is_positive ? hessian : squares).inverse() * gradient;
-      foot -= change;
-      if (change.norm() <= kLastFootStep * (1 + foot.norm())) break;
-    }
-    const Height height = at(foot);
-    const Vector3d normal = Vector3d(-height.slope.x(), -height.slope.y(), 1).normalized();
-    return {normal.dot(point_mm - Vector3d(foot.x(), foot.y(), height.mm)), normal};
-  }
-
- private:
-  virtual Height at(const Vector2d& place_mm) const = 0;
-};
+using Height = HeightField::Height;
 
 class Plane final : public TargetSurface {
  public:
@@ -197,6 +166,25 @@ class HeightGrid final : public HeightField {
 };
 
 }  // namespace
+
+SurfaceDistance HeightField::distance(const Vector3d& point_mm) const {
+  Vector2d foot = point_mm.head<2>();
+  for (int step = 0; step < kMostFootSteps; ++step) {
+    const Height height = at(foot);
+    const double above_mm = height.mm - point_mm.z();
+    const Vector2d gradient = foot - point_mm.head<2>() + above_mm * height.slope;
+    const Matrix2d squares = Matrix2d::Identity() + height.slope * height.slope.transpose();
+    const Matrix2d hessian = squares + above_mm * height.bend_per_mm;
+    // Beyond a centre of curvature the Hessian of the distance is not positive definite.
+    const bool is_positive = hessian(0, 0) > 0 && hessian.determinant() > 0;
+    const Vector2d change = (is_positive ? hessian : squares).inverse() * gradient;
+    foot -= change;
+    if (change.norm() <= kLastFootStep * (1 + foot.norm())) break;
+  }
+  const Height height = at(foot);
+  const Vector3d normal = Vector3d(-height.slope.x(), -height.slope.y(), 1).normalized();
+  return {normal.dot(point_mm - Vector3d(foot.x(), foot.y(), height.mm)), normal};
+}
 
 std::unique_ptr<TargetSurface> plane() { return std::make_unique<Plane>(); }
 

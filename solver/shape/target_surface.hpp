@@ -1,7 +1,7 @@
 // The surface that a folded sheet shall have: signed distances of points from it.
 //
 // The curvature of a surface can be scaled: it is the plane z = 0 at 0, and itself at 1. All but
-// grids touch z = 0 at the origin.
+// grids and meshes touch z = 0 at the origin.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,8 +22,24 @@ class TargetSurface {
   virtual SurfaceDistance distance(const Eigen::Vector3d& point_mm) const = 0;
   /// The same surface with this share of its curvature, from 0, a plane, to 1.
   virtual std::unique_ptr<TargetSurface> scaled(double share) const = 0;
-  /// Largest principal curvature at the origin, 1/mm; of a grid, a bound of all second derivatives.
+  /// Largest principal curvature at the origin, 1/mm; of a grid, a bound of all second
+  /// derivatives, of a mesh, of nearly all.
   virtual double curvature_per_mm() const = 0;
+};
+
+/// A surface that is a height above z = 0. Feet are found by Newton's method in x and y.
+class HeightField : public TargetSurface {
+ public:
+  struct Height {
+    double mm;
+    Eigen::Vector2d slope;
+    Eigen::Matrix2d bend_per_mm;  ///< second derivatives by x and y
+  };
+
+  SurfaceDistance distance(const Eigen::Vector3d& point_mm) const override;
+
+ private:
+  virtual Height at(const Eigen::Vector2d& place_mm) const = 0;
 };
 
 /// The plane z = 0.
