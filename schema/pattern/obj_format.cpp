@@ -3,50 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "schema/files/text_lines.hpp"
 #include "schema/pattern/plane_mesh.hpp"
 
 namespace misalign::schema {
 namespace {
 
-using Words = std::vector<std::string_view>;
-
-constexpr std::string_view kBlank = " \t\r\f\v";
-
-// Returns the words of a line, without its comment.
-Words words_of(std::string_view line) {
-  line = line.substr(0, line.find('#'));
-  Words words;
-  for (std::size_t begin = line.find_first_not_of(kBlank); begin < line.size();) {
-    const std::size_t end = std::min(line.find_first_of(kBlank, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(kBlank, end);
-  }
-  return words;
-}
-
-// Calls `see` with the words of each line that is not empty, until it returns false.
-template <class See>
-void each_line(std::string_view text, const See& see) {
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const Words words = words_of(text.substr(begin, end - begin));
-    if (!words.empty() && !see(words)) return;
-    begin = end + 1;
-  }
-}
-
 // Returns a word as a number if it is one, otherwise the word.
 template <class Number>
 Json number_or_text(std::string_view word) {
-  Number number{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return std::string(word);
-  return number;
+  const auto number = number_of<Number>(word);
+  return number ? Json(*number) : Json(std::string(word));
 }
 
 class ObjReader {
