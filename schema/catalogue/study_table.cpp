@@ -56,6 +56,16 @@ constexpr StudyColumn kOfActuators[] = {
      "Largest friction that springs overcome from rest at every angle, panels rigid, if each may "
      "have any rate up to the design’s and any free length within 5 % of its flat diagonal’s.",
      Cost::motion}};
+constexpr StudyColumn kOfFolding[] = {
+    {"curvature_1_per_m", "curvature", "1/m",
+     "Principal curvature of larger magnitude, in the middle, of the quadric fitted between the "
+     "two levels of the sheet’s folds at from_deg (D by default); positive of a dome seen from "
+     "above. None of sheets that are rolled up, or have fewer than four inner rows or columns.",
+     Cost::path},
+    {"curvature_2_per_m", "other curvature", "1/m",
+     "The other principal curvature: about zero of an arch, of the same sign for a dome, of the "
+     "opposite for a saddle or twist.",
+     Cost::path}};
 
 constexpr StudyEntry kStudies[] = {
     {"deploy", "deployment of one sheet: its motion, friction and equilibria",
@@ -67,6 +77,7 @@ constexpr StudyEntry kStudies[] = {
      kOfContact},
     {"actuators", "springs on the diagonals of one sheet: energy, moments, forces", nullptr,
      kOfActuators},
+    {"fold", "curvatures of one folded sheet", nullptr, kOfFolding},
     {"stress", "deployment and stresses of one sheet with elastic panels (CalculiX)"},
     {"tolerance", "yield of a sheet's miscut copies, or the play that its joints bear"},
     {"optimise",

@@ -8,6 +8,7 @@
 #include "solver/contact/contact.hpp"
 #include "solver/motion/deploy.hpp"
 #include "solver/optimise/chosen_friction.hpp"
+#include "solver/shape/surface_curvature.hpp"
 
 namespace misalign::search {
 namespace {
@@ -22,8 +23,9 @@ struct Found {
   std::optional<solver::ContactStudy> contact;
   std::optional<solver::BentPanels> bent;
   std::optional<solver::SpringChoice> choice;
+  std::optional<solver::SurfaceCurvature> curvature;
 };
-enum class Needs { standstill, springs, motion, contact, bent, choice };
+enum class Needs { standstill, springs, motion, contact, bent, choice, curvature };
 
 struct StudyFunction {
   std::string_view name;  // in the table of studies
@@ -50,6 +52,12 @@ Number landing_rate_deg_per_s(const Found& found) {
     if (row.event == solver::Deployment::Event::flat) return std::abs(row.rate_deg_per_s);
   }
   return {};
+}
+
+template <std::size_t kWhich>
+Number curvature_per_m(const Found& found) {
+  constexpr double kMmPerM = 1000;
+  return found.curvature ? kMmPerM * found.curvature->per_mm[kWhich] : Number();
 }
 
 constexpr StudyFunction kFunctions[] = {
@@ -85,10 +93,12 @@ constexpr StudyFunction kFunctions[] = {
                                                      : Number();
      }},
     {"first_contact_deg", Needs::contact, true, first_contact_deg},
-    {"thickness_mm", Needs::contact, true, thickness_mm}};
+    {"thickness_mm", Needs::contact, true, thickness_mm},
+    {"curvature_1_per_m", Needs::curvature, true, curvature_per_m<0>},
+    {"curvature_2_per_m", Needs::curvature, true, curvature_per_m<1>}};
 static_assert(std::size(kFunctions) == kNumberCount);
 
-using Needed = std::array<bool, 6>;  // by Needs
+using Needed = std::array<bool, 7>;  // by Needs
 
 Found find(const solver::Sheet& sheet, const schema::Design& design,
            const solver::ReleaseOptions& options, std::optional<double> from_deg,
@@ -105,6 +115,9 @@ Found find(const solver::Sheet& sheet, const schema::Design& design,
   if (needs(Needs::choice) && std::holds_alternative<solver::Springs>(options.sheet.fill)) {
     found.choice =
         solver::choose_springs(sheet, solver::choice_of(options, bending(design).to_deg)).if_any();
+  }
+  if (needs(Needs::curvature)) {
+    found.curvature = solver::surface_curvature(sheet, from_deg.value_or(sheet.deploys_from_deg()));
   }
   return found;
 }

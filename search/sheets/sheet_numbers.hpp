@@ -10,7 +10,7 @@
 namespace misalign::search {
 
 /// One for each column of the table of studies.
-inline constexpr std::size_t kNumberCount = 12;
+inline constexpr std::size_t kNumberCount = 14;
 using WantedNumbers = std::array<bool, kNumberCount>;
 const std::array<std::string_view, kNumberCount>& sheet_number_names();
 /// Returns whether the number needs SUNDIALS.

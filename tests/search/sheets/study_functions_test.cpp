@@ -19,6 +19,7 @@
 #include "solver/contact/contact.hpp"
 #include "solver/motion/actuation.hpp"
 #include "solver/motion/deploy.hpp"
+#include "solver/shape/surface_curvature.hpp"
 
 namespace misalign::search {
 namespace {
@@ -107,6 +108,9 @@ TEST_F(FunctionsOfSheets, SayWhatTheStudiesSay) {
       const solver::ContactStudy contact = *solver::contact(studied, {{}, from_deg});
       EXPECT_EQ(of("thickness_mm", draw), contact.thickness->thickness_mm);
       EXPECT_EQ(of("first_contact_deg", draw), contact.first ? contact.first->pilot_deg : -1);
+      const auto curved = solver::surface_curvature(studied, from_deg);
+      EXPECT_EQ(of("curvature_1_per_m", draw), curved ? 1000 * curved->per_mm[0] : -1);
+      EXPECT_EQ(of("curvature_2_per_m", draw), curved ? 1000 * curved->per_mm[1] : -1);
       // By its history at the samples, which shares no table with the way.
       const solver::Actuation springs =
           solver::actuate(studied, solver::Actuators{solver::Springs{2}, {}}, from_deg);
