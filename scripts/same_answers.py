@@ -60,6 +60,8 @@ perforations         perforations patterns/turned-quads-6x6.json
 perforations-two     perforations patterns/table1.json --holes 2
 construct            construct patterns/table1.json --amplitude 4
 construct-rim        construct patterns/miura-graded-6x6.json --rim --stroke 0.01 --amplitude 2
+shape                shape patterns/dome-6x6.json
+shape-bistable       shape patterns/dome-6x6.json --kind bistable --from 99 --barrier 2
 optimise-friction    optimise small.db {draw}
 optimise-bent        optimise patterns/table1.json --deploys-from 150 --goal bent_critical_friction_n_mm_per_mm --steps 2
 optimise-static      optimise patterns/table1.json --deploys-from 150 --goal static_friction_n_mm_per_mm --thickness 2 --preload 0.1 --steps 3

@@ -8,6 +8,8 @@
 
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/vertex_labels.hpp"
+#include "schema/surface/surface_file.hpp"
+#include "solver/shape/mesh_surface.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -89,6 +91,19 @@ Surface read_grid(ObjectReader& reader) {
   return solver::height_grid(spacing_mm, heights_mm);
 }
 
+// A mesh beside the pattern's file; `path` becomes its whole path.
+Surface read_mesh(ObjectReader& reader, const std::filesystem::path& directory, std::string& path) {
+  std::string name;
+  reader.require("file", R"(write the name of an OBJ, STL or PLY file, such as "hull.obj")");
+  reader.text("file", name, R"(write the name of an OBJ, STL or PLY file, such as "hull.obj")");
+  if (name.empty()) return {};
+  path = std::filesystem::absolute(directory / name).lexically_normal().string();
+  const std::size_t before = reader.faults().count();
+  const auto mesh = read_surface_mesh(read_input_file(path), path, reader.faults());
+  if (!mesh || reader.faults().count() > before) return {};
+  return solver::mesh_surface(mesh->vertices_mm, mesh->triangles);
+}
+
 Surface read_surface(ObjectReader& reader) {
   struct SurfaceName {
     const char* name;
@@ -153,7 +168,7 @@ void read_places(ObjectReader& reader, const solver::CreasePattern& base,
 }  // namespace
 
 Target read_target(const Json& value, const std::string& where, const solver::CreasePattern& base,
-                   const std::filesystem::path&, InputFaults& faults) {
+                   const std::filesystem::path& directory, InputFaults& faults) {
   Target target;
   target.json = value;
   ObjectReader reader(value, where, faults);
@@ -167,7 +182,14 @@ Target read_target(const Json& value, const std::string& where, const solver::Cr
   if (has_places) {
     read_places(reader, base, target.shape.places);
   } else if (value.is_object() && value.contains("surface")) {
-    target.shape.surface = read_surface(reader);
+    if (value["surface"] == "mesh") {
+      reader.find("surface");
+      std::string path;
+      target.shape.surface = read_mesh(reader, directory, path);
+      if (!path.empty()) target.json["file"] = path;
+    } else {
+      target.shape.surface = read_surface(reader);
+    }
     const auto* const measured = read_name(reader, "of", kMeasured, "is no part of a sheet",
                                            R"(write "vertices" or "panels")");
     if (measured) target.shape.measured = measured->measured;
@@ -182,7 +204,7 @@ std::string target_words(const Target& target) {
   }
   const auto name = target.json.value("surface", "");
   if (!target.json.contains("radius_mm")) {
-    return name == "plane" ? "a plane" : fmt::format("a surface by its {}", name);
+    return name == "plane" ? "a plane" : fmt::format("the surface of a {}", name);
   }
   const double radius_mm = target.json["radius_mm"].get<double>();
   std::string words = fmt::format("a {} of radius {:g} mm", name, radius_mm);

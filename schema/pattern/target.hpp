@@ -14,7 +14,7 @@ namespace misalign::schema {
 struct Target {
   solver::WantedShape shape;
   std::optional<double> at_deg;  ///< pilot angle; none: where the filling rests
-  Json json;                     ///< as it was read
+  Json json;                     ///< the object read
 };
 
 /// Reads an object such as {"surface": "sphere", "radius_mm": 1440} at `where`; wrong values are

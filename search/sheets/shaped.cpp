@@ -104,7 +104,7 @@ ShapedSheet shaped(const schema::PatternFile& file, const std::string& name,
                        name, "its wells are not known");
     made.used_from_deg = std::min(made.used_from_deg, made.wells->proven_deg);
   }
-  // What is not proven, or not free of contact, is taken back.
+  // Angles beyond the proof, or beyond contact, are taken back.
   made.design.from_deg = std::nullopt;
   if (made.used_from_deg > options.at_deg) made.design.from_deg = made.used_from_deg;
   return made;

@@ -15,14 +15,14 @@ namespace misalign::search {
 struct ShapeInput {
   solver::ShapeOptions options;  ///< all but target, angles and floors
   std::optional<double> at_deg;  ///< none: the target's, or where the filling rests, or 90
-  double barrier_n_mm = 0;       ///< by the design's springs
+  double barrier_n_mm = 0;       ///< energy of the design's springs
   schema::OptimiseBounds bounds;
 };
 
 struct ShapedSheet {
   solver::ShapeOptions options;
   solver::ShapeStudy study;
-  schema::Design design;  ///< with its angles of rest and of use
+  schema::Design design;  ///< its angles of rest and of use are set
   std::optional<solver::Contact> contact;
   /// Proof of its wells; none for a shape alone, or where no proof applies.
   std::optional<solver::EnergyWells> wells;

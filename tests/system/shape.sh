@@ -1,0 +1,61 @@
+# A sheet is shaped to its target: the file that is written is an ordinary one, rests at the shape by every verb, and its
+# vertices lie on the target. Whoever asks for the impossible is told so.
+. "$(dirname "$0")/lib.sh"
+dome="$source_dir/search/patterns/dome-6x6.json"
+"$program" shape "$dome" --output dome.json --json > shaped.json 2> err || fail "shape: $(cat err)"
+"$program" export dome.json --format obj --at 90 --output obj > out 2>&1 || fail "obj: $(cat out)"
+# By coordinates alone: distances from the two spheres whose centre fits best.
+cat > off.py <<'PY'
+import glob, json, math, sys
+shaped = json.load(open("shaped.json"))
+turn, move, half = shaped["pose"]["turn"], shaped["pose"]["move_mm"], shaped["half_depth_mm"]
+lines = [line.split() for line in open(glob.glob("obj/*.obj")[0])]
+points = [[float(x) for x in words[1:4]] for words in lines if words and words[0] == "v"]
+# The centre of the best sphere by Newton's steps on the mean of all distances: levels cancel on inner vertices.
+centre = [sum(p[k] for p in points) / len(points) for k in range(3)]
+def off(centre):
+    away = [math.dist(p, centre) - 1440 for p in points]
+    return sum(min((d - half) ** 2, (d + half) ** 2) for d in away) / len(points)
+best = min((off([centre[0], centre[1], centre[2] + side * 1440]), side) for side in (-1, 1))
+at = [centre[0], centre[1], centre[2] + best[1] * 1440]
+step = 8.0
+while step > 1e-7:
+    trials = [[at[k] + (step * sign if k == axis else 0) for k in range(3)] for axis in range(3) for sign in (-1, 1)]
+    better = min(trials, key=off)
+    if off(better) < off(at): at = better
+    else: step /= 2
+inner = sorted(min(abs(math.dist(p, at) - 1440 - half), abs(math.dist(p, at) - 1440 + half)) for p in points)
+print(f"{inner[len(inner) // 2]:.6f}")
+PY
+median=$(python3 off.py) || fail "off.py"
+awk "BEGIN { exit !($median < 0.02) }" || fail "half of the vertices are off the spheres by $median mm"
+[ "$(field shaped.json wells.wells)" = 1 ] || fail "wells: $(field shaped.json wells)"
+"$program" fold dome.json --json > folding.json 2> err || fail "fold: $(cat err)"
+awk "BEGIN { exit !($(field folding.json verdict.deploys_from_deg) >= 107) }" || fail "D: $(field folding.json verdict)"
+for from in 107 5; do
+  "$program" deploy dome.json --from $from --damping 0.05 > out 2>&1 || fail "deploy from $from: $(cat out)"
+  grep -Eq "comes to rest at (89.9|90.0|90 )" out || fail "from $from: $(cat out)"
+done
+"$program" report dome.json --output page.html > out 2>&1 || fail "report: $(cat out)"
+"$program" card dome.json > out 2>&1 || [ $? = 1 ] || fail "card: $(cat out)"
+
+# Springs relaxed flat rest at the shape too.
+"$program" shape "$dome" --target '{"surface": "saddle", "radius_mm": 1440}' --kind bistable --from 99 --barrier 2.5 \
+  --output saddle.json > out 2>&1 || fail "bistable: $(cat out)"
+grep -q "flat is a well, too" out || fail "bistable: $(cat out)"
+"$program" deploy saddle.json --from 99 --damping 0.05 2> err | grep -Eq "comes to rest at (89.9|90.0|90 )" || fail "saddle"
+"$program" shape "$dome" --kind energy --hold-rim --amplitude 12 > out 2>&1 || fail "energy, rim held: $(cat out)"
+grep -q "shifts     up to" out || fail "energy: $(cat out)"
+
+refuses() { # CODE WORDS ARGUMENTS...
+  local code=$1 words=$2
+  shift 2
+  "$program" shape "$@" > out 2> err
+  [ $? = "$code" ] && grep -q "$words" err && [ ! -e none.json ] || fail "shape $*: $(cat err)"
+}
+refuses 3 'has no "target"' "$source_dir/search/patterns/table1.json" --output none.json
+refuses 3 "is no surface that is known" "$dome" --target '{"surface": "cube"}' --output none.json
+refuses 2 "is stowed beyond" "$dome" --from 80 --output none.json
+refuses 2 "folds to" "$dome" --at 179 --target '{"surface": "plane", "at_deg": 179.5}' --from 179.8 --output none.json
+refuses 2 "is an upper bound" "$dome" --subject-to "stroke_max <= 0.1" --output none.json
+refuses 2 "no such\|is no constraint\|number that can be limited" "$dome" --subject-to "softness >= 1" --output none.json
