@@ -168,8 +168,7 @@ Campaign read_campaign(const Json& value, const std::string& source,
                "use letters, digits, '-', '_' and '.', 1 to 100 of them");
   }
   reader.require("pattern", "write the base pattern; `misalign config --default` shows one");
-  const Json* pattern = reader.find("pattern");
-  if (pattern) {
+  if (const Json* pattern = reader.find("pattern")) {
     const Json& misalignment = part("misalignment");
     const bool is_parallel =
         misalignment.is_object() && misalignment.value("kind", Json()) == "parallel";
@@ -181,16 +180,17 @@ Campaign read_campaign(const Json& value, const std::string& source,
       ObjectReader(part("misalignment"), "misalignment", faults), campaign.pattern.base);
   ObjectReader path(part("path"), "path", faults), accept(part("accept"), "accept", faults);
   // A sheet that is refused for other reasons is not blamed for its path.
-  const double base_end_deg = campaign.pattern.base.folding.end_deg();
-  read_path_and_threshold(path, accept, base_end_deg > 0 ? base_end_deg : 180, campaign);
+  const double end_deg = campaign.pattern.base.folding.end_deg();
+  read_path_and_threshold(path, accept, end_deg > 0 ? end_deg : 180, campaign);
   campaign.search = read_search(ObjectReader(part("search"), "search", faults),
                                 campaign.threshold_deg, campaign.sample_deg);
   check_parallel(campaign, faults);
   check_ends(campaign, faults);
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
-  campaign.design = read_design(part("design"), "design", faults)
-                        .merged_over(read_springs(part("actuators"), "actuators", faults));
+  const Design springs = read_springs(part("actuators"), "actuators", faults);
+  campaign.design = read_design(part("design"), "design", faults).merged_over(springs);
+  campaign.design.relax_at(campaign.pattern.target);
   if (reader.find("actuators") && part("design").contains("fill")) {
     faults.add("actuators", "is given beside design.fill",
                "write design.fill alone: springs are a filling, too");

@@ -1,5 +1,6 @@
 #include "schema/exchange/folding_json.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "schema/campaign/campaign_file.hpp"
@@ -7,6 +8,7 @@
 #include "schema/pattern/fill_json.hpp"
 #include "schema/pattern/judging_fill.hpp"
 #include "solver/sheet/energy_history.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -69,6 +71,33 @@ Json energy_json(const FoldingView& view, const solver::Fill& fill) {
     json["where"] = solver::line_label(diagonal.from, diagonal.to);
   }
   return json;
+}
+
+std::optional<double> off_target_mm(const FoldingView& view) {
+  const std::optional<FoldedTarget>& target = view.base.target;
+  const solver::FoldingWay* const way = target ? view.sheet.way() : nullptr;
+  if (!way || target->pilot_deg > way->end_deg()) return {};
+  const Eigen::Matrix3Xd& found_mm = view.sheet.at(target->pilot_deg).vertices_mm;
+  const Eigen::Isometry3d onto(Eigen::umeyama(found_mm, target->vertices_mm, false));
+  return (onto * found_mm - target->vertices_mm).colwise().norm().maxCoeff();
+}
+
+std::optional<solver::HeldRest> held_at_target(const FoldingView& view, const solver::Fill& fill) {
+  const std::optional<FoldedTarget>& target = view.base.target;
+  if (!off_target_mm(view) || solver::rest_deg(fill) != target->pilot_deg) return {};
+  const solver::FoldingWay& way = *view.sheet.way();
+  return solver::held_rest(way, solver::filling_on(way, fill), target->pilot_deg);
+}
+
+Json target_json(const FoldingView& view, const solver::Fill& fill) {
+  const auto held = held_at_target(view, fill);
+  if (!held) return {};
+  return {{"rest_deg", view.base.target->pilot_deg},
+          {"driven_from_deg", held->driven_from_deg},
+          {"driven_from_below_deg", held->driven_from_below_deg},
+          {"barrier_n_mm", held->barrier_n_mm},
+          {"barrier_deg", held->barrier_deg},
+          {"shape_off_mm", *off_target_mm(view)}};
 }
 
 Json folding_json(const FoldingView& view) {

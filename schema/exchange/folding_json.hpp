@@ -3,6 +3,7 @@
 
 #include "schema/catalogue/candidate_row.hpp"
 #include "solver/fill/fill.hpp"
+#include "solver/sheet/held_rest.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::schema {
@@ -35,6 +36,17 @@ Json bump_json(const FoldingView& view);
 /// "fault_deg", "where", "diagonals_deploy_from_deg", "energy_n_mm" at the samples}; null without a
 /// filling that is relaxed flat.
 Json energy_json(const FoldingView& view, const solver::Fill& fill);
+
+/// Holding of a sheet at the target of its mesh by a filling that is relaxed there; null for a mesh
+/// without a target, a filling that is relaxed elsewhere, or a path that is lost: {"rest_deg",
+/// "driven_from_deg", "driven_from_below_deg", "barrier_n_mm", "barrier_deg", "shape_off_mm"}. The
+/// last is the largest distance of a vertex from the target, after the best rigid motion.
+Json target_json(const FoldingView& view, const solver::Fill& fill);
+/// Largest distance of a vertex from the target at its pilot angle, after the best rigid motion;
+/// none without a target on the sheet's way.
+std::optional<double> off_target_mm(const FoldingView& view);
+/// The same as numbers; none as for target_json.
+std::optional<solver::HeldRest> held_at_target(const FoldingView& view, const solver::Fill& fill);
 
 /// The JSON of `fold --json`.
 Json folding_json(const FoldingView& view);

@@ -103,6 +103,10 @@ Design Design::merged_over(Design other) const {
   return other;
 }
 
+void Design::relax_at(const std::optional<FoldedTarget>& target) {
+  if (target && !rest_deg && fill_kind != FillKind::none) rest_deg = target->pilot_deg;
+}
+
 solver::Actuators Design::actuators(const solver::PerforatedSheet& base) const {
   return {fill(base), stroke_limit};
 }

@@ -10,6 +10,7 @@
 
 #include "schema/pattern/design_fill.hpp"
 #include "schema/pattern/material.hpp"
+#include "schema/pattern/pattern.hpp"
 #include "solver/motion/actuators.hpp"
 #include "solver/motion/film_hinge.hpp"
 #include "solver/motion/plates.hpp"
@@ -54,6 +55,9 @@ struct Design : DesignFill {
   /// UserError (bad_request) where this has values of springs, and the other another filling;
   /// `rest_deg` is of every filling.
   Design merged_over(Design other) const;
+
+  /// Relaxes springs or plates at the target, unless the design says where.
+  void relax_at(const std::optional<FoldedTarget>& target);
 
   solver::Actuators actuators(const solver::PerforatedSheet& base) const;
   /// Returns the hinges' stiffness, otherwise that of the film.

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/fold_frames.hpp"
+#include "schema/pattern/fold_units.hpp"
 #include "schema/pattern/plane_mesh.hpp"
 #include "schema/pattern/sheet_places.hpp"
 #include "schema/pattern/sheet_plane.hpp"
@@ -82,18 +82,15 @@ class Reader {
   }
 
   void read_unit() {
-    static const std::map<std::string, double> kUnits = {
-        {"unit", 1},  {"mm", 1},    {"cm", 10},   {"m", 1000},
-        {"um", 1e-3}, {"nm", 1e-6}, {"in", 25.4}, {"pt", 25.4 / 72}};
     const auto at = value_.find("frame_unit");
     if (at == value_.end()) return;
-    const auto unit = at->is_string() ? kUnits.find(at->get<std::string>()) : kUnits.end();
-    if (unit == kUnits.end()) {
+    const std::optional<double> unit_mm = mm_of_unit(*at);
+    if (!unit_mm) {
       add("frame_unit = " + at->dump(), "is no unit of length known here",
           "use mm, cm, m, um, nm, in, pt or unit");
     } else {
-      mm_per_unit_ *= unit->second;
-      has_unit_ = has_unit_ || unit->first != "unit";
+      mm_per_unit_ *= *unit_mm;
+      has_unit_ = has_unit_ || *at != "unit";
     }
   }
 
@@ -303,7 +300,8 @@ Json fold_json(const solver::CreasePattern& sheet, const std::vector<int>& assig
   for (const auto& place : sheet.vertices_mm.colwise()) vertices.push_back({place.x(), place.y()});
   for (std::size_t e = 0; e < sheet.edges.size(); ++e) {
     edges.push_back({sheet.edges[e].a, sheet.edges[e].b});
-    letters.push_back(assignment[e] == 0 ? "B" : assignment[e] > 0 ? "V" : "M");
+    const char* const none = sheet.edges[e].on_perimeter() ? "B" : "U";  // "U" at holes
+    letters.push_back(assignment[e] == 0 ? none : assignment[e] > 0 ? "V" : "M");
   }
   return {
       {"file_spec", 1.2},        {"frame_unit", "mm"},          {"vertices_coords", vertices},

@@ -28,15 +28,20 @@ class Frames {
   template <class Is>
   std::size_t first(const Is& is) const {
     for (std::size_t k = 1; k <= count(); ++k) {
-      const Json& frame = at(k);
-      if (!frame.is_object() || !is(frame)) continue;
-      const auto line = line_of(k);
-      if (std::ranges::any_of(line, [](const Json* f) { return f->contains(kCoordinates); })) {
-        return k;
-      }
+      if (has_coordinates(k) && is(at(k))) return k;
     }
     return 0;
   }
+
+  // Returns whether this is a frame with coordinates, its own or inherited.
+  bool has_coordinates(std::size_t k) const {
+    return at(k).is_object() && std::ranges::any_of(line_of(k), [](const Json* frame) {
+             return frame->contains(kCoordinates);
+           });
+  }
+
+  std::size_t count() const { return frames_ ? frames_->size() : 0; }
+  const Json& at(std::size_t k) const { return k == 0 ? fold_ : (*frames_)[k - 1]; }
 
   Json with_inherited(std::size_t k) const {
     Json whole = Json::object();
@@ -49,9 +54,6 @@ class Frames {
   }
 
  private:
-  std::size_t count() const { return frames_ ? frames_->size() : 0; }
-  const Json& at(std::size_t k) const { return k == 0 ? fold_ : (*frames_)[k - 1]; }
-
   // Returns a frame and the frames that it inherits from, the oldest first.
   std::vector<const Json*> line_of(std::size_t k) const {
     std::vector<const Json*> line;
@@ -101,6 +103,18 @@ std::optional<FoldFrame> crease_pattern_frame(const Json& fold) {
   }
   if (k == 0) return std::nullopt;
   return FoldFrame{frames.with_inherited(k), k};
+}
+
+std::vector<FoldFrame> folded_form_frames(const Json& fold) {
+  std::vector<FoldFrame> found;
+  if (!fold.is_object()) return found;
+  const Frames frames(fold);
+  for (std::size_t k = 0; k <= frames.count(); ++k) {
+    if (frames.has_coordinates(k) && is_of_class(frames.at(k), "foldedForm")) {
+      found.push_back({frames.with_inherited(k), k});
+    }
+  }
+  return found;
 }
 
 }  // namespace misalign::schema

@@ -7,6 +7,7 @@
 
 #include "schema/pattern/folding_fault.hpp"
 #include "schema/pattern/sheet_places.hpp"
+#include "schema/pattern/target_base.hpp"
 #include "solver/pattern/nearest_base.hpp"
 
 namespace misalign::schema {
@@ -91,8 +92,10 @@ void take_near_base(const std::string& where, solver::NearestBase near, Displace
 
 }  // namespace
 
-void fold_base(const FamilyMesh& mesh, int pilot, Displacements displacements, Pattern& pattern,
-               InputFaults& faults) {
+void fold_base(const FamilyMesh& mesh, std::span<const int> pilots, Displacements displacements,
+               Pattern& pattern, InputFaults& faults) {
+  if (mesh.target && fold_from_target(mesh, pilots, pattern, faults)) return;
+  const int pilot = pilots.front();
   const auto& assignment = mesh.assignment;
   pattern.reading = mesh.reading;
   say_what_follows(assignment, pilot, pattern);

@@ -95,6 +95,7 @@ FamilyMesh read_fold_mesh(ObjectReader& reader,
                           const std::optional<std::filesystem::path>& directory) {
   const Json* file = reader.find("file");
   const Json* inline_mesh = reader.find("mesh");
+  for (const char* key : {"target_frame", "target_file"}) reader.find(key);  // known without a mesh
   double mm_per_unit = 1;
   reader.number("mm_per_unit", mm_per_unit, 1e-6, 1e6, "write how many mm one unit is");
   if ((file == nullptr) == (inline_mesh == nullptr)) {
@@ -123,9 +124,11 @@ FamilyMesh read_fold_mesh(ObjectReader& reader,
                             reader.find("mm_per_unit") ? std::optional(mm_per_unit) : std::nullopt,
                             reader.faults());
   if (reader.faults().count() > before) return {};
+  auto target = read_target(reader, document, directory, mm_per_unit, fold);
   return {{{"family", "fold"}},    place,
           std::move(fold.sheet),   std::move(fold.assignment),
-          std::move(fold.missing), std::move(fold.reading)};
+          std::move(fold.missing), std::move(fold.reading),
+          std::move(target)};
 }
 
 }  // namespace
@@ -140,8 +143,9 @@ FamilyMesh read_family(ObjectReader& reader,
   if (family == "fold") return read_fold_mesh(reader, directory);
   reader.faults().add(reader.shown("family"), "is no pattern family", kForms);
   // Known keys, but not judged without a family.
-  for (const char* key : {"rows", "columns", "panel_width_mm", "panel_height_mm",
-                          "zigzag_offset_mm", "file", "mesh", "mm_per_unit"}) {
+  for (const char* key :
+       {"rows", "columns", "panel_width_mm", "panel_height_mm", "zigzag_offset_mm", "file", "mesh",
+        "mm_per_unit", "target_frame", "target_file"}) {
     reader.find(key);
   }
   return {};

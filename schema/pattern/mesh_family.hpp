@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "schema/files/input.hpp"
+#include "schema/pattern/mesh_target.hpp"
 #include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::schema {
@@ -18,6 +19,7 @@ struct FamilyMesh {
   std::vector<int> assignment;         ///< per edge: +1 valley, -1 mountain, 0 unknown or border
   std::vector<int> missing;            ///< facets that the family leaves out
   std::vector<std::string> reading{};  ///< sentences about the interpretation of the mesh
+  std::optional<MeshTarget> target{};
 };
 
 /// Reads the sheet that a pattern object names; usable only without faults. A mesh's file is

@@ -11,6 +11,12 @@
 
 namespace misalign::schema {
 
+/// The folded state for which a mesh was designed.
+struct FoldedTarget {
+  Eigen::Matrix3Xd vertices_mm;  ///< axes are those of the file
+  double pilot_deg;
+};
+
 struct Pattern {
   Json family;  ///< "family" and its keys, resolved: without defaults or files
   solver::PerforatedSheet base;
@@ -19,6 +25,8 @@ struct Pattern {
   /// `shifts_mm`, except a campaign's); 0 if it is the base.
   double mesh_off_mm = 0;
   std::vector<std::string> reading{};  ///< sentences about the interpretation of the mesh
+
+  std::optional<FoldedTarget> target{};
 
   solver::FlatVertices vertices_mm() const { return base.sheet.vertices_mm + shifts_mm; }
 };

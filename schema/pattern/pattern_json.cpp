@@ -60,19 +60,31 @@ std::vector<int> read_holes(ObjectReader& reader, const FamilyMesh& mesh) {
   return holes;
 }
 
-// Reads the pilot's edge; -1 after a fault.
-int read_pilot(ObjectReader& reader, const solver::CreasePattern& sheet,
-               const std::vector<int>& holes) {
+// Creases that may be the pilot of a sheet whose file names none: the default, then the others.
+std::vector<int> usual_pilots(const solver::CreasePattern& sheet, const std::vector<int>& holes) {
+  const auto is_open = [&](int f) { return f < 0 || std::ranges::binary_search(holes, f); };
+  std::vector<int> pilots{solver::default_pilot(sheet, holes)};
+  for (int e = 0; e < std::ssize(sheet.edges); ++e) {
+    const solver::Edge& edge = sheet.edges[static_cast<std::size_t>(e)];
+    if (!is_open(edge.left) && !is_open(edge.right) && e != pilots.front()) pilots.push_back(e);
+  }
+  return pilots;
+}
+
+// Reads the pilot's edge, of which there are several to choose from if none is named; -1 after a
+// fault.
+std::vector<int> read_pilots(ObjectReader& reader, const solver::CreasePattern& sheet,
+                             const std::vector<int>& holes) {
   const int usual = solver::default_pilot(sheet, holes);
   const Json* value = reader.find("pilot");
-  if (!value) return usual;
+  if (!value) return usual_pilots(sheet, holes);
   const auto refuse = [&](const char* why) {
     reader.faults().add(
         reader.shown("pilot"), why,
         usual < 0 ? "take it out"
                   : "write a crease as \"" +
                         solver::line_label(sheet.edges[usual].a, sheet.edges[usual].b) + "\"");
-    return -1;
+    return std::vector<int>{-1};
   };
   const std::string text = value->is_string() ? value->get<std::string>() : "";
   const auto dash = text.find('-');
@@ -86,7 +98,7 @@ int read_pilot(ObjectReader& reader, const solver::CreasePattern& sheet,
     return f < 0 || std::binary_search(holes.begin(), holes.end(), f);
   };
   if (is_open(edge.left) || is_open(edge.right)) return refuse("does not join two panels");
-  return e;
+  return {e};
 }
 
 void read_displacements(ObjectReader& reader, Pattern& pattern) {
@@ -139,11 +151,12 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
       faults.add(reader.name("holes"), fault, "take out inner panels that meet at corners only");
     }
   }
-  const int pilot = good() ? read_pilot(reader, mesh.sheet, pattern.base.holes) : -1;
+  std::vector<int> pilots;
+  if (good()) pilots = read_pilots(reader, mesh.sheet, pattern.base.holes);
   if (good()) {
     pattern.base.sheet = std::move(mesh.sheet);
     pattern.shifts_mm.setZero(2, pattern.base.sheet.vertex_count());
-    fold_base(mesh, pilot, displacements, pattern, faults);
+    fold_base(mesh, pilots, displacements, pattern, faults);
   }
   if (good()) {
     pattern.family = std::move(mesh.family);
@@ -152,6 +165,7 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
       std::vector<int> assignment = folding.assignment();
       for (int& sign : assignment) sign *= folding.side();
       pattern.family["mesh"] = fold_json(pattern.base.sheet, assignment);
+      if (pattern.target) add_folded_form(pattern.target->vertices_mm, pattern.family["mesh"]);
     }
   }
   if (good()) read_spring_ends(reader, pattern);

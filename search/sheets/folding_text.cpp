@@ -12,6 +12,7 @@
 #include "schema/pattern/judging_fill.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/sheets/springs_at_vertices.hpp"
+#include "search/sheets/target_text.hpp"
 #include "search/terminal/screen.hpp"
 #include "solver/sheet/energy_history.hpp"
 
@@ -83,6 +84,7 @@ std::string summary(const schema::FoldingView& view, const FoldingTextOptions& o
     text += "\nsprings end " + where_springs_end(springs);
   }
   text += energy_words(view, options.fill);
+  if (options.fill) text += target_text(view, *options.fill);
   text += shortest_strokes(view, options.miscut_mm);
   const double end_deg = view.history.path.fold_limit_deg;
   if (end_deg < 180 && end_deg + view.sample_deg >= 180 &&

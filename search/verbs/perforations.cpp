@@ -10,6 +10,7 @@
 #include "search/verbs/verbs.hpp"
 #include "solver/linear/mobility.hpp"
 #include "solver/pattern/perforation.hpp"
+#include "solver/sheet/followed_base.hpp"
 
 namespace misalign::search {
 namespace {
@@ -28,6 +29,20 @@ struct Perforation {
   solver::Mobility mobility;
 };
 
+// Mobility on the path to the target of a mesh that is its own base; its rank is 0 where flat and
+// target are not joined.
+solver::Mobility mobility_to_target(const schema::Pattern& pattern, const std::vector<int>& holes) {
+  const solver::CreasePattern& sheet = pattern.base.sheet;
+  const int pilot = solver::default_pilot(sheet, holes);
+  const solver::Mechanism mechanism = solver::build_mechanism(
+      {sheet, holes, solver::BaseFolding(pilot, 1, std::vector<int>(sheet.edges.size(), 0))});
+  const solver::Mobility none{mechanism.unknowns, mechanism.equations, 0};
+  if (mechanism.unknowns != mechanism.equations + 1) return none;
+  const auto found = solver::follow_from_target(sheet, holes, pilot, pattern.target->vertices_mm);
+  const auto* const base = std::get_if<solver::FollowedBase>(&found);
+  return base ? solver::measured_mobility(sheet, holes, base->folding) : none;
+}
+
 // Lists every perforation with this number of holes.
 std::vector<Perforation> perforations_of(const schema::Pattern& pattern, const std::string& path,
                                          int holes) {
@@ -41,13 +56,19 @@ std::vector<Perforation> perforations_of(const schema::Pattern& pattern, const s
                                 std::to_string(holes) +
                                 " holes (the mesh is too large to list them); take a part of it");
   }
-  // The pilot is one that no perforation takes away.
   const solver::BaseFolding& base = pattern.base.folding;
+  std::vector<Perforation> perforations;
+  if (base.path()) {
+    for (const std::vector<int>& set : *sets) {
+      perforations.push_back({set, mobility_to_target(pattern, set)});
+    }
+    return perforations;
+  }
+  // The pilot is one that no perforation takes away.
   std::vector<int> assignment = base.assignment();
   for (int& sign : assignment) sign *= base.side();
   const auto folding = std::get<solver::BaseFolding>(solver::fold_sequentially(
       sheet, assignment, solver::default_pilot(sheet, solver::inner_facets(sheet))));
-  std::vector<Perforation> perforations;
   for (const std::vector<int>& set : *sets) {
     perforations.push_back({set, solver::measured_mobility(sheet, set, folding)});
   }

@@ -21,6 +21,7 @@ Quaternion<double> crossing_rotation(const Mechanism& mechanism, const FlatVerti
 
 FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,
                              const FlatVertices& base_vertices_mm, const HalfAngle<double>& pilot) {
+  if (folding.path()) return folding.path()->state(pilot);
   const std::vector<HalfAngle<double>> angles = folding.fold_angles(pilot);
   assert(angles.size() == mechanism.edges.size());
   FoldState<double> state;
@@ -33,6 +34,16 @@ FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& fold
     state.balls.push_back(q.normalized());
   }
   return state;
+}
+
+FoldState<double> in_proportion(const FoldState<double>& state, double share) {
+  assert(share > 0);
+  FoldState<double> other = state;
+  for (HalfAngle<double>& rho : other.creases) rho = half_angle_of_rad(share * angle_rad(rho));
+  for (Quaternion<double>& q : other.balls) {
+    q = Quaternion<double>{q.w, share * q.x, share * q.y, share * q.z}.normalized();
+  }
+  return other;
 }
 
 void place(const Mechanism& mechanism, const FlatVertices& vertices_mm,

@@ -29,6 +29,10 @@ FoldState<T> flat_state(const Mechanism& mechanism) {
 FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,
                              const FlatVertices& base_vertices_mm, const HalfAngle<double>& pilot);
 
+/// A state near flat with every joint turned `share` times as far: near the path there, since its
+/// fold angles are in proportion to the pilot's to second order.
+FoldState<double> in_proportion(const FoldState<double>& state, double share);
+
 /// Vertices of the flat sheet in panel widths, and unit axes of its edges. A1 is the origin, since
 /// loops close up to the rounding of coordinates, which must not depend on where a sheet was drawn.
 template <class T>

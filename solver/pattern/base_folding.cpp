@@ -125,10 +125,7 @@ class SequentialMethod {
     }
     const auto open = std::find_if(vertices_.begin(), vertices_.end(),
                                    [&](const Vertex& v) { return v.way == 0 && is_known(v); });
-    if (open == vertices_.end()) {
-      finish();
-      return;
-    }
+    if (open == vertices_.end()) return finish();
     branched_at_ = open->vertex;
     const auto vertices = vertices_;
     const auto signs = signs_;
@@ -213,8 +210,7 @@ class SequentialMethod {
     }
     const auto unreached = std::find(done.begin(), done.end(), false);
     if (unreached != done.end()) {
-      fail({NoBaseFolding::Cause::unconnected, vertices_[unreached - done.begin()].vertex});
-      return;
+      return fail({NoBaseFolding::Cause::unconnected, vertices_[unreached - done.begin()].vertex});
     }
     find_end(folding);
     if (const auto opening = first_opening(folding)) {
@@ -311,6 +307,14 @@ class SequentialMethod {
   double open_by_ = kNotKnown, next_open_by_ = kNotKnown;
 };
 
+BaseFolding::BaseFolding(int pilot_edge, int side, std::vector<int> assignment, double end_deg,
+                         std::shared_ptr<const FollowedFolding> path)
+    : pilot_edge_(pilot_edge),
+      side_(side),
+      assignment_(std::move(assignment)),
+      end_deg_(end_deg),
+      path_(std::move(path)) {}
+
 int BaseFolding::follow(const HalfAngle<double>& pilot, double closed_rad,
                         std::vector<HalfAngle<double>>& angles) const {
   angles.assign(assignment_.size(), {1, 0});
@@ -330,6 +334,7 @@ int BaseFolding::follow(const HalfAngle<double>& pilot, double closed_rad,
 }
 
 std::vector<HalfAngle<double>> BaseFolding::fold_angles(const HalfAngle<double>& pilot) const {
+  if (path_) return path_->fold_angles(pilot);
   std::vector<HalfAngle<double>> angles;
   follow(pilot, kClosed_rad, angles);
   return angles;

@@ -2,12 +2,14 @@
 // sequential method: each vertex of degree four gives its other fold angles from one.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
 #include "solver/pattern/crease_pattern.hpp"
 #include "solver/pattern/degree_four.hpp"
+#include "solver/pattern/followed_folding.hpp"
 
 namespace misalign::solver {
 
@@ -26,6 +28,12 @@ class BaseFolding {
     DegreeFourVertex folds;
   };
 
+  BaseFolding() = default;
+  /// The followed folding of a perforated sheet. `assignment` is per edge as seen from `side`, 0 at
+  /// holes; without a `path` only topology is defined.
+  BaseFolding(int pilot_edge, int side, std::vector<int> assignment, double end_deg = 0,
+              std::shared_ptr<const FollowedFolding> path = nullptr);
+
   int pilot_edge() const { return pilot_edge_; }
   /// +1 valley, -1 mountain, per edge of the sheet; 0 on the perimeter.
   const std::vector<int>& assignment() const { return assignment_; }
@@ -37,8 +45,10 @@ class BaseFolding {
   /// Half fold angles of all edges when the pilot's is `pilot`, up to end_deg.
   std::vector<HalfAngle<double>> fold_angles(const HalfAngle<double>& pilot) const;
 
-  /// All inner vertices, in order from the pilot.
+  /// All inner vertices, in order from the pilot; none of a followed folding.
   const std::vector<Step>& steps() const { return steps_; }
+  /// The path of a followed folding; null if fold angles have a closed form.
+  const FollowedFolding* path() const { return path_.get(); }
 
  private:
   friend class SequentialMethod;
@@ -51,6 +61,7 @@ class BaseFolding {
   std::vector<int> assignment_;
   std::vector<Step> steps_;
   double end_deg_ = 0;
+  std::shared_ptr<const FollowedFolding> path_;
 };
 
 /// Reason for which a crease pattern has no base folding.

@@ -12,18 +12,6 @@ namespace {
 // Angle of the state from which that of the first station is made.
 constexpr double kFirst_deg = 2;
 
-// A state near flat with every joint turned `share` times as far: near the path's own there, since
-// its fold angles are in proportion to the pilot's to second order.
-FoldState<double> in_proportion(const FoldState<double>& state, double share) {
-  assert(share > 0);
-  FoldState<double> other = state;
-  for (HalfAngle<double>& rho : other.creases) rho = half_angle_of_rad(share * angle_rad(rho));
-  for (Quaternion<double>& q : other.balls) {
-    q = Quaternion<double>{q.w, share * q.x, share * q.y, share * q.z}.normalized();
-  }
-  return other;
-}
-
 // Outlines a path with either follower.
 class PathOutliner {
  public:

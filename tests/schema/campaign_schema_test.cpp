@@ -31,7 +31,8 @@ TEST(CampaignSchema, HasTheKeysAndDefaultsOfTheCode) {
   // Of the other family, or left out where the usual is meant.
   const std::set<std::string> not_in_default = {
       "/pattern/file", "/pattern/mesh", "/pattern/mm_per_unit", "/pattern/pilot",
-      "/pattern/springs", "/pattern/springs/attach",
+      "/pattern/target_frame", "/pattern/target_file", "/pattern/springs",
+      "/pattern/springs/attach",
       // design.fill replaces design.springs.
       "/design/fill",
       // The older name of design.springs.
