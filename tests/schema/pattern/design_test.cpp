@@ -15,7 +15,7 @@
 namespace misalign::schema {
 namespace {
 
-Design read(const Json& value) {
+Design read_alone(const Json& value) {
   InputFaults faults;
   const Design design = read_design(value, "design", faults);
   for (const std::string& sentence : faults.sentences()) ADD_FAILURE() << sentence;
@@ -42,10 +42,10 @@ Json full() {
 }
 
 TEST(Design, IsWrittenAsItIsRead) {
-  EXPECT_EQ(design_json(read(full())), full());
-  EXPECT_EQ(explicit_design_json(read(full())), full());
-  EXPECT_EQ(explicit_design_json(read(Json::object())), Json::object());
-  EXPECT_EQ(read(design_json({})).from_deg, std::nullopt);
+  EXPECT_EQ(design_json(read_alone(full())), full());
+  EXPECT_EQ(explicit_design_json(read_alone(full())), full());
+  EXPECT_EQ(explicit_design_json(read_alone(Json::object())), Json::object());
+  EXPECT_EQ(read_alone(design_json({})).from_deg, std::nullopt);
   // Each key alone is said, and nothing else is.
   const Json flat = full().flatten();
   for (const auto& [at, value] : flat.items()) {
@@ -55,7 +55,7 @@ TEST(Design, IsWrittenAsItIsRead) {
       continue;
     }
     const Json one = Json({{at, value}}).unflatten();
-    EXPECT_EQ(explicit_design_json(read(one)), one);
+    EXPECT_EQ(explicit_design_json(read_alone(one)), one);
   }
 }
 
@@ -72,7 +72,7 @@ TEST(Design, NamesAreOfOneLineAndPrintable) {
   }
   Json block = full();
   block["material"]["name"] = "\u6298\u308a\u7d19, 0.1 mm";
-  EXPECT_EQ(read(block).material->name, "\u6298\u308a\u7d19, 0.1 mm");
+  EXPECT_EQ(read_alone(block).material->name, "\u6298\u308a\u7d19, 0.1 mm");
 }
 
 // Diagonals A9-A15 and so forth, and a hole in row 1, column 2 of a sheet of 4 x 4.
@@ -107,7 +107,7 @@ TEST(Design, NamesWhatTheSheetHas) {
 }
 
 TEST(Design, SaysWhatStudiesTake) {
-  const Design design = read(full());
+  const Design design = read_alone(full());
   EXPECT_EQ(design.springs().stiffness_n_per_mm, 2);
   EXPECT_EQ(*design.stroke_limit, 0.08);
   EXPECT_EQ(design.plates().thickness_mm, 1.5);
@@ -126,7 +126,7 @@ TEST(Design, TakesHingesOfTheFilm) {
   Json block = full();
   block["hinges"].erase("friction_n_mm_per_mm");
   block["hinges"].erase("stiffness_n_mm_per_mm");
-  const Design design = read(block);
+  const Design design = read_alone(block);
   const double c = 2500 * 1.25e-4 / 12;
   EXPECT_NEAR(design.hinge_elastic_n_mm_per_mm(), c, 1e-15);
   // From 140 degrees to flat it takes pi / 4 loss c angle^2; dry friction takes it times the angle.
@@ -137,7 +137,7 @@ TEST(Design, TakesHingesOfTheFilm) {
 }
 
 TEST(Design, OptionsGoBeforeFiles) {
-  const Design file = read(full());
+  const Design file = read_alone(full());
   EXPECT_EQ(design_json(Design().merged_over(file)), full());
   Design typed;
   typed.from_deg = 90;

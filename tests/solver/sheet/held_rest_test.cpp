@@ -24,13 +24,13 @@ TEST(HeldRest, AsEnergiesOfPosesSay) {
       held_rest(way, filling_on(way, Springs{.rest_deg = base.target_deg}), base.target_deg);
   // Lengths between vertices, without the filling's code: 50 N/mm each.
   const auto lengths = [&](const Eigen::Matrix3Xd& at) {
-    std::vector<double> lengths;
+    std::vector<double> both;
     for (const int hole : holes) {
       const auto& v = mesh.flat.facets[hole];
-      lengths.push_back((at.col(v[0]) - at.col(v[2])).norm());
-      lengths.push_back((at.col(v[1]) - at.col(v[3])).norm());
+      both.push_back((at.col(v[0]) - at.col(v[2])).norm());
+      both.push_back((at.col(v[1]) - at.col(v[3])).norm());
     }
-    return lengths;
+    return both;
   };
   const std::vector<double> rest_mm = lengths(mesh.folded_mm);
   const auto energy = [&](double pilot_deg) {
