@@ -78,7 +78,7 @@ class Trial:
         moved = next((s.split("at most ")[-1].removesuffix(" mm") for s in said if "nearest sheet" in s), "0")
         held = "" if at["barrier_n_mm"] < 1e-9 else f"{at['driven_from_below_deg']:.1f} to {at['driven_from_deg']:.1f}"
         print(f"| {label} | {base} | {moved} | {at['rest_deg']:.2f}° | {joined} | {at['shape_off_mm']:.1e} | {held} | "
-              f"{at['barrier_n_mm']:.3g} |")
+              f"{max(at['barrier_n_mm'], 1e-9):.4g} |")
 
 
 def rffqm(folder):
@@ -110,6 +110,8 @@ def main():
     for digits in (4, 3, 2):
         trial.row(f"the first, rounded to {10**-digits:g} mm", *mesh, digits=digits)
     trial.row("the first, even holes", *mesh, holes="checkerboard-even")
+    for size, holes in (8, "checkerboard-odd"), (12, "checkerboard-odd"), (12, "checkerboard-even"):
+        trial.row(f"{size} × {size} from 2, 2, {holes[13:]} holes", *block(additive, "peaks_coarse2", 2, 2, size), holes=holes)
     for name, row, column in (("F4D", 2, 40), ("F4E", 10, 6), ("F4E", 20, 8), ("F4E", 30, 2)):
         trial.row(f"`{name}` from {row}, {column}", *block(additive, name, row, column))
     print("\n" + head)

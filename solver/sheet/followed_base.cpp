@@ -15,7 +15,9 @@
 namespace misalign::solver {
 namespace {
 
-constexpr double kFollowedStep_deg = 1;
+// Steps of the pilot; finer ones from where these do not lead on, to tell a limit point from a
+// sharp bend of the path.
+constexpr double kFollowedStep_deg = 1, kFineStep_deg = 0.05;
 // The two pilot angles at which fold angles are compared next to flat, where they are odd functions
 // of the pilot's and hence in proportion, and the largest deviation as a share of the lesser angle.
 constexpr double kNextToFlat_deg = 1, kHalfOfThat_deg = 0.5;
@@ -108,7 +110,11 @@ class TargetFollower {
     if (newton_.correct(geometry_, target_).end != Newton::StopReason::converged) {
       return NoFollowedBase{Cause::open, target_deg_};
     }
-    follow(target_, way_down());
+    follow(target_, way_down(target_deg_, kFollowedStep_deg));
+    if (path_.end != PathEnd::end_reached && !states_.empty()) {
+      const FoldState<double> last = states_.back();
+      follow(last, way_down(path_.fold_limit_deg, kFineStep_deg));
+    }
     if (path_.end != PathEnd::end_reached) {
       return NoFollowedBase{Cause::turns, path_.fold_limit_deg};
     }
@@ -131,12 +137,11 @@ class TargetFollower {
     plan.stations.push_back({pilot_deg, half_angle_of_deg(pilot_deg), 0, true});
   }
 
-  PathPlan way_down() const {
+  static PathPlan way_down(double from_deg, double step_deg) {
     PathPlan plan;
-    add(target_deg_, plan);
-    for (double k = std::ceil(target_deg_ / kFollowedStep_deg) - 1;
-         k * kFollowedStep_deg > kNextToFlat_deg; --k) {
-      add(k * kFollowedStep_deg, plan);
+    add(from_deg, plan);
+    for (double k = std::ceil(from_deg / step_deg) - 1; k * step_deg > kNextToFlat_deg; --k) {
+      add(k * step_deg, plan);
     }
     add(kNextToFlat_deg, plan);
     add(kHalfOfThat_deg, plan);
