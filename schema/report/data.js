@@ -8,7 +8,7 @@ function bytes_of(base64) {
   return bytes.buffer;
 }
 
-const floats = (base64) => new Float32Array(bytes_of(base64));
+export const floats = (base64) => new Float32Array(bytes_of(base64));
 
 /** The report of this page; throws a sentence if there is none, or its format differs. */
 export function read_report() {

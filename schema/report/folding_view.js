@@ -6,6 +6,7 @@ import { clamp, h } from "./format.js";
 import { PanelPaint } from "./panel_paint.js";
 import { painter_pen } from "./painter_pen.js";
 import { view_height } from "./sheet.js";
+import { target_grid } from "./target_grid.js";
 import { on_theme } from "./theme.js";
 import { webgl_pen } from "./webgl_pen.js";
 
@@ -21,8 +22,7 @@ function has_webgl() {
   }
 }
 
-const kTones = "Light: the side that the crease pattern shows. ",
-  kStress = "Colour: largest stress. ";
+const kTones = "Light: the side that the crease pattern shows. ";
 const kHelp = "Drag to rotate, then the wheel zooms. Keys: arrows, + and −, 0.";
 
 const rad = (deg) => (deg * Math.PI) / 180;
@@ -71,6 +71,7 @@ class FoldingView {
   #camera = new PerspectiveCamera(kFov_deg, 1, 1, 1e6);
   #controls;
   #decoded = null;
+  #target = null; // see target_grid
   #radius = 1;
   #marked = null;
   #points = null;
@@ -101,6 +102,7 @@ class FoldingView {
     this.#decoded = decoded;
     this.#radius = radius_of(this.#flat());
     this.#paint.load(detail);
+    this.#target = target_grid(detail.target, decoded.vertex_count);
     this.#pen.load(this.#report.sheet.panels, this.#parts());
     this.#pen.recolour();
     this.#repaint();
@@ -111,7 +113,10 @@ class FoldingView {
   pose(sample) {
     if (!this.#decoded) return;
     const { vertex_count, vertices_mm, pilot_deg } = this.#decoded;
-    this.#points = vertices_mm.subarray(3 * sample * vertex_count, 3 * (sample + 1) * vertex_count);
+    const sheet = vertices_mm.subarray(3 * sample * vertex_count, 3 * (sample + 1) * vertex_count);
+    this.#points = new Float32Array(sheet.length + this.#target.points.length);
+    this.#points.set(sheet);
+    this.#points.set(this.#target.points, sheet.length);
     this.#paint.pose(pilot_deg[sample]);
     this.draw();
   }
@@ -131,7 +136,7 @@ class FoldingView {
 
   #repaint() {
     const tint = this.#paint.tint();
-    this.#caption.textContent = (tint.exact ? kStress : kTones) + this.#help;
+    this.#caption.textContent = (tint.caption ?? kTones) + this.#help;
     this.#pen.tint(tint);
     this.draw();
   }
@@ -248,7 +253,7 @@ class FoldingView {
 
   #fit() {
     const { azimuth, elevation } = this.#angles();
-    this.#look(azimuth / rad(1), elevation / rad(1), this.#points);
+    this.#look(azimuth / rad(1), elevation / rad(1), this.#points.subarray(0, this.#flat().length));
   }
 
   /** Position of each vertex in the window, px, and its depth. */
@@ -313,6 +318,7 @@ class FoldingView {
     const thin = Math.max(0.45, Math.min(1, 8 / Math.sqrt(sheet.panels.length))); // for sheets of many panels
     this.#marked = { pairs: [[0, 0]], width: 6, colour: "pick", on_top: true, hidden: true };
     return [
+      { pairs: this.#target.pairs, width: 0.7, colour: "target" },
       { pairs: sheet.cuts, width: 1.4 * thin, colour: "edge" },
       { pairs: creases("mountain"), width: 1.8 * thin, colour: "mountain" },
       { pairs: creases("valley"), width: 1.8 * thin, colour: "valley" },

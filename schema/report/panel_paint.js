@@ -1,4 +1,5 @@
-// Colours the panels in the folding picture: by their largest stress, and those in contact.
+// Colours the panels in the folding picture: by their largest stress, or their distance from the
+// target where the sheet has its shape; and those in contact.
 import { colour_scale } from "./colour_scale.js";
 import { contact_panels } from "./contact.js";
 import { h, number } from "./format.js";
@@ -18,6 +19,31 @@ export function stress_colours(panels_mpa) {
 }
 
 const mpa = (stress) => (stress > 0 ? `${number(stress)} MPa` : "no node outside the discs");
+const kAtShape_deg = 0.6; // a sample this near has the shape
+
+/** What panels are coloured by: { values, words, least, note, button, caption, pilot_deg }, or null. */
+function paint_of({ stress, target }) {
+  if (stress)
+    return {
+      values: stress.panels_mpa,
+      words: mpa,
+      least: "0 MPa",
+      note: "largest von Mises stress outside the discs",
+      button: "Stress",
+      caption: "Colour: largest stress. ",
+    };
+  if (target)
+    return {
+      values: target.panels_mm,
+      words: (mm) => `${number(mm)} mm`,
+      least: "0 mm",
+      note: `distance from the target at ${number(target.pilot_deg)}°`,
+      button: "Distance",
+      caption: "Colour: largest distance from the target. ",
+      pilot_deg: target.pilot_deg,
+    };
+  return null;
+}
 
 /** The pair of every edge of these panels. */
 const edges_of = (panels) =>
@@ -26,17 +52,18 @@ const edges_of = (panels) =>
 export class PanelPaint {
   #sheet;
   #changed;
-  #stress = null; // each panel's largest, or null
+  #paint = null; // see paint_of
+  #near = true; // the pose is one to which the colours belong
   #contact = null; // { pilot_deg, panels: [i, j] }, or null
-  #on = true; // for every draw that has stresses
+  #on = true; // for every draw that has colours
   #met = false;
   #scale = h(
     "div",
     { class: "scale stress-scale", "data-testid": "stress-scale" },
-    h("span", {}, "0 MPa"),
+    h("span"),
     h("i"),
     h("span"),
-    h("span", { class: "note" }, "largest von Mises stress outside the discs"),
+    h("span", { class: "note" }),
   );
   #met_key = h(
     "ul",
@@ -48,7 +75,7 @@ export class PanelPaint {
     "button",
     {
       type: "button",
-      title: "Colour of panels: largest stress or side",
+      title: "Colour of panels: value or side",
       "data-testid": "stress-button",
       onclick: () => this.#turn(!this.#on),
     },
@@ -67,13 +94,17 @@ export class PanelPaint {
     return this.#button;
   }
 
-  load({ stress, contact }) {
-    this.#stress = stress?.panels_mpa ?? null;
-    this.#contact = contact_panels(this.#sheet, contact);
+  load(detail) {
+    this.#paint = paint_of(detail);
+    this.#near = this.#paint?.pilot_deg === undefined;
+    this.#contact = contact_panels(this.#sheet, detail.contact);
     this.#met = false;
-    this.#button.hidden = !this.#stress;
-    if (this.#stress) {
-      this.#scale.children[2].textContent = mpa(Math.max(...this.#stress));
+    this.#button.hidden = !this.#paint;
+    if (this.#paint) {
+      const { values, words, least, note, button } = this.#paint,
+        [first, , last, under] = this.#scale.children;
+      [first.textContent, last.textContent] = [least, words(Math.max(...values))];
+      [under.textContent, this.#button.textContent] = [note, button];
     }
     const corners = this.#contact?.panels.map((panel) => this.#sheet.panels[panel]);
     this.outline.pairs = corners ? edges_of(corners) : [];
@@ -84,6 +115,13 @@ export class PanelPaint {
 
   /** Shows the contact at a pilot angle; the colours may change. */
   pose(pilot_deg) {
+    const at_deg = this.#paint?.pilot_deg,
+      near = at_deg === undefined || Math.abs(pilot_deg - at_deg) < kAtShape_deg;
+    if (near !== this.#near) {
+      this.#near = near;
+      this.#show_whether_on();
+      this.#changed();
+    }
     const met = this.#contact !== null && pilot_deg >= this.#contact.pilot_deg;
     this.outline.hidden = !met;
     this.#met_key.classList.toggle("met", met);
@@ -93,15 +131,15 @@ export class PanelPaint {
   }
 
   /**
-   * { colours, exact }: a colour for each panel, or null for those of its sides. Exact colours are
-   * read off a scale: they are not shaded.
+   * { colours, exact, caption }: a colour for each panel, or null for those of its sides. Exact
+   * colours are read off a scale, which the caption names: they are not shaded.
    */
   tint() {
-    const exact = this.#shows_stress();
-    const colours = exact ? stress_colours(this.#stress) : this.#sheet.panels.map(() => null);
+    const exact = this.#shows_values();
+    const colours = exact ? stress_colours(this.#paint.values) : this.#sheet.panels.map(() => null);
     if (this.#met && !exact)
       for (const panel of this.#contact.panels) colours[panel] = colour("contact-panel");
-    return { colours, exact };
+    return { colours, exact, caption: exact ? this.#paint.caption : null };
   }
 
   /** Shows the tip of the panel under the pointer; null: hides it. */
@@ -119,13 +157,13 @@ export class PanelPaint {
   }
 
   #words(panel) {
-    const stress = this.#shows_stress() ? `: ${mpa(this.#stress[panel])}` : "",
+    const value = this.#shows_values() ? `: ${this.#paint.words(this.#paint.values[panel])}` : "",
       met = this.#met && this.#contact.panels.includes(panel) ? ", in contact with another" : "";
-    return stress || met ? panel_name(this.#sheet, panel) + stress + met : null;
+    return value || met ? panel_name(this.#sheet, panel) + value + met : null;
   }
 
-  #shows_stress() {
-    return this.#on && this.#stress !== null;
+  #shows_values() {
+    return this.#on && this.#near && this.#paint !== null;
   }
 
   #turn(on) {
@@ -136,6 +174,6 @@ export class PanelPaint {
 
   #show_whether_on() {
     this.#button.setAttribute("aria-pressed", String(this.#on));
-    this.#scale.hidden = !this.#shows_stress();
+    this.#scale.hidden = !this.#shows_values();
   }
 }
