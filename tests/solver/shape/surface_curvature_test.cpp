@@ -162,8 +162,9 @@ TEST(SurfaceCurvature, KnowsTheLevelsOfTheBase) {
   EXPECT_EQ(sides.cwiseAbs().sum(), static_cast<double>(inner.size()));
   for (const double pilot_deg : {20.0, 90.0, 140.0}) {
     ShapeTarget target;
+    target.surface = plane();
     const Eigen::Matrix3Xd& folded_mm = base.at(pilot_deg).vertices_mm;
-    const ShapePose pose = lay_base(model.base().sheet.vertices_mm, folded_mm, inner, target);
+    const ShapePose pose = lay_base(model.base(), folded_mm, target);
     for (const int v : inner) EXPECT_EQ(sides(v), target.sides(v)) << v;
     const auto flat = surface_curvature(base, pilot_deg);
     ASSERT_TRUE(flat);
@@ -180,7 +181,7 @@ TEST(SurfaceCurvature, IsThatOfAShapedSheet) {
   const double radius_mm = 5 * 480;
   ShapeOptions options;
   options.kind = ShapeKind::free;
-  options.target = cylinder(-radius_mm, false);
+  options.target.surface = cylinder(-radius_mm, false);
   const auto found = shape(solver, options);
   ASSERT_TRUE(found);
   const auto bent = surface_curvature(Sheet(solver, found->shifts_mm), options.at_deg);
