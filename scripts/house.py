@@ -12,7 +12,7 @@ from pathlib import Path
 
 import words
 
-ROOMS = {"solver": "pattern kinematics fill linear continuation verdict model judging records lanes sheet studies contact motion bending play fitting optimise shape certificate reference",
+ROOMS = {"solver": "pattern kinematics fill linear continuation verdict model judging records lanes sheet target studies contact motion bending play fitting optimise shape certificate reference",
          "schema": "files surface pattern campaign records catalogue exchange kit report",
          "search": "terminal draws splitting sheets ranks checks report watch verbs python"}  # in the order of dependence
 PLACES = [(top, room) for top, rooms in ROOMS.items() for room in rooms.split()]

@@ -7,7 +7,7 @@
 
 #include "schema/files/input.hpp"
 #include "solver/pattern/crease_pattern.hpp"
-#include "solver/shape/shape_fit.hpp"
+#include "solver/target/shape_fit.hpp"
 
 namespace misalign::schema {
 

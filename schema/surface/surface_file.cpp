@@ -1,7 +1,7 @@
 #include "schema/surface/surface_file.hpp"
 
 #include "schema/surface/sheet_check.hpp"
-#include "solver/shape/mesh_surface.hpp"
+#include "solver/target/mesh_surface.hpp"
 
 namespace misalign::schema {
 

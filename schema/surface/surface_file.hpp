@@ -5,7 +5,7 @@
 #include <string>
 
 #include "schema/surface/triangle_mesh.hpp"
-#include "solver/shape/target_surface.hpp"
+#include "solver/target/target_surface.hpp"
 
 namespace misalign::schema {
 

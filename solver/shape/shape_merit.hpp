@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solver/linear/quadratic_program.hpp"
-#include "solver/shape/shape_fit.hpp"
 #include "solver/shape/shape_rows.hpp"
+#include "solver/target/shape_fit.hpp"
 
 namespace misalign::solver {
 

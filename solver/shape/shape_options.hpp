@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "solver/optimise/optimise_options.hpp"
-#include "solver/shape/shape_fit.hpp"
+#include "solver/target/shape_fit.hpp"
 
 namespace misalign::solver {
 

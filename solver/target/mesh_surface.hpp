@@ -1,7 +1,7 @@
 // A target surface through the vertices of a triangle mesh.
 #pragma once
 
-#include "solver/shape/target_surface.hpp"
+#include "solver/target/target_surface.hpp"
 
 namespace misalign::solver {
 

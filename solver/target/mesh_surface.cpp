@@ -1,4 +1,4 @@
-#include "solver/shape/mesh_surface.hpp"
+#include "solver/target/mesh_surface.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>

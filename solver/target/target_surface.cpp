@@ -1,4 +1,4 @@
-#include "solver/shape/target_surface.hpp"
+#include "solver/target/target_surface.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

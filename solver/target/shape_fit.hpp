@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/pattern/perforation.hpp"
-#include "solver/shape/target_surface.hpp"
+#include "solver/target/target_surface.hpp"
 
 namespace misalign::solver {
 

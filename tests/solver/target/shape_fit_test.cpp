@@ -1,4 +1,4 @@
-#include "solver/shape/shape_fit.hpp"
+#include "solver/target/shape_fit.hpp"
 
 #include <gtest/gtest.h>
 
