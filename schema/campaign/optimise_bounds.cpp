@@ -71,10 +71,13 @@ std::optional<BoundFault> add_bound(const std::string& text, OptimiseBounds& bou
     return BoundFault{unknown_word(name, "number that can be limited", limited_names()),
                       fmt::format("name one of {}", fmt::join(limited_names(), ", "))};
   }
-  if (is_ceiling) return BoundFault{name + " needs a lower bound", "write " + name + " >= it"};
+  if (is_ceiling != goal->is_to_be_small) {
+    return BoundFault{fmt::format("{} needs {} bound", name, is_ceiling ? "a lower" : "an upper"),
+                      fmt::format("write {} {} it", name, goal->relation())};
+  }
   if (!(bound >= 0 && bound <= kMostFloor)) return out_of_bounds(name, 0, kMostFloor);
   if (std::ranges::count(bounds.floors, goal, &solver::OptimiseFloor::goal)) return twice();
-  bounds.floors.push_back({goal, bound});
+  bounds.floors.push_back({goal, goal->in_unit(bound)});
   std::ranges::sort(bounds.floors, {}, &solver::OptimiseFloor::goal);
   return {};
 }
@@ -98,7 +101,7 @@ Json bounds_json(const OptimiseBounds& bounds) {
     }
   }
   for (const auto& [goal, least] : bounds.floors) {
-    list.push_back(fmt::format("{} >= {}", goal->name, least));
+    list.push_back(fmt::format("{} {} {}", goal->name, goal->relation(), goal->in_unit(least)));
   }
   return list;
 }

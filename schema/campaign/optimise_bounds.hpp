@@ -13,7 +13,7 @@ namespace misalign::schema {
 
 struct OptimiseBounds {
   std::optional<double> stroke_max, largest_force_n;  ///< upper bounds
-  std::vector<solver::OptimiseFloor> floors;  ///< lower bounds, in the order of the goals' table
+  std::vector<solver::OptimiseFloor> floors;  ///< bounds of goals, in the order of their table
 
   bool operator==(const OptimiseBounds&) const = default;
 };

@@ -106,7 +106,7 @@ std::string deploy(const PatternSource& source, const std::string& design,
 std::string optimise(const PatternSource& source, const std::string& design,
                      const std::string& goal, std::optional<double> amplitude_mm,
                      std::optional<double> deploys_from_deg, bool ternary,
-                     std::optional<double> grid_mm, bool within_family,
+                     std::optional<double> grid_mm, bool rim, bool within_family,
                      const std::vector<std::string>& subject_to,
                      const std::vector<double>& stiffness_within,
                      const std::vector<double>& preload_within, std::optional<double> rest_deg,
@@ -133,6 +133,7 @@ std::string optimise(const PatternSource& source, const std::string& design,
     input.grid_mm = grid_mm;
     input.amplitude_mm = amplitude_mm;
     input.deploys_from_deg = deploys_from_deg;
+    input.with_rim = rim;
     input.within_family = within_family;
     input.stiffness_n_per_mm = stiffness_within;
     input.preload_n = preload_within;
@@ -202,9 +203,9 @@ void bind_studies(py::module_& module) {
   module.def("actuators", made(&actuators), "sheet"_a, "design"_a);
   module.def("deploy", made(&deploy), "sheet"_a, "design"_a, "bends"_a);
   module.def("optimise", made(&optimise), "sheet"_a, "design"_a, py::kw_only(), "goal"_a,
-             "amplitude_mm"_a, "deploys_from_deg"_a, "ternary"_a, "grid_mm"_a, "within_family"_a,
-             "subject_to"_a, "stiffness_within"_a, "preload_within"_a, "rest_deg"_a, "miscut_mm"_a,
-             "trials"_a);
+             "amplitude_mm"_a, "deploys_from_deg"_a, "ternary"_a, "grid_mm"_a, "rim"_a,
+             "within_family"_a, "subject_to"_a, "stiffness_within"_a, "preload_within"_a,
+             "rest_deg"_a, "miscut_mm"_a, "trials"_a);
   module.def("card", made(&card), "sheet"_a, "design"_a, "trials"_a, "jobs"_a);
   module.def("certify", made(&certify), "sheet"_a, "design"_a, "contact"_a, "criterion"_a);
   module.def("choose_springs", made(&choose_springs), "sheet"_a, "design"_a, py::kw_only(),

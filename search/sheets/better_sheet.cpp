@@ -12,10 +12,12 @@
 #include "search/draws/models.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/row_certifier.hpp"
+#include "search/sheets/shaped.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/optimise/chosen_friction.hpp"
 #include "solver/pattern/parallel_family.hpp"
+#include "solver/target/shape_measure.hpp"
 
 namespace misalign::search {
 namespace {
@@ -157,6 +159,30 @@ void choose_springs(const OptimiseInput& input, solver::OptimiseOptions& options
   }
 }
 
+// The target of a file, for goals that need one.
+std::shared_ptr<const solver::ShapeMeasure> target_measure(const Subject& subject,
+                                                           solver::SheetSolver& solver,
+                                                           const solver::OptimiseOptions& options) {
+  const ChosenSheet& chosen = subject.chosen;
+  if (chosen.drawn) {
+    throw schema::UserError(
+        schema::Cause::bad_request,
+        chosen.name() + R"(: has no target, of which goals of a shape need one; export it, )"
+                        R"(write "target" into its file, and name that)");
+  }
+  const schema::Target& target = target_of(chosen.target, chosen.name());
+  const double rest_deg = options.deploying.sheet.springs().rest_deg,
+               at_deg = shape_deg(target, rest_deg > 0 ? std::optional(rest_deg) : std::nullopt);
+  auto measure = solver::ShapeMeasure::of(solver, target.shape, at_deg);
+  if (!measure) {
+    throw schema::UserError(schema::Cause::bad_input,
+                            fmt::format("{}: its base does not fold to the target's angle, {:g} "
+                                        "deg; write a smaller \"at_deg\" into its \"target\"",
+                                        chosen.name(), at_deg));
+  }
+  return std::make_shared<const solver::ShapeMeasure>(*std::move(measure));
+}
+
 }  // namespace
 
 solver::OptimiseOptions options_of(const schema::OptimiseRequest& request) {
@@ -193,6 +219,7 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
     options.amplitude_mm = input.amplitude_mm.value_or(campaign.misalignment.amplitude_mm);
     deploys_from_deg = input.deploys_from_deg.value_or(campaign.threshold_deg);
   }
+  if (input.with_rim) options.shifted = solver::all_vertices(sheet.base().sheet);
   if (input.within_family) {
     if (!chosen.drawn) options.shifted = solver::all_vertices(sheet.base().sheet);
     keep_to_family(sheet, options);
@@ -209,6 +236,9 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
     up_to_there.reset(new solver::Model(model_of(campaign)));
   }
   solver::SheetSolver solver(up_to_there ? *up_to_there : sheet.model());
+  if (needs(options, &solver::Goal::needs_target)) {
+    options.shape = target_measure(subject, solver, options);
+  }
   Eigen::Matrix2Xd shifts_mm = sheet.shifts_mm();
   if (input.grid_mm) shifts_mm = (shifts_mm.array() / *input.grid_mm).round() * *input.grid_mm;
   const solver::Sheet start(solver, shifts_mm, sheet.name());
@@ -237,7 +267,8 @@ schema::Json better_pattern(const Subject& subject, const ProvenBetter& better) 
         best.name(), "its springs are not chosen");
     design.single_springs = choice.filling(best.mechanism()).single;
   }
-  return schema::pattern_file_json(model.base(), found.best().shifts_mm, model.sampling(), design);
+  return schema::pattern_file_json(model.base(), found.best().shifts_mm, model.sampling(), design,
+                                   subject.chosen.target);
 }
 
 }  // namespace misalign::search

@@ -116,8 +116,8 @@ ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::s
       schema::read_sampled_pattern(document, source, directory, perforations);
   read.sampling.end_deg = std::min(read.sampling.end_deg, read.pattern.base.folding.end_deg());
   const Eigen::Matrix2Xd shifts_mm = read.pattern.shifts_mm;
-  return {std::move(read.pattern), read.sampling, read.design, shifts_mm, {}, name,
-          std::move(read.exported)};
+  return {std::move(read.pattern),  read.sampling,         read.design, shifts_mm, {}, name,
+          std::move(read.exported), std::move(read.target)};
 }
 
 ChosenSheet sheet_of_draw(schema::Campaign campaign, std::uint64_t draw,

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "schema/exchange/actuators_json.hpp"
 #include "search/sheets/study_texts.hpp"
@@ -35,8 +36,9 @@ std::string limits_text(const solver::Mechanism& mechanism, const solver::Optimi
   for (std::size_t k = 0; k < found.options.floors.size(); ++k) {
     if (limits.per_floor[k] == 0) continue;
     const auto& [goal, least] = found.options.floors[k];
-    text +=
-        fmt::format("  {}: {:.3g} for 1 % less\n", goal->words, limits.per_floor[k] * least / 100);
+    text += fmt::format("  {}: {:.3g} for 1 % {}\n", goal->words,
+                        limits.per_floor[k] * std::abs(least) / 100,
+                        goal->is_to_be_small ? "more" : "less");
   }
   for (std::size_t k = 0; k < std::min(kMostNamed, limits.turning.size()); ++k) {
     const auto& [diagonal, pilot_deg, per_mm] = limits.turning[k];
@@ -85,9 +87,10 @@ std::string slope_text(const solver::Sheet& sheet, const solver::Optimised& foun
 std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
                           const ProvenBetter& better) {
   const auto& [found, certified_deg] = better;
+  const solver::Goal& goal = *found.options.goal;
   std::string text = fmt::format(
       "{}: {} {:.4g} {}, now {:.4g}; {}, {} folded{}\n", subject.sheet.name(), goal_text(found),
-      found.start().value, found.options.goal->unit_words, found.best().value,
+      goal.in_unit(found.start().value), goal.unit_words, goal.in_unit(found.best().value),
       count_text(static_cast<std::uint64_t>(found.steps()), "step"),
       count_text(static_cast<std::uint64_t>(found.evaluations), "sheet"),
       found.stop_reason == solver::Optimised::StopReason::most_steps ? ", not converged" : "");

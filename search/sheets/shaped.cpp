@@ -23,8 +23,14 @@ using solver::ShapeKind;
 
 // Upper bounds have no price in a shape.
 void refuse_ceilings(const schema::OptimiseBounds& bounds) {
-  if (!bounds.stroke_max && !bounds.largest_force_n) return;
-  throw UserError(OptionFault{"subject_to", bounds.stroke_max ? "stroke_max" : "largest_force_n",
+  std::string name = bounds.stroke_max        ? "stroke_max"
+                     : bounds.largest_force_n ? "largest_force_n"
+                                              : "";
+  for (const auto& [goal, least] : bounds.floors) {
+    if (goal->is_to_be_small) name = goal->name;
+  }
+  if (name.empty()) return;
+  throw UserError(OptionFault{"subject_to", name,
                               "is an upper bound, and a shape keeps lower bounds of goals alone",
                               "take it out, and call `misalign optimise` for the shaped sheet"});
 }
@@ -51,8 +57,7 @@ solver::ShapeOptions options_of(const schema::PatternFile& file, const ShapeInpu
                                 schema::Design& design) {
   solver::ShapeOptions options = input.options;
   options.target = file.target->shape;
-  options.at_deg =
-      input.at_deg.value_or(file.target->at_deg.value_or(design.rest_deg.value_or(kShape_deg)));
+  options.at_deg = input.at_deg.value_or(shape_deg(*file.target, design.rest_deg));
   options.from_deg = design.from_deg.value_or(options.at_deg + kStowedBeyond_deg);
   check_angles(file.pattern, options);
   refuse_ceilings(input.bounds);
@@ -70,13 +75,21 @@ solver::ShapeOptions options_of(const schema::PatternFile& file, const ShapeInpu
 
 }  // namespace
 
+const schema::Target& target_of(const std::optional<schema::Target>& target,
+                                const std::string& name) {
+  if (target) return *target;
+  throw UserError(schema::Cause::bad_input,
+                  name + R"(: has no "target", so there is no shape to find; write "target": )"
+                         R"({"surface": "sphere", "radius_mm": 1440} beside the pattern)");
+}
+
+double shape_deg(const schema::Target& target, const std::optional<double>& rest_deg) {
+  return target.at_deg.value_or(rest_deg.value_or(kShape_deg));
+}
+
 ShapedSheet shaped(const schema::PatternFile& file, const std::string& name,
                    const ShapeInput& input) {
-  if (!file.target) {
-    throw UserError(schema::Cause::bad_input,
-                    name + R"(: has no "target", so there is no shape to find; write "target": )"
-                           R"({"surface": "sphere", "radius_mm": 1440} beside the pattern)");
-  }
+  target_of(file.target, name);
   ShapedSheet made;
   made.design = file.design;
   made.options = options_of(file, input, made.design);

@@ -30,6 +30,12 @@ struct ShapedSheet {
   double used_from_deg = 0;
 };
 
+/// The target of a sheet. UserError, which calls it `name`: 3 where it has none.
+const schema::Target& target_of(const std::optional<schema::Target>& target,
+                                const std::string& name);
+/// The pilot angle of a target: its `at_deg`, or where springs rest, or 90.
+double shape_deg(const schema::Target& target, const std::optional<double>& rest_deg);
+
 /// Shapes the base of a file, whose shifts do not matter. UserError: 3 where the file has no
 /// target, 2 where an option does not fit, 1 where its path is lost.
 ShapedSheet shaped(const schema::PatternFile& file, const std::string& name,

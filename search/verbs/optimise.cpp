@@ -69,11 +69,12 @@ void add_goal_and_limits(CLI::App& verb, OptimiseCall& call) {
   for (const std::string& goal : solver::goal_names()) goals.emplace_back(goal, goal);
   verb.add_option_function<std::string>(
           "--goal", [&input](const std::string& name) { input.goal = solver::goal_named(name); },
-          fmt::format("objective to maximise [{}]", input.goal->name))
+          fmt::format("objective to maximise, or of a shape to minimise [{}]", input.goal->name))
       ->check(one_of_words(goals, ""));
   verb.add_option("--subject-to", call.subject_to,
                   "constraint that every step keeps (may be repeated): \"stroke_max <= 0.06\", "
-                  "\"largest_force_n <= 20\", or a goal as in \"miscut_margin_mm >= 0.1\"")
+                  "\"largest_force_n <= 20\", or a goal as in \"miscut_margin_mm >= 0.1\" or "
+                  "\"shape_max_mm <= 0.5\"")
       ->type_name("LIMIT");
   add_value(verb, "--deploys-from", input.deploys_from_deg,
             "pilot angle from which it must still deploy [the campaign's, or its D]",
@@ -117,6 +118,7 @@ void add_shifts(CLI::App& verb, OptimiseInput& input) {
       verb, "--amplitude", input.amplitude_mm,
       "largest shift of a vertex in x or y, mm [the campaign's, or the largest of its shifts]",
       within("optimise", "amplitude_mm"), "MM");
+  verb.add_flag("--rim", input.with_rim, "also shift the rim's vertices");
   verb.add_flag("--ternary", input.ternary, "shift by 0 or the amplitude only");
   add_value(verb, "--grid", input.grid_mm,
             "shift by whole multiples of this only, mm: a cutter's steps",
@@ -140,6 +142,9 @@ Action optimise_verb(CLI::App& verb) {
       "Otherwise shifts are free, and active limits are shown with the gain of relaxing them.\n"
       "With --criterion energy the total energy of the springs has to fall to flat; diagonals\n"
       "need not be monotone.\n"
+      "Goals of a shape, and their bounds, are for files with a \"target\", which `misalign "
+      "shape`\n"
+      "writes.\n"
       "The optimum depends on the start: try several candidates.\n"
       "Examples:\n  misalign optimise results/miura-6x6-1a2b3c4d.db 1234 --output better.json\n"
       "  misalign optimise search/patterns/table1.json --amplitude 1 --deploys-from 140\n"
@@ -149,6 +154,8 @@ Action optimise_verb(CLI::App& verb) {
       "  misalign optimise search/patterns/table1.json --goal static_friction_n_mm_per_mm "
       "--thickness 2 --preload 0.1 --preload-within 0,3\n"
       "  misalign optimise search/patterns/table1.json --goal deploys_from_deg\n"
+      "  misalign optimise dome.json --rim --goal rest_stiffness_n_mm_per_rad --subject-to "
+      "\"shape_max_mm <= 0.5\"\n"
       "  misalign optimise search/patterns/table1.json --criterion energy --deploys-from 140");
   auto call = std::make_shared<OptimiseCall>();
   schema::Design& design = call->design;

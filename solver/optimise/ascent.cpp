@@ -15,8 +15,9 @@ using Eigen::Index;
 using Eigen::Matrix2Xd;
 using Eigen::VectorXd;
 
-// The box of a linear program, in amplitudes: the first, and the least.
-constexpr double kFirstBox = 0.25, kLastBox = 1e-3;
+// The box of a linear program, in amplitudes: the first, and the least; this of sheets with a
+// shape, whose shifts are as large as distances from it are small.
+constexpr double kFirstBox = 0.25, kLastBox = 1e-3, kLastBoxOfShape = 2e-5;
 // Least gain of a step, as a share of the goal.
 constexpr double kLeastGain = 1e-4;
 // The box grows where at least this share of the foreseen gain came true.
@@ -76,7 +77,8 @@ void Ascent::take_step(Feasible next) {
 // Takes a step of free shifts: the box shrinks until its linearisation is right.
 void Ascent::try_box() {
   assert(linearization_ && box_mm_ > 0);
-  if (box_mm_ < std::max(kLastBox * options_.amplitude_mm, options_.grid_mm / 2)) {
+  const double last_box = options_.shape ? kLastBoxOfShape : kLastBox;
+  if (box_mm_ < std::max(last_box * options_.amplitude_mm, options_.grid_mm / 2)) {
     return give_up_box();
   }
   const LocalProgram inside = local_program(*linearization_, box_mm_);
@@ -86,12 +88,12 @@ void Ascent::try_box() {
     return give_up_box();
   auto next = evaluate(inside.change_mm(best));
   const double gained = next ? next->value - now_.value : 0;
-  if (gained > (options_.goal->is_exact ? kForeseen * foreseen : kLeastGain * now_.value)) {
+  if (gained > (options_.goal->is_exact ? kForeseen * foreseen : least_gain())) {
     box_mm_ = std::min(2 * box_mm_, options_.amplitude_mm);
     return take_step(std::move(*next));
   }
   box_mm_ /= 2;
-  if (gained > kLeastGain * now_.value) take_step(std::move(*next));
+  if (gained > least_gain()) take_step(std::move(*next));
 }
 
 void Ascent::give_up_box() {
@@ -141,7 +143,8 @@ void Ascent::try_flip() {
   VectorXd change_mm = VectorXd::Zero(linearization_->coordinates);
   for (const int k : {0, 1}) change_mm(flip.coordinate[k]) += flip.by_mm[k];
   auto next = evaluate(change_mm);
-  if (next && next->value > now_.value * (1 + kLeastGain)) take_step(std::move(*next));
+  if (next && next->value > now_.value * (1 + std::copysign(kLeastGain, now_.value)))
+    take_step(std::move(*next));
 }
 
 std::optional<Ascent::Feasible> Ascent::evaluate(const VectorXd& change_mm) {
@@ -156,9 +159,9 @@ std::optional<Ascent::Feasible> Ascent::evaluate(const VectorXd& change_mm) {
 }
 
 // Least foreseen gain that is tried; any, where the terms only lead to the goal.
-double Ascent::least_foreseen() const {
-  return options_.goal->is_exact ? kLeastGain * now_.value : 0;
-}
+double Ascent::least_foreseen() const { return options_.goal->is_exact ? least_gain() : 0; }
+
+double Ascent::least_gain() const { return kLeastGain * std::abs(now_.value); }
 
 double Ascent::goal_after(const Flip& flip) const {
   assert(linearization_ && !linearization_->goals.empty());

@@ -56,6 +56,7 @@ class Ascent {
 
   std::optional<Feasible> evaluate(const Eigen::VectorXd& change_mm);
   double least_foreseen() const;
+  double least_gain() const;
   double goal_after(const Flip& flip) const;
   bool may_fit(const Flip& flip) const;
   std::vector<Flip> single_flips() const;

@@ -10,7 +10,9 @@
 #include "solver/optimise/chosen_friction.hpp"
 #include "solver/optimise/deployed_angle.hpp"
 #include "solver/optimise/local_goals.hpp"
+#include "solver/optimise/shape_changes.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
+#include "solver/target/shape_measure.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -72,6 +74,16 @@ Value springs_spared(const Sheet& sheet, const OptimiseOptions& options) {
   return member_of(spare_diagonals(sheet, rigid, *deploying.from_deg), &SpareDiagonals::amount);
 }
 
+Value shape_rms(const Sheet& sheet, const OptimiseOptions& options) {
+  const auto off = options.shape->fitted(sheet);
+  return off ? Value(-off->rms_mm()) : std::nullopt;
+}
+
+Value shape_max(const Sheet& sheet, const OptimiseOptions& options) {
+  const auto off = options.shape->fitted(sheet);
+  return off ? Value(-off->max_mm()) : std::nullopt;
+}
+
 struct Functions {
   std::string_view name;
   Value (*value)(const Sheet& sheet, const OptimiseOptions& options);
@@ -90,6 +102,8 @@ constexpr Functions kFunctions[] = {
     {"thickness_mm", plate_thickness, local_thickness},
     {"yield", share_of_copies, local_margin},
     {"spare_diagonals", springs_spared, local_spare_diagonals},
+    {"shape_rms_mm", shape_rms, local_shape_rms},
+    {"shape_max_mm", shape_max, local_shape_max},
 };
 
 const Functions& functions_of(const Goal& goal) {
@@ -101,6 +115,7 @@ const Functions& functions_of(const Goal& goal) {
 }  // namespace
 
 Value value_of(const Goal& goal, const Sheet& sheet, const OptimiseOptions& options) {
+  assert(options.shape || !goal.needs_target);
   return functions_of(goal).value(sheet, options);
 }
 

@@ -14,7 +14,8 @@ struct GoalTerm;
 struct OptimiseOptions;
 struct SheetChanges;
 
-/// The value for a sheet that can be released; none where its study has no value.
+/// The value for a sheet that can be released, with the sign of Goal::in_unit; none where its study
+/// has no value.
 std::optional<double> value_of(const Goal& goal, const Sheet& sheet,
                                const OptimiseOptions& options);
 /// The terms next to a sheet, to first order in its shifts and springs.

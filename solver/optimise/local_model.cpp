@@ -31,6 +31,9 @@ constexpr double kFoldedFar_deg = 150;
 // the share kAboveLeast: less than what steps leave.
 constexpr double kLowSlopes = 10, kAboveLeast = 0.1;
 
+// Share of a distance's bound that steps leave for its curvature.
+constexpr double kWithinBound = 0.1;
+
 class Builder {
  public:
   Builder(const Sheet& sheet, const OptimiseOptions& options)
@@ -87,14 +90,16 @@ class Builder {
 
   void add_way() {
     const double to_deg = sheet_.sample_deg(options_.deploys_from_sample);
-    const PathGradients::AtAngle end = changes_.at(to_deg, to_deg >= kFoldedFar_deg);
+    // Sheets with a shape mostly have their fold limit next to the required angle.
+    const bool has_folds = to_deg >= kFoldedFar_deg || options_.shape;
+    const PathGradients::AtAngle end = changes_.at(to_deg, has_folds);
     if (const auto& energy = sheet_.model().criterion().energy) {
       add_rises(end, std::get<Springs>(energy->fill));
     } else {
       add_directions(end);
       if (options_.slope_at_every_angle && !options_.ternary) add_low_slopes(to_deg);
     }
-    if (to_deg >= kFoldedFar_deg) add_folds(end);
+    if (has_folds) add_folds(end);
     if (options_.stroke_limit) add_strokes(*options_.stroke_limit);
     if (options_.largest_force_n) add_forces(*options_.largest_force_n);
   }
@@ -212,9 +217,10 @@ class Builder {
     for (std::size_t floor = 0; floor < options_.floors.size(); ++floor) {
       const auto& [goal, least] = options_.floors[floor];
       if (!goal->is_exact) continue;  // each sheet is checked instead
+      const double kept = goal->is_to_be_small ? (1 - kWithinBound) * least : least;
       for (const GoalTerm& term : linearization_of(*goal, changes_)) {
         model_.rows.push_back({LocalModel::Row::Kind::floor, static_cast<int>(floor), 0,
-                               term.numerator / term.divisor - least, term.row / term.divisor});
+                               term.numerator / term.divisor - kept, term.row / term.divisor});
       }
     }
   }

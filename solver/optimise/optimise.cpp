@@ -78,13 +78,16 @@ StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& o
   for (const OptimiseFloor& floor : from.floors) {
     const auto its = value_of(*floor.goal, start, from);
     if (its && *its >= floor.least) continue;
-    return OptionFault{"subject_to", shown(">= %g", floor.least),
-                       its ? "the sheet that it starts from has " + shown("%.4g", *its)
-                           : "of the sheet that it starts from it is not known",
-                       "ask for less, or begin with another sheet"};
+    const Goal& goal = *floor.goal;
+    return OptionFault{
+        "subject_to", goal.relation() + shown(" %g", goal.in_unit(floor.least)),
+        its ? "the sheet that it starts from has " + shown("%.4g", goal.in_unit(*its))
+            : "of the sheet that it starts from it is not known",
+        goal.is_to_be_small ? "allow more, or begin with another sheet"
+                            : "ask for less, or begin with another sheet"};
   }
   const std::optional<double> value = value_of(*from.goal, start, from);
-  if (!value || *value <= 0) {
+  if (!value || (*value <= 0 && !from.goal->is_to_be_small)) {
     return OptionFault{"goal", {}, from.goal->infeasible, from.goal->suggestion};
   }
   Optimised result{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "solver/studies/goal.hpp"
 
 namespace misalign::solver {
+
+class ShapeMeasure;
 
 /// One sheet with its springs.
 struct DesignPoint {
@@ -36,9 +39,10 @@ struct OptimiseOptions {
   std::optional<double> used_from_deg;
   /// Share of a sheet's miscut copies that deploy, for its goal.
   std::function<std::optional<double>(const Sheet&)> yield;
-  int deploys_from_sample = 1;            ///< least D
-  std::optional<double> stroke_limit;     ///< |L - L0| / L0 of every diagonal, up to D
-  std::optional<double> largest_force_n;  ///< spring force at the angle of use, panels rigid
+  std::shared_ptr<const ShapeMeasure> shape;  ///< target of goals of shapes; null: none
+  int deploys_from_sample = 1;                ///< least D
+  std::optional<double> stroke_limit;         ///< |L - L0| / L0 of every diagonal, up to D
+  std::optional<double> largest_force_n;      ///< spring force at the angle of use, panels rigid
   std::vector<OptimiseFloor> floors;
   /// Least slope of every diagonal with free shifts, over the sine of the pilot's angle, mm per
   /// degree: a diagonal that hardly changes can be neither built nor certified. It holds at every
@@ -75,7 +79,7 @@ struct Optimised {
 
   OptimiseOptions options;
   double from_deg;
-  /// The start, then the sheet after each step, each with the value of the goal.
+  /// The start, then the sheet after each step, each with the value of the goal (Goal::in_unit).
   struct Taken : DesignPoint {
     double value;
   };

@@ -94,19 +94,10 @@ double ShapeMerit::value(const ShapeMisfit& misfit, const Matrix2Xd& shifts_mm,
 QuadraticProgram ShapeMerit::program(const ShapeMisfit& misfit, const MatrixXd& weights,
                                      const PathGradients::Shape& folded, const Sheet& sheet,
                                      const std::vector<ShapeRow>& rows) const {
-  const Index vertices = base_.vertex_count(), shifts = 2 * std::ssize(free_), count = shifts + 7;
-  assert(folded.by_mm.cols() == 2 * vertices);
-  MatrixXd by_all = MatrixXd::Zero(misfit.mm.size(), 2 * vertices);
-  for (Index k = 0; k < misfit.measured; ++k) {
-    for (Index v = 0; v < vertices; ++v) {
-      if (weights(k, v) == 0) continue;
-      by_all.row(k) +=
-          weights(k, v) * misfit.by_mm.col(k).transpose() * folded.by_mm.middleRows(3 * v, 3);
-    }
-  }
-  by_all.bottomRows(misfit.hold_by_mm.rows()) = misfit.hold_by_mm * folded.by_mm;
+  const Index shifts = 2 * std::ssize(free_), count = shifts + 7;
+  assert(folded.by_mm.cols() == 2 * base_.vertex_count());
   MatrixXd slopes(misfit.mm.size(), count);
-  slopes.leftCols(shifts) = of_free(by_all);
+  slopes.leftCols(shifts) = of_free(misfit_by(misfit, weights, folded.by_mm));
   slopes.rightCols(7) = misfit.by_pose;
   slopes.middleCols(shifts, 3) /= size_mm_;
   slopes *= misfit_weight();

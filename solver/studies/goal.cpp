@@ -6,6 +6,8 @@
 namespace misalign::solver {
 namespace {
 
+constexpr char kNotThere[] = "the sheet that it starts from does not fold to the target's angle";
+
 constexpr Goal kGoals[] = {
     {.name = "critical_friction_n_mm_per_mm",
      .words = "critical friction, panels rigid",
@@ -69,7 +71,23 @@ constexpr Goal kGoals[] = {
      .unit = "diagonals",
      .unit_words = "diagonals",
      .is_exact = false,
-     .is_of_use = true}};
+     .is_of_use = true},
+    {.name = "shape_rms_mm",
+     .words = "root mean square of the distances from the target",
+     .unit = "mm",
+     .unit_words = "mm",
+     .is_to_be_small = true,
+     .needs_target = true,
+     .largest = 0,
+     .infeasible = kNotThere},
+    {.name = "shape_max_mm",
+     .words = "largest distance from the target",
+     .unit = "mm",
+     .unit_words = "mm",
+     .is_to_be_small = true,
+     .needs_target = true,
+     .largest = 0,
+     .infeasible = kNotThere}};
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Goals of an optimisation: objectives, and quantities with lower bounds. Their functions are in
+// Goals of an optimisation: objectives, and quantities with bounds. Their functions are in
 // optimise/goal_functions, so that readers of campaigns need no study.
 #pragma once
 
@@ -29,10 +29,18 @@ struct Goal {
   bool is_proven_angle = false;
   /// True if springs are chosen for each sheet: the optimum's are part of the result.
   bool chooses_springs = false;
+  /// True if it is to be small: ascents have its negative, and floors that of an upper bound.
+  bool is_to_be_small = false;
+  /// True if it measures the shape of the sheet, and the options need a target.
+  bool needs_target = false;
   double largest = std::numeric_limits<double>::infinity();
   /// Reason why a start has no value, and what to do.
   const char* infeasible = "nothing drives the sheet that it starts from to flat";
   const char* suggestion = "begin with another sheet, or with another goal";
+
+  /// A value of an ascent, or a floor, as the quantity itself; and the reverse.
+  double in_unit(double value) const { return is_to_be_small ? -value : value; }
+  const char* relation() const { return is_to_be_small ? "<=" : ">="; }
 };
 
 /// Rows in the order of texts and of floors: the usual goal first.
@@ -42,10 +50,10 @@ const Goal* goal_named(std::string_view name);
 /// The names of all goals, or of those that are so: &Goal::is_same_everywhere.
 std::vector<std::string> goal_names(bool Goal::*is_so = nullptr);
 
-/// Lower bound of another goal.
+/// Bound of another goal: the least, or of one that is to be small the largest value.
 struct OptimiseFloor {
   const Goal* goal;
-  double least;  ///< unit: the goal's
+  double least;  ///< unit: the goal's; with the sign of Goal::in_unit
 
   bool operator==(const OptimiseFloor&) const = default;
 };

@@ -136,6 +136,21 @@ ShapeMisfit misfit(const ShapeTarget& target, const Matrix3Xd& vertices_mm, cons
                         : place_misfit(target, vertices_mm, pose);
 }
 
+Eigen::MatrixXd misfit_by(const ShapeMisfit& misfit, const Eigen::MatrixXd& weights,
+                          const Eigen::MatrixXd& vertices_by) {
+  assert(vertices_by.rows() == 3 * weights.cols());
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(misfit.mm.size(), vertices_by.cols());
+  for (Index k = 0; k < misfit.measured; ++k) {
+    for (Index v = 0; v < weights.cols(); ++v) {
+      if (weights(k, v) == 0) continue;
+      slopes.row(k) +=
+          weights(k, v) * misfit.by_mm.col(k).transpose() * vertices_by.middleRows(3 * v, 3);
+    }
+  }
+  slopes.bottomRows(misfit.hold_by_mm.rows()) = misfit.hold_by_mm * vertices_by;
+  return slopes;
+}
+
 ShapePose fitted_pose(const ShapeTarget& target, const Matrix3Xd& vertices_mm, ShapePose pose) {
   ShapeMisfit now = misfit(target, vertices_mm, pose);
   for (int step = 0; step < kMostTries; ++step) {

@@ -64,6 +64,11 @@ struct ShapeMisfit {
 ShapeMisfit misfit(const ShapeTarget& target, const Eigen::Matrix3Xd& vertices_mm,
                    const ShapePose& pose);
 
+/// Derivatives of the misfit's entries by coordinates by which those of the vertices are given, (3
+/// vertices) x coordinates; the pose is held. `weights` are the target's.
+Eigen::MatrixXd misfit_by(const ShapeMisfit& misfit, const Eigen::MatrixXd& weights,
+                          const Eigen::MatrixXd& vertices_by);
+
 /// Lays the folded base on the plane z = 0, in the middle between its two levels, or on the places,
 /// and makes the target's rows. Inner vertices lie on the levels, 1 and -1; the others, where a rim
 /// cuts panels, between them or beyond.

@@ -281,7 +281,7 @@ class Pattern:
                  preload_n: float | None = None, thickness_mm: float | None = None, grid_mm: float | None = None,
                  within_family: bool = False, subject_to: Sequence[str] = (),
                  stiffness_within: Sequence[float] = (), preload_within: Sequence[float] = (),
-                 rest_deg: float | None = None, miscut_mm: float = 0.05, trials: int = 200,
+                 rest_deg: float | None = None, miscut_mm: float = 0.05, trials: int = 200, rim: bool = False,
                  ) -> tuple[Pattern, dict[str, Any]]:
         """Optimises this sheet; returns the optimum and the JSON of `misalign optimise`.
 
@@ -290,8 +290,9 @@ class Pattern:
         `deploys_from_deg`  D that it must keep; None for its D
         `ternary`           shifts of 0 and ± the amplitude alone
         `grid_mm`           grid of the shifts; those of this sheet are rounded to it
+        `rim`               True to shift the rim's vertices, too
         `within_family`     True for members of the base's parallel family alone
-        `subject_to`        constraints: `"stroke_max <= 0.06"`, `"miscut_margin_mm >= 0.1"`
+        `subject_to`        constraints: `"stroke_max <= 0.06"`, `"miscut_margin_mm >= 0.1"`, `"shape_max_mm <= 0.5"`
         `stiffness_within`, `preload_within`  bounds of the springs' stiffness and preload, which are optimised too
         `rest_deg`          pilot angle at which springs are relaxed; None for flat
         `miscut_mm`, `trials`  cutting error and number of copies, for yields
@@ -303,7 +304,7 @@ class Pattern:
         said: dict[str, Any] = json.loads(_misalign.optimise(
             self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit, None, thickness_mm, preload_n=preload_n),
             goal=goal, amplitude_mm=amplitude_mm, deploys_from_deg=deploys_from_deg, ternary=ternary, grid_mm=grid_mm,
-            within_family=within_family, subject_to=list(subject_to), stiffness_within=list(stiffness_within),
+            rim=rim, within_family=within_family, subject_to=list(subject_to), stiffness_within=list(stiffness_within),
             preload_within=list(preload_within), rest_deg=rest_deg, miscut_mm=miscut_mm, trials=trials))
         return Pattern(_misalign.read_document(text(said["pattern"]), "optimised")), said
 

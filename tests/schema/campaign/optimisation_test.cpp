@@ -98,6 +98,17 @@ TEST(Optimisation, IsPartOfTheIdentity) {
   EXPECT_FALSE(splitting["search"].contains("maximise"));
 }
 
+TEST(Optimisation, BoundsOfDistancesAreUpperOnes) {
+  OptimiseBounds bounds;
+  EXPECT_FALSE(add_bound("shape_max_mm <= 0.5", bounds));
+  ASSERT_EQ(bounds.floors.size(), 1u);
+  EXPECT_EQ(bounds.floors[0].goal->in_unit(bounds.floors[0].least), 0.5);
+  EXPECT_EQ(bounds_json(bounds), Json({"shape_max_mm <= 0.5"}));
+  const auto fault = add_bound("shape_rms_mm >= 0.5", bounds);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->why, "shape_rms_mm needs an upper bound");
+}
+
 TEST(Optimisation, WhatCannotBeIsSaid) {
   const std::pair<Json, std::vector<std::string>> kSaid[] = {
       {{{"maximise", "critical_friction"}},
