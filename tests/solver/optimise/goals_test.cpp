@@ -38,6 +38,7 @@ struct GoalCase {
   /// panels comes closest, or where; how the pose follows distances of some mm.
   double left_out;
   double between_angles = 1e-3, of_springs = 0.01;
+  bool has_places = false;  // in place of a surface
 };
 
 class ForeseenGoals : public Goals, public testing::WithParamInterface<GoalCase> {};
@@ -48,7 +49,12 @@ TEST_P(ForeseenGoals, ChangeAsTheySay) {
   options_.goal = goal_named(what.goal);
   if (options_.goal->needs_target) {
     WantedShape bent;
-    bent.surface = saddle(960);
+    if (!what.has_places) bent.surface = saddle(960);
+    for (const int vertex : {0, 4, 12, 20, 24}) {
+      if (!what.has_places) break;
+      const Eigen::Vector2d at_mm = base_.base.sheet.vertices_mm.col(vertex);
+      bent.places.push_back({vertex, {0.9 * at_mm.x(), 0.9 * at_mm.y(), vertex == 12 ? 15.0 : 0}});
+    }
     options_.shape = std::make_shared<const ShapeMeasure>(*ShapeMeasure::of(solver_, bent, 60));
   }
   springs().rest_deg = what.rest_deg;
@@ -113,7 +119,9 @@ INSTANTIATE_TEST_SUITE_P(
         GoalCase{"stop", "rest_stiffness_n_mm_per_rad", 60, 0, true, 0.03},
         GoalCase{"thickness", "thickness_mm", 0, 0, false, 0.08, 0.02},
         GoalCase{"shape_rms", "shape_rms_mm", 0, 0, false, 2e-5, 1e-6},
-        GoalCase{"shape_max", "shape_max_mm", 0, 0, false, 0.01, 1e-6}),
+        GoalCase{"shape_max", "shape_max_mm", 0, 0, false, 0.01, 1e-6},
+        GoalCase{"places_rms", "shape_rms_mm", 0, 0, false, 2e-5, 1e-6, 0, true},
+        GoalCase{"places_max", "shape_max_mm", 0, 0, false, 5e-3, 1e-6, 0, true}),
     [](const auto& one) { return std::string(one.param.name); });
 
 // The least distance of any two panels, by solving the sheet again.
