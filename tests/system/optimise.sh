@@ -125,7 +125,7 @@ refused 2 "has no target, of which goals of a shape need one" six.db "$draw" --g
 # A shaped sheet keeps its target, in its best pose, and its file.
 sed 's/"columns": 6/"columns": 4/; s/"rows": 6/"rows": 4/; s/1440/960/' "$source_dir/search/patterns/dome-6x6.json" > plain_dome.json
 "$program" shape plain_dome.json --output dome.json > words || fail "a dome: $(cat words)"
-"$program" optimise dome.json --rim --goal rest_stiffness_n_mm_per_rad --subject-to "shape_max_mm <= 0.5" --steps 3 --json --output stiffer.json > said.json ||
+"$program" optimise dome.json --rim --from 100 --deploys-from 100 --goal rest_stiffness_n_mm_per_rad --subject-to "shape_max_mm <= 0.5" --steps 3 --json --output stiffer.json > said.json ||
   fail "a stiffer dome"
 json_test said.json "json_extract(j, '\$.after_n_mm_per_rad') > 1.1 * json_extract(j, '\$.before_n_mm_per_rad')
   AND json_extract(j, '\$.subject_to[0]') = 'shape_max_mm <= 0.5'" || fail "a stiffer dome: $(head -c 300 said.json)"
@@ -133,7 +133,7 @@ json_test said.json "json_extract(j, '\$.after_n_mm_per_rad') > 1.1 * json_extra
 json_test said.json "json_extract(j, '\$.before_mm') <= 0.5 AND json_extract(j, '\$.after_mm') < json_extract(j, '\$.before_mm')" ||
   fail "a dome that is better: $(head -c 300 said.json)"
 refused 2 "--subject-to <= 1e-05: the sheet that it starts from has" stiffer.json --subject-to "shape_max_mm <= 0.00001"
-sed 's/"surface"/"at_deg": 179, "surface"/' dome.json > beyond.json
+sed -E 's/"at_deg": 90(\.0)?/"at_deg": 120/' dome.json > beyond.json
 refused 2 "does not fold to the target's angle" beyond.json --goal shape_max_mm
 tr '\n' ' ' < "$table1" | sed 's/"displacements_mm": {[^}]*}/"displacements_mm": {}/' > plain.json
 refused 2 "--amplitude 0: leaves no room" plain.json --from 10
