@@ -39,6 +39,13 @@ class MujocoRun {
       model_->dof_frictionloss[i] = factor * file.model_->dof_frictionloss[i];
     }
   }
+  /// The damping of every hinge of the joint tree; a body that is free in space has none.
+  void damp(double n_mm_s_per_rad) {
+    for (int joint = 0; joint < model_->njnt; ++joint) {
+      if (model_->jnt_type[joint] != mjJNT_HINGE) continue;
+      model_->dof_damping[model_->jnt_dofadr[joint]] = n_mm_s_per_rad;
+    }
+  }
   bool has_friction() const {
     for (int i = 0; i < model_->nv; ++i) {
       if (model_->dof_frictionloss[i] > 0) return true;
