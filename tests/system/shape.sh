@@ -3,13 +3,13 @@
 . "$(dirname "$0")/lib.sh"
 dome="$source_dir/search/patterns/dome-6x6.json"
 "$program" shape "$dome" --output dome.json --json > shaped.json 2> err || fail "shape: $(cat err)"
-"$program" export dome.json --format obj --at 90 --output obj > out 2>&1 || fail "obj: $(cat out)"
+"$program" export dome.json --format obj --output obj > out 2>&1 || fail "obj: $(cat out)"
 # By coordinates alone: distances from the two spheres whose centre fits best.
 cat > off.py <<'PY'
-import glob, json, math, sys
+import json, math
 shaped = json.load(open("shaped.json"))
 turn, move, half = shaped["pose"]["turn"], shaped["pose"]["move_mm"], shaped["half_depth_mm"]
-lines = [line.split() for line in open(glob.glob("obj/*.obj")[0])]
+lines = [line.split() for line in open("obj/dome-090deg.obj")]
 points = [[float(x) for x in words[1:4]] for words in lines if words and words[0] == "v"]
 # The centre of the best sphere by Newton's steps on the mean of all distances: levels cancel on inner vertices.
 centre = [sum(p[k] for p in points) / len(points) for k in range(3)]
@@ -56,6 +56,5 @@ refuses() { # CODE WORDS ARGUMENTS...
 refuses 3 'has no "target"' "$source_dir/search/patterns/table1.json" --output none.json
 refuses 3 "is no surface that is known" "$dome" --target '{"surface": "cube"}' --output none.json
 refuses 2 "is stowed beyond" "$dome" --from 80 --output none.json
-refuses 2 "folds to" "$dome" --at 179 --target '{"surface": "plane", "at_deg": 179.5}' --from 179.8 --output none.json
 refuses 2 "is an upper bound" "$dome" --subject-to "stroke_max <= 0.1" --output none.json
-refuses 2 "no such\|is no constraint\|number that can be limited" "$dome" --subject-to "softness >= 1" --output none.json
+refuses 2 "number that can be limited" "$dome" --subject-to "softness >= 1" --output none.json
