@@ -9,7 +9,7 @@
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/vertex_labels.hpp"
 #include "schema/surface/surface_file.hpp"
-#include "solver/shape/mesh_surface.hpp"
+#include "solver/target/mesh_surface.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -17,9 +17,11 @@
 #include "schema/pattern/fill_json.hpp"
 #include "schema/pattern/fill_words.hpp"
 #include "schema/report/report.hpp"
+#include "schema/report/target_view.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/shaped.hpp"
 #include "search/sheets/study_functions.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/long_work.hpp"
@@ -308,8 +310,15 @@ Json report_of_pattern(const ReportCall& call) {
                      {"sampling", schema::sampling_json(chosen.sampling)}};
   data["candidates"] = {{"total", 0}, {"shown", 0}, {"columns", Json::object()}};
   data.update(folding_json(model));
-  data["details"] =
-      Json::array({details.of_pattern(model.sheet(chosen.shifts_mm), chosen.pattern)});
+  const solver::Sheet sheet = model.sheet(chosen.shifts_mm);
+  Json detail = details.of_pattern(sheet, chosen.pattern);
+  if (chosen.target) {
+    solver::SheetSolver solver(sheet.model());
+    const auto measure = solver::ShapeMeasure::of(
+        solver, chosen.target->shape, shape_deg(*chosen.target, model.design().rest_deg));
+    if (measure) detail["target"] = schema::target_shown_json(sheet, *measure);
+  }
+  data["details"] = Json::array({std::move(detail)});
   return data;
 }
 

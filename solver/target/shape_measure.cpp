@@ -28,10 +28,14 @@ ShapeMeasure::ShapeMeasure(ShapeTarget target, double at_deg, const ShapePose& p
       base_mm_(base_mm),
       half_depth_mm_(pose.half_depth_mm) {}
 
-ShapeMisfit ShapeMeasure::fitted(const Matrix3Xd& vertices_mm) const {
+ShapePose ShapeMeasure::pose(const Matrix3Xd& vertices_mm) const {
   const Eigen::Matrix4d motion = Eigen::umeyama(vertices_mm, base_mm_, false);
   const ShapePose near{motion.topLeftCorner<3, 3>(), motion.topRightCorner<3, 1>(), half_depth_mm_};
-  return misfit(target_, vertices_mm, fitted_pose(target_, vertices_mm, near));
+  return fitted_pose(target_, vertices_mm, near);
+}
+
+ShapeMisfit ShapeMeasure::fitted(const Matrix3Xd& vertices_mm) const {
+  return misfit(target_, vertices_mm, pose(vertices_mm));
 }
 
 std::optional<ShapeMisfit> ShapeMeasure::fitted(const Sheet& sheet) const {

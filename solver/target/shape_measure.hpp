@@ -17,7 +17,8 @@ class ShapeMeasure {
 
   double at_deg() const { return at_deg_; }
   const ShapeTarget& target() const { return target_; }
-  /// The misfit of folded vertices, placed anywhere, in the pose of its least squares.
+  /// The pose of least squares for folded vertices, placed anywhere; and their misfit in it.
+  ShapePose pose(const Eigen::Matrix3Xd& vertices_mm) const;
   ShapeMisfit fitted(const Eigen::Matrix3Xd& vertices_mm) const;
   /// The same of a sheet; none where it does not fold to the angle.
   std::optional<ShapeMisfit> fitted(const Sheet& sheet) const;

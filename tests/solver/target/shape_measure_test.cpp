@@ -14,22 +14,22 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using DualPoint = std::array<Dual, 3>;
 
-constexpr double kRadius_mm = 900, kAt_deg = 60;
+constexpr double kMeasuredRadius_mm = 900, kAt_deg = 60;
 
 Dual dual_norm(Dual x, Dual y, Dual z) { return sqrt(x * x + y * y + z * z); }
 
 Dual sphere_distance(const DualPoint& p) {
-  return dual_norm(p[0], p[1], p[2] + Dual(kRadius_mm)) - Dual(kRadius_mm);
+  return dual_norm(p[0], p[1], p[2] + Dual(kMeasuredRadius_mm)) - Dual(kMeasuredRadius_mm);
 }
 
 Dual cylinder_distance(const DualPoint& p) {
-  return dual_norm(0, p[1], p[2] + Dual(kRadius_mm)) - Dual(kRadius_mm);
+  return dual_norm(0, p[1], p[2] + Dual(kMeasuredRadius_mm)) - Dual(kMeasuredRadius_mm);
 }
 
 // The foot (u, v) of z = (u^2 - v^2) / 2R: x = u + g u, y = v - g v with g = (h - z) / R, and so
 // u = x / (1 + g), v = y / (1 - g): Newton's method in g alone.
 Dual saddle_distance(const DualPoint& p) {
-  const Dual radius(kRadius_mm), one(1.0), half(0.5);
+  const Dual radius(kMeasuredRadius_mm), one(1.0), half(0.5);
   Dual g = 0;
   for (int step = 0; step < 30; ++step) {
     const Dual u = p[0] / (one + g), v = p[1] / (one - g);
@@ -62,9 +62,9 @@ class ClosedForms : public testing::Test {
     }
   }
 
-  const ClosedForm forms_[3] = {{sphere(kRadius_mm), sphere_distance},
-                                {cylinder(kRadius_mm, true), cylinder_distance},
-                                {saddle(kRadius_mm), saddle_distance}};
+  const ClosedForm forms_[3] = {{sphere(kMeasuredRadius_mm), sphere_distance},
+                                {cylinder(kMeasuredRadius_mm, true), cylinder_distance},
+                                {saddle(kMeasuredRadius_mm), saddle_distance}};
   std::mt19937_64 random_{20261130};
   DrawableSheet base_{4, 4};
   Model model_{base_.base};
@@ -155,7 +155,7 @@ TEST_F(ClosedForms, AreFittedWithTheLeastSquares) {
 
 TEST_F(ClosedForms, AreNoneBeyondTheEndOfAWay) {
   WantedShape wanted;
-  wanted.surface = sphere(kRadius_mm);
+  wanted.surface = sphere(kMeasuredRadius_mm);
   const Sheet sheet(solver_, Eigen::Matrix2Xd::Random(2, base_.base.sheet.vertex_count()));
   EXPECT_TRUE(shape_misfit_of(sheet, wanted, sheet.way()->end_deg() - 1));
   EXPECT_FALSE(shape_misfit_of(sheet, wanted, sheet.way()->end_deg()));

@@ -18,21 +18,24 @@ struct Described {
 };
 
 std::vector<Described> described() {
-  constexpr double kRadius_mm = 700, kSpacing_mm = 20;
+  constexpr double kSurfaceRadius_mm = 700, kSpacing_mm = 20;
   std::vector<Described> all;
-  all.push_back({cylinder(kRadius_mm, false), [](double x, double) {
-                   return std::sqrt(kRadius_mm * kRadius_mm - x * x) - kRadius_mm;
+  all.push_back({cylinder(kSurfaceRadius_mm, false), [](double x, double) {
+                   return std::sqrt(kSurfaceRadius_mm * kSurfaceRadius_mm - x * x) -
+                          kSurfaceRadius_mm;
                  }});
-  all.push_back({cylinder(-kRadius_mm, true), [](double, double y) {
-                   return kRadius_mm - std::sqrt(kRadius_mm * kRadius_mm - y * y);
+  all.push_back({cylinder(-kSurfaceRadius_mm, true), [](double, double y) {
+                   return kSurfaceRadius_mm -
+                          std::sqrt(kSurfaceRadius_mm * kSurfaceRadius_mm - y * y);
                  }});
-  all.push_back({sphere(kRadius_mm), [](double x, double y) {
-                   return std::sqrt(kRadius_mm * kRadius_mm - x * x - y * y) - kRadius_mm;
+  all.push_back({sphere(kSurfaceRadius_mm), [](double x, double y) {
+                   return std::sqrt(kSurfaceRadius_mm * kSurfaceRadius_mm - x * x - y * y) -
+                          kSurfaceRadius_mm;
                  }});
-  all.push_back(
-      {saddle(kRadius_mm), [](double x, double y) { return (x * x - y * y) / (2 * kRadius_mm); }});
-  all.push_back(
-      {helicoid(kRadius_mm), [](double x, double y) { return x * std::tan(y / kRadius_mm); }});
+  all.push_back({saddle(kSurfaceRadius_mm),
+                 [](double x, double y) { return (x * x - y * y) / (2 * kSurfaceRadius_mm); }});
+  all.push_back({helicoid(kSurfaceRadius_mm),
+                 [](double x, double y) { return x * std::tan(y / kSurfaceRadius_mm); }});
   // A spline through a quadratic function is that function.
   Eigen::MatrixXd heights_mm(41, 41);
   const auto bowl = [](double x, double y) { return (x * x + 3 * y * y - x * y) / 2000; };
