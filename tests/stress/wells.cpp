@@ -224,7 +224,7 @@ void study_shapes(int panels, double step_deg, Tally& tally) {
       {"twist", helicoid(3 * width_mm), 133}};
   for (const auto& [name, target, from_deg] : wanted) {
     ShapeOptions options;
-    options.target = target;
+    options.target.surface = target;
     options.from_deg = from_deg;
     const StudyResult<ShapeStudy> shaped = shape(solver, options);
     if (!shaped) continue;
