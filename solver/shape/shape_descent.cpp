@@ -119,8 +119,9 @@ void ShapeDescent::improve() {
 
 bool ShapeDescent::move_to(const Matrix2Xd& shifts_mm, const ShapePose& near) {
   auto there = evaluate(shifts_mm, near);
-  if (there) now_ = *std::move(there);
-  return there.has_value();
+  if (!there) return false;
+  now_ = *std::move(there);
+  return true;
 }
 
 std::optional<QuadraticProgram> ShapeDescent::program(std::vector<ShapeRow>& rows) const {

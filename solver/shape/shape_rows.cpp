@@ -160,11 +160,11 @@ class Builder {
   // Terms below their floor share its price.
   void add_floors() {
     for (std::size_t k = 0; k < wanted_.floors.size(); ++k) {
-      const auto [least, mm] = wanted_.floors[k];
+      const double least = wanted_.floors[k].least, mm = wanted_.floors[k].mm;
       const Goal& goal = *options_.keeping.floors[k].goal;
-      const auto add = [&](double value, double share_mm, RowVectorXd row) {
+      const auto add = [&](double value, double share_mm, const RowVectorXd& row) {
         rows_.push_back({ShapeRow::Kind::floor, static_cast<int>(k), 0, share_mm * (value - least),
-                         share_mm * std::move(row)});
+                         share_mm * row});
       };
       if (!gradients_) {
         const auto value = value_of(goal, sheet_, options_.keeping);
