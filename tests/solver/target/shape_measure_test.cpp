@@ -42,12 +42,12 @@ Dual saddle_distance(const DualPoint& p) {
   return -g * sqrt(u * u + v * v + radius * radius);
 }
 
-struct ClosedForm {
+struct ClosedFormSurface {
   std::shared_ptr<const TargetSurface> surface;
   Dual (*distance)(const DualPoint&);
 };
 
-class ClosedForms : public testing::Test {
+class ClosedFormSurfaces : public testing::Test {
  protected:
   Matrix3Xd next_folded() {
     std::uniform_real_distribution<double> shift_mm(-2, 2);
@@ -62,9 +62,9 @@ class ClosedForms : public testing::Test {
     }
   }
 
-  const ClosedForm forms_[3] = {{sphere(kMeasuredRadius_mm), sphere_distance},
-                                {cylinder(kMeasuredRadius_mm, true), cylinder_distance},
-                                {saddle(kMeasuredRadius_mm), saddle_distance}};
+  const ClosedFormSurface forms_[3] = {{sphere(kMeasuredRadius_mm), sphere_distance},
+                                       {cylinder(kMeasuredRadius_mm, true), cylinder_distance},
+                                       {saddle(kMeasuredRadius_mm), saddle_distance}};
   std::mt19937_64 random_{20261130};
   DrawableSheet base_{4, 4};
   Model model_{base_.base};
@@ -90,9 +90,9 @@ DualPoint moved(const Vector3d& mm, int change) {
 // Relative to 100 mm, at which lever arms of turns are.
 constexpr double kRounding = 1e-8;
 
-TEST_F(ClosedForms, HaveTheDerivativesOfDualNumbers) {
+TEST_F(ClosedFormSurfaces, HaveTheDerivativesOfDualNumbers) {
   constexpr int kSheets = 100;
-  for (const ClosedForm& form : forms_) {
+  for (const ClosedFormSurface& form : forms_) {
     WantedShape wanted;
     wanted.surface = form.surface;
     const ShapeMeasure measure = *ShapeMeasure::of(solver_, wanted, kAt_deg);
@@ -132,8 +132,8 @@ TEST_F(ClosedForms, HaveTheDerivativesOfDualNumbers) {
 }
 
 // No pose nearby has smaller squares, and where the sheet lies does not matter.
-TEST_F(ClosedForms, AreFittedWithTheLeastSquares) {
-  for (const ClosedForm& form : forms_) {
+TEST_F(ClosedFormSurfaces, AreFittedWithTheLeastSquares) {
+  for (const ClosedFormSurface& form : forms_) {
     WantedShape wanted;
     wanted.surface = form.surface;
     const ShapeMeasure measure = *ShapeMeasure::of(solver_, wanted, kAt_deg);
@@ -153,7 +153,7 @@ TEST_F(ClosedForms, AreFittedWithTheLeastSquares) {
   }
 }
 
-TEST_F(ClosedForms, AreNoneBeyondTheEndOfAWay) {
+TEST_F(ClosedFormSurfaces, AreNoneBeyondTheEndOfAWay) {
   WantedShape wanted;
   wanted.surface = sphere(kMeasuredRadius_mm);
   const Sheet sheet(solver_, Eigen::Matrix2Xd::Random(2, base_.base.sheet.vertex_count()));
