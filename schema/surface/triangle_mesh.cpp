@@ -58,7 +58,7 @@ void turn_to_shorter(const std::vector<Eigen::Vector3d>& points_mm, std::vector<
     return (points_mm[static_cast<std::size_t>(a)] - points_mm[static_cast<std::size_t>(b)]).norm();
   };
   if (face.size() == 4 && length_mm(face[1], face[3]) < length_mm(face[0], face[2])) {
-    std::ranges::rotate(face, face.begin() + 1);
+    std::rotate(face.begin(), face.begin() + 1, face.end());
   }
 }
 

@@ -156,7 +156,11 @@ TEST_F(ClosedFormSurfaces, AreFittedWithTheLeastSquares) {
 TEST_F(ClosedFormSurfaces, AreNoneBeyondTheEndOfAWay) {
   WantedShape wanted;
   wanted.surface = sphere(kMeasuredRadius_mm);
-  const Sheet sheet(solver_, Eigen::Matrix2Xd::Random(2, base_.base.sheet.vertex_count()));
+  Eigen::Matrix2Xd shifts_mm(2, base_.base.sheet.vertex_count());
+  for (Eigen::Index k = 0; k < shifts_mm.size(); ++k) {
+    shifts_mm(k % 2, k / 2) = 0.3 * std::sin(7.0 * static_cast<double>(k));
+  }
+  const Sheet sheet(solver_, shifts_mm);
   EXPECT_TRUE(shape_misfit_of(sheet, wanted, sheet.way()->end_deg() - 1));
   EXPECT_FALSE(shape_misfit_of(sheet, wanted, sheet.way()->end_deg()));
 }
