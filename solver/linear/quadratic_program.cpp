@@ -25,6 +25,18 @@ double longest(const ArrayXd& values, const ArrayXd& steps) {
   return step;
 }
 
+// Number of rows that are summed at a time: Eigen splits longer sums by the processor's cache, and
+// their last digits would depend on it.
+constexpr Eigen::Index kRowsAtOnce = 256;
+
+void add_squares(const Eigen::MatrixXd& rows, const VectorXd& weights, Eigen::MatrixXd& sum) {
+  for (Eigen::Index first = 0; first < rows.rows(); first += kRowsAtOnce) {
+    const Eigen::Index count = std::min(kRowsAtOnce, rows.rows() - first);
+    const auto some = rows.middleRows(first, count);
+    sum += some.transpose() * weights.segment(first, count).asDiagonal() * some;
+  }
+}
+
 // A quantity that stays positive, its multiplier, and the steps of both.
 struct Pair {
   ArrayXd value, price, value_step, price_step;
@@ -85,7 +97,7 @@ QuadraticOptimum minimize(const QuadraticProgram& program) {
         (to - slack.value * slack.price - slack.price * (to / over.price - over.value)) / per_price;
     const ArrayXd at_low = to / low.value - low.price, at_high = to / high.value - high.price;
     Eigen::MatrixXd matrix = program.hessian;
-    matrix += program.rows.transpose() * weights.matrix().asDiagonal() * program.rows;
+    add_squares(program.rows, weights.matrix(), matrix);
     matrix.diagonal().array() += low.price / low.value + high.price / high.value;
     const VectorXd right = -unbalanced + program.rows.transpose() * prices.matrix() +
                            at_low.matrix() - at_high.matrix();

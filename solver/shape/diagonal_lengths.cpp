@@ -17,4 +17,12 @@ std::optional<DiagonalLengths> diagonal_lengths(const Sheet& sheet, double pilot
   return lengths;
 }
 
+double change_by_slope_mm(double slope_mm_per_deg, double from_deg, double to_deg) {
+  const auto cosine = [](double angle_deg) {
+    const auto half = half_angle_of_deg(angle_deg);
+    return half.c * half.c - half.s * half.s;
+  };
+  return slope_mm_per_deg / kRadPerDeg * (cosine(from_deg) - cosine(to_deg));
+}
+
 }  // namespace misalign::solver

@@ -17,4 +17,8 @@ struct DiagonalLengths {
 std::optional<DiagonalLengths> diagonal_lengths(const Sheet& sheet, double pilot_deg,
                                                 PathGradients* gradients);
 
+/// The change of a length between two pilot angles whose slope is `slope_mm_per_deg` at 90 degrees,
+/// times the sine elsewhere.
+double change_by_slope_mm(double slope_mm_per_deg, double from_deg, double to_deg);
+
 }  // namespace misalign::solver

@@ -165,6 +165,7 @@ class Shaping {
       if (wanted().sides(d) < 0 || wanted().sides(d + 1) < 0) continue;
       wanted().sides(longer_mm(d) < longer_mm(d + 1) ? d : d + 1) = -1;
     }
+    for (const int d : options_.turned) wanted().sides(d) = -wanted().sides(d);
     set_angles();
   }
 

@@ -34,7 +34,11 @@ ShapeDescent::ShapeDescent(SheetSolver& solver, const ShapeOptions& options)
       width_mm_(base_.panel_width_mm),
       size_mm_(width_mm_ * std::sqrt(static_cast<double>(base_.facet_count()))),
       free_(options.is_rim_fixed ? interior_vertices(base_) : all_vertices(base_)),
-      merit_(base_, free_) {}
+      merit_(base_, free_, start_mm(), options.shift_weight) {}
+
+Matrix2Xd ShapeDescent::start_mm() const {
+  return options_.start_mm.value_or(Matrix2Xd::Zero(2, base_.vertex_count()));
+}
 
 bool ShapeDescent::begin(const WantedRows& wanted) {
   wanted_ = wanted;
@@ -48,7 +52,7 @@ bool ShapeDescent::begin(const WantedRows& wanted) {
     place.mm = pose.turn * folded_mm.col(place.vertex) + pose.move_mm;
   }
   from_places_ = target_.places;
-  return move_to(none, pose);
+  return move_to(start_mm(), pose);
 }
 
 double ShapeDescent::whole_curvature() const {

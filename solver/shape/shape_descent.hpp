@@ -33,7 +33,8 @@ class ShapeDescent {
   /// `solver` and `options` must outlive this object.
   ShapeDescent(SheetSolver& solver, const ShapeOptions& options);
 
-  /// Lays the base on the target without its curvature. False where it does not fold to the shape.
+  /// Lays the base, and the start as it, on the target without its curvature. False where they do
+  /// not fold to the shape.
   bool begin(const WantedRows& wanted);
   /// The whole target's curvature times the sheet's width; of places that of the arc by which they
   /// rise.
@@ -63,6 +64,7 @@ class ShapeDescent {
   std::vector<ShapeLimit> limits() const;
 
  private:
+  Eigen::Matrix2Xd start_mm() const;
   std::optional<State> evaluate(const Eigen::Matrix2Xd& shifts_mm, const ShapePose& near);
   std::optional<QuadraticProgram> program(std::vector<ShapeRow>& rows) const;
   QuadraticProgram in_box(const QuadraticProgram& around, double box_mm,

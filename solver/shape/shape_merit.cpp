@@ -15,10 +15,9 @@ using Eigen::Matrix2Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Weights of squares: of a distance of one panel width at every vertex, of a shift of one panel
-// width, of the second difference of shifts, over two panels on either side, and of the whole flat
-// area's relative change.
-constexpr double kMisfit = 10, kShift = 0.01, kBend = 0.015, kArea = 10;
+// Weights of squares: of a distance of one panel width at every vertex, of the second difference of
+// shifts, over two panels on either side, and of the whole flat area's relative change.
+constexpr double kMisfit = 10, kBend = 0.015, kArea = 10;
 // Price of a violated row, per mm, of a panel one mm wide.
 constexpr double kPenalty = 3 * 80;
 // Weight by which the pose stays where no distance holds it, beside a distance's.
@@ -65,11 +64,14 @@ double area_mm2(const CreasePattern& sheet, const FlatVertices& vertices_mm) {
 
 }  // namespace
 
-ShapeMerit::ShapeMerit(const CreasePattern& base, std::vector<int> free)
+ShapeMerit::ShapeMerit(const CreasePattern& base, std::vector<int> free, Matrix2Xd start_mm,
+                       double shift_weight)
     : base_(base),
       width_mm_(base.panel_width_mm),
       size_mm_(width_mm_ * std::sqrt(static_cast<double>(base.facet_count()))),
       free_(std::move(free)),
+      start_mm_(std::move(start_mm)),
+      shift_weight_per_mm_(shift_weight / width_mm_),
       area_mm2_(area_mm2(base, base.vertices_mm)),
       unevenness_(second_differences(base)) {
   assert(!free_.empty());
@@ -83,8 +85,8 @@ double ShapeMerit::value(const ShapeMisfit& misfit, const Matrix2Xd& shifts_mm,
                          const std::vector<ShapeRow>& rows) const {
   const double area = area_mm2(base_, base_.vertices_mm + shifts_mm) / area_mm2_ - 1;
   const double off = misfit_weight() * misfit.mm.norm();
-  const double shift = kShift / width_mm_, bend = kBend / width_mm_;
-  const double regular = shift * shift * shifts_mm.squaredNorm() +
+  const double shift = shift_weight_per_mm_, bend = kBend / width_mm_;
+  const double regular = shift * shift * (shifts_mm - start_mm_).squaredNorm() +
                          bend * bend * (shifts_mm * unevenness_).cwiseProduct(shifts_mm).sum();
   double below = 0;
   for (const ShapeRow& row : rows) below += std::max(-row.slack, 0.0);
@@ -106,7 +108,8 @@ QuadraticProgram ShapeMerit::program(const ShapeMisfit& misfit, const MatrixXd& 
   program.gradient = slopes.transpose() * (misfit_weight() * misfit.mm);
   add_regular(sheet, program);
   // A part of the pose that the surface leaves free stays.
-  program.hessian.diagonal().tail(7).array() += std::pow(kHeld * misfit_weight(), 2);
+  const double held = kHeld * misfit_weight();
+  program.hessian.diagonal().tail(7).array() += held * held;
   program.rows.resize(std::ssize(rows), count);
   program.slacks.resize(std::ssize(rows));
   program.rows.rightCols(7).setZero();
@@ -121,7 +124,7 @@ QuadraticProgram ShapeMerit::program(const ShapeMisfit& misfit, const MatrixXd& 
 
 void ShapeMerit::add_regular(const Sheet& sheet, QuadraticProgram& program) const {
   const Index shifts = 2 * std::ssize(free_);
-  const double by_shift = kShift / width_mm_;
+  const double by_shift = shift_weight_per_mm_;
   const double off = area_mm2(base_, sheet.vertices_mm()) / area_mm2_ - 1;
   MatrixXd by_area = MatrixXd::Zero(1, 2 * base_.vertex_count());
   for (const auto& facet : base_.facets) {
@@ -146,8 +149,8 @@ void ShapeMerit::add_regular(const Sheet& sheet, QuadraticProgram& program) cons
   }
   const MatrixXd bent = (squares * sheet.shifts_mm().transpose()).transpose();
   program.gradient.head(shifts) += of_free(bent.reshaped().transpose()).transpose();
-  const MatrixXd shifts_mm = sheet.shifts_mm().reshaped().transpose();
-  program.gradient.head(shifts) += by_shift * by_shift * of_free(shifts_mm).transpose();
+  const MatrixXd moved_mm = (sheet.shifts_mm() - start_mm_).reshaped().transpose();
+  program.gradient.head(shifts) += by_shift * by_shift * of_free(moved_mm).transpose();
 }
 
 MatrixXd ShapeMerit::of_free(const MatrixXd& by_vertices) const {

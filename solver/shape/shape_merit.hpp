@@ -14,8 +14,9 @@ namespace misalign::solver {
 class ShapeMerit {
  public:
   /// `base`, the flat sheet that is not shifted, must outlive this object. `free`: vertices that
-  /// may be shifted.
-  ShapeMerit(const CreasePattern& base, std::vector<int> free);
+  /// may be shifted. Shifts from `start_mm` on have `shift_weight`.
+  ShapeMerit(const CreasePattern& base, std::vector<int> free, Eigen::Matrix2Xd start_mm,
+             double shift_weight);
 
   double value(const ShapeMisfit& misfit, const Eigen::Matrix2Xd& shifts_mm,
                const std::vector<ShapeRow>& rows) const;
@@ -34,6 +35,8 @@ class ShapeMerit {
   const CreasePattern& base_;
   const double width_mm_, size_mm_;
   const std::vector<int> free_;
+  const Eigen::Matrix2Xd start_mm_;
+  const double shift_weight_per_mm_;
   const double area_mm2_;             // the base's
   const Eigen::MatrixXd unevenness_;  // squares of second differences, by the vertices
 };

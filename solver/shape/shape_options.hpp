@@ -23,6 +23,11 @@ struct ShapeOptions {
   double at_deg = 90;     ///< pilot angle where it has the shape
   double from_deg = 110;  ///< stowed pilot angle
   ShapeKind kind = ShapeKind::rest;
+  /// Shifts with which the descent begins, and beside which vertices stay; none: the base's.
+  std::optional<Eigen::Matrix2Xd> start_mm = {};
+  double shift_weight = 0.01;  ///< weight of a vertex's distance from its start, in panel widths
+  /// Diagonals that are to change against the direction that lengths suggest (ShapeKind::rest).
+  std::vector<int> turned = {};
   bool is_rim_fixed = false;
   std::optional<double> amplitude_mm;  ///< largest shift in x and in y; none: any
   double least_sine = 0.3;             ///< least sine of a corner of a panel or hole, flat

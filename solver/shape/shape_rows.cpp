@@ -142,8 +142,8 @@ class Builder {
       if (angle_deg >= end_deg - 0.01) break;
       auto there = diagonal_lengths(sheet_, angle_deg, gradients_);
       if (!last || !there) return void(is_known_ = false);
-      const double least_mm = options_.least_slope_mm_per_deg / kRadPerDeg *
-                              (std::cos(last_deg * kRadPerDeg) - std::cos(angle_deg * kRadPerDeg));
+      const double least_mm =
+          change_by_slope_mm(options_.least_slope_mm_per_deg, last_deg, angle_deg);
       assert(wanted_.sides.size() == there->mm.size());
       for (Index d = 0; d < there->mm.size(); ++d) {
         const double side = wanted_.sides(d);

@@ -48,8 +48,8 @@ bool add_energy_rows(const Sheet& sheet, const ShapeOptions& options,
                                                     : off_rest(*there, *rest, coordinates);
     if (last) {
       const double side = pilot_deg > options.at_deg ? 1 : -1;
-      const double least_mm = options.least_slope_mm_per_deg / kRadPerDeg *
-                              (std::cos(last_deg * kRadPerDeg) - std::cos(pilot_deg * kRadPerDeg));
+      const double least_mm =
+          change_by_slope_mm(options.least_slope_mm_per_deg, last_deg, pilot_deg);
       rows.push_back({ShapeRow::Kind::energy, 0, pilot_deg, side * (now.mm - last->mm) - least_mm,
                       gradients ? RowVectorXd(side * (now.by_mm - last->by_mm)) : RowVectorXd()});
     }

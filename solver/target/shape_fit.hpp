@@ -20,8 +20,8 @@ struct ShapePose {
   Eigen::Matrix3Xd placed(const Eigen::Matrix3Xd& vertices_mm) const {
     return (turn * vertices_mm).colwise() + move_mm;
   }
-  /// The pose after a turn by `change`(0..2) rad about the origin of the target's frame, a move by
-  /// (3..5) mm and a change of the half depth by (6) mm.
+  /// The pose after a turn by `change`(0..2) rad about the origin of the target's frame, to second
+  /// order, a move by (3..5) mm and a change of the half depth by (6) mm.
   ShapePose after(const Eigen::Matrix<double, 7, 1>& change) const;
 };
 

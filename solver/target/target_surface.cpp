@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "solver/pattern/half_angle.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -82,7 +84,9 @@ Height saddle_height(double per_mm, double x, double y) {
 }
 
 Height helicoid_height(double per_mm, double x, double y) {
-  const double tangent = std::tan(per_mm * y), rate = per_mm * (1 + tangent * tangent);
+  const auto half = half_angle_of_rad(std::remainder(per_mm * y, kPi));
+  const double tangent = 2 * half.s * half.c / (half.c * half.c - half.s * half.s),
+               rate = per_mm * (1 + tangent * tangent);
   Matrix2d bend;
   bend << 0, rate, rate, 2 * per_mm * tangent * rate * x;
   return {x * tangent, {tangent, x * rate}, bend};

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "../blocks.hpp"
+#include "solver/target/shape_measure.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -78,6 +81,78 @@ TEST(Shape, KeepsTheRimAndTheAmplitude) {
     EXPECT_TRUE(is_inner || found->shifts_mm.col(v).norm() == 0) << v;
   }
   EXPECT_GT(found->steps, 0);
+}
+
+// Random shifts of up to `most_mm` at each vertex.
+Eigen::Matrix2Xd random_shifts_mm(double most_mm, unsigned seed) {
+  std::mt19937 words(seed);
+  std::uniform_real_distribution<double> uniform(-most_mm, most_mm);
+  return Eigen::Matrix2Xd(2, 49).unaryExpr([&](double) { return uniform(words); });
+}
+
+// The heavier the weight, the nearer to its start it ends; and it has the shape all the same.
+TEST(Shape, StaysBesideItsStart) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    SCOPED_TRACE(seed);
+    double last_mm = 1e9;
+    for (const double weight : {0.003, 0.03, 0.1}) {
+      Shaped dome(sphere(3 * kSheetWidth_mm), 105);
+      dome.options.start_mm = random_shifts_mm(3, seed);
+      dome.options.shift_weight = weight;
+      const auto found = shape(dome.solver, dome.options);
+      ASSERT_TRUE(found);
+      const double moved_mm = (found->shifts_mm - *dome.options.start_mm).norm();
+      EXPECT_LT(moved_mm, last_mm) << weight;
+      EXPECT_LT(found->rms_mm, 1e-3 * kSheetWidth_mm);
+      last_mm = moved_mm;
+    }
+  }
+}
+
+TEST(Shape, BeginsAtTheBaseUnlessAskedToBeginElsewhere) {
+  Shaped dome(sphere(3 * kSheetWidth_mm), 105);
+  const auto of_base = shape(dome.solver, dome.options);
+  dome.options.start_mm = Eigen::Matrix2Xd::Zero(2, 49);
+  const auto of_zero = shape(dome.solver, dome.options);
+  dome.options.start_mm = random_shifts_mm(3, 4);
+  const auto of_others = shape(dome.solver, dome.options);
+  ASSERT_TRUE(of_base && of_zero && of_others);
+  EXPECT_EQ(of_base->shifts_mm, of_zero->shifts_mm);
+  EXPECT_GT((of_base->shifts_mm - of_others->shifts_mm).cwiseAbs().maxCoeff(), 1);
+}
+
+// A diagonal changes against its direction, another as before.
+TEST(Shape, TurnsADiagonal) {
+  Shaped twist(helicoid(10 * kSheetWidth_mm), 120);
+  const auto change_mm = [&](const ShapeStudy& study, int diagonal) {
+    const Sheet sheet(twist.solver, study.shifts_mm);
+    return sheet.at(100).length_mm(diagonal) - sheet.way()->flat_mm()(diagonal);
+  };
+  const auto plain = shape(twist.solver, twist.options);
+  ASSERT_TRUE(plain);
+  twist.options.turned = {3};
+  const auto turned = shape(twist.solver, twist.options);
+  ASSERT_TRUE(turned);
+  EXPECT_LT(change_mm(*plain, 3) * change_mm(*turned, 3), 0);
+  EXPECT_GT(change_mm(*plain, 5) * change_mm(*turned, 5), 0);
+}
+
+// Any sheet is measured in its best pose, which the descent found by its own way, as the curvature
+// grew: also where the surface is tight.
+TEST(Shape, IsMeasuredAsTheDescentFoundIt) {
+  const double width_mm = kSheetWidth_mm;
+  for (const auto& surface : {sphere(3 * width_mm), helicoid(1.5 * width_mm), saddle(5 * width_mm),
+                              sphere(1.5 * width_mm), saddle(-1.5 * width_mm)}) {
+    Shaped shaped(surface->scaled(1), 105);
+    shaped.options.kind = ShapeKind::free;
+    const auto found = shape(shaped.solver, shaped.options);
+    ASSERT_TRUE(found);
+    const Sheet sheet(shaped.solver, found->shifts_mm);
+    const auto off = shape_misfit_of(sheet, shaped.options.target, shaped.options.at_deg);
+    ASSERT_TRUE(off);
+    EXPECT_NEAR(off->rms_mm(), found->rms_mm, 1e-6 * found->rms_mm);
+    EXPECT_NEAR(off->max_mm(), found->max_mm, 1e-5 * found->max_mm);
+  }
 }
 
 }  // namespace
