@@ -21,7 +21,7 @@ DRAW = "search/draws/draw_evaluator.cpp"
 MAY_RISE = "`assert`"  # the other numbers that are held may fall
 NO_METRICS = {"draw", "unit", "deploys_from_sample", "displacements_mm", "elongation"}
 FAULTS = ("fold_limit over_folded assignment_flipped not_monotone reverses_between_samples bump_between_samples "
-          "soft_stop inactive_diagonal energy_rises weak_drive").split()
+          "soft_stop inactive_diagonal energy_rises weak_drive off_shape").split()
 # Ranges that are joined, cut or subtracted; and what a catalogue of an older schema lacks.
 RANGE_ALGEBRA = r"std::(max|min)\([^()]*\b(range|taken|back\(\))\.hi\b|back\(\)\.hi\b"
 SCHEMA_VERSIONS = r"\bk\w+Since\b|\bkSchemaVersion\b|\bkLaterColumns\b"

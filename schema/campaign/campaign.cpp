@@ -44,6 +44,12 @@ void check_energy_acceptance(const Campaign& campaign, InputFaults& faults) {
                "judges by accept.fill",
                "write \"plain\" or \"splitting\"");
   }
+  if (campaign.search.shape) {
+    faults.add("search.method = \"shape\"",
+               "ends in sheets whose diagonals are all monotone, and accept.by = \"energy\" judges "
+               "their sum",
+               "write accept.by = \"diagonals\"");
+  }
   const char* const why =
       solver::why_not_certifiable(campaign.energy->fill, campaign.pattern.base.springs);
   if (campaign.certify && why != nullptr) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,8 @@
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::schema {
+
+struct Target;
 
 /// A stop of the folding: springs that are relaxed at this pilot angle hold the sheet there.
 struct RequiredStop {
@@ -38,6 +41,7 @@ struct Campaign {
   std::optional<RequiredStop> required_stop;  ///< not beyond the threshold
   std::optional<EnergyAcceptance> energy;     ///< none: all diagonals must be monotone
   SearchMethod search;
+  std::shared_ptr<const Target> target;  ///< shape of SearchMethod::shape, with its angle
   std::uint64_t seed = 1;
   StopRule stop;
   Design design;  ///< requirements of candidates; outside the identity

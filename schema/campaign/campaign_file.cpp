@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/campaign/campaign_target.hpp"
 #include "schema/campaign/misalignment.hpp"
+#include "schema/campaign/parallel_check.hpp"
 #include "schema/files/hash.hpp"
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/design_json.hpp"
-#include "schema/pattern/perforation_check.hpp"
+#include "schema/pattern/target.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -37,12 +39,6 @@ void read_required_stop(ObjectReader& accept, std::optional<RequiredStop>& stop)
   accept.number("stops_at_deg", stop->at_deg, 0.01, 180, "try 60, or null for no stop");
   accept.number("stop_stiffness_mm2_per_rad2", stop->least_mm2_per_rad2, 1e-9, 1e9,
                 "try 5, or null for no stop");
-}
-
-// Returns whether all creases of the sheets reach 180 degrees at once on followed paths, where
-// rounding would decide; with fewer holes paths are known in closed form.
-bool closes_at_180(const Campaign& campaign) {
-  return campaign.misalignment.parallel && !is_overconstrained(campaign.pattern.base);
 }
 
 void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double base_end_deg,
@@ -96,23 +92,6 @@ void read_certify(ObjectReader& reader, const char* afterwards, bool& certify) {
     reader.faults().add(reader.shown("certify"),
                         std::string(afterwards) + " makes no certificates itself",
                         "write false, and run `misalign certify` on its catalogue afterwards");
-  }
-}
-
-// Checks what draws of the parallel family exclude.
-void check_parallel(const Campaign& campaign, InputFaults& faults) {
-  if (!campaign.misalignment.parallel) return;
-  if (campaign.search.splitting) {
-    const bool is_of_starts = campaign.search.optimisation.has_value();
-    faults.add(is_of_starts ? "search.starts = \"splitting\"" : "search.method = \"splitting\"",
-               "changes vertices one by one, and members of the parallel family change together",
-               std::string("write \"") + (is_of_starts ? "draws" : "plain") +
-                   "\"; most members with like signs are accepted");
-  }
-  if (closes_at_180(campaign) && campaign.end_deg > 180 - campaign.sample_deg) {
-    faults.add("path.end_deg = " + shown_number(campaign.end_deg),
-               "all creases of a member close at 180 degrees, where rounding would decide",
-               "try " + shown_number(180 - campaign.sample_deg) + ", the default of such draws");
   }
 }
 
@@ -182,8 +161,12 @@ Campaign read_campaign(const Json& value, const std::string& source,
   // A sheet that is refused for other reasons is not blamed for its path.
   const double end_deg = campaign.pattern.base.folding.end_deg();
   read_path_and_threshold(path, accept, end_deg > 0 ? end_deg : 180, campaign);
+  const std::size_t before_search = faults.count();
   campaign.search = read_search(ObjectReader(part("search"), "search", faults),
                                 campaign.threshold_deg, campaign.sample_deg);
+  const bool has_search = faults.count() == before_search;
+  read_campaign_target(reader, directory.value_or(""), campaign);
+  if (has_search) check_shape_search(campaign, faults);
   check_parallel(campaign, faults);
   check_ends(campaign, faults);
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
@@ -242,6 +225,7 @@ Json campaign_json(const Campaign& campaign) {
           {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
           {"accept", accept},
           {"search", search_json(campaign.search)},
+          {"target", campaign.target ? campaign.target->json : Json()},
           {"seed", campaign.seed},
           {"stop", stop_json(campaign.stop)},
           {"design", design_json(campaign.design)},
@@ -264,6 +248,11 @@ Json stored_configuration(const Campaign& campaign) {
   if (!campaign.search.optimisation) {
     const Json its_keys = optimisation_json({});
     for (const auto& [key, value] : its_keys.items()) configuration["search"].erase(key);
+  }
+  if (!campaign.search.shape) {
+    const Json its_keys = shape_search_json({});
+    for (const auto& [key, value] : its_keys.items()) configuration["search"].erase(key);
+    configuration.erase("target");
   }
   if (!campaign.search.stores_sheets()) configuration.erase("search");
   if (!campaign.search.splitting &&

@@ -3,7 +3,7 @@
 namespace misalign::schema {
 namespace {
 
-constexpr const char* kMethods = "write \"plain\", \"splitting\" or \"optimise\"";
+constexpr const char* kMethods = "write \"plain\", \"splitting\", \"optimise\" or \"shape\"";
 constexpr const char* kStarts = "write \"draws\" or \"splitting\"";
 
 }  // namespace
@@ -13,7 +13,8 @@ SearchMethod read_search(ObjectReader reader, double threshold_deg, double sampl
   const std::size_t before = faults.count();
   std::string method = "plain";
   reader.text("method", method, kMethods);
-  if (method != "plain" && method != "splitting" && method != "optimise") {
+  const bool shapes = method == "shape";
+  if (method != "plain" && method != "splitting" && method != "optimise" && !shapes) {
     faults.add(reader.shown("method"), "is no search method", kMethods);
   }
   std::string starts = "draws";
@@ -23,6 +24,7 @@ SearchMethod read_search(ObjectReader reader, double threshold_deg, double sampl
   }
   const Splitting splitting = read_splitting(reader, threshold_deg, sample_deg);
   const Optimisation optimisation = read_optimisation(reader, threshold_deg);
+  const ShapeSearch shape = read_shape_search(reader);
   reader.refuse_unknown_keys();
   if (faults.count() > before) return {};
   const bool optimises = method == "optimise";
@@ -36,6 +38,10 @@ SearchMethod read_search(ObjectReader reader, double threshold_deg, double sampl
   if (!optimises && (optimisation != Optimisation{} || starts != "draws")) {
     faults.add(shown, "has no objective, constraints, springs, starts or shifts",
                "write \"optimise\", or take those out");
+  }
+  if (!shapes && shape != ShapeSearch{}) {
+    faults.add(shown, "has no shape, weights or turned diagonals",
+               "write \"shape\", or take those out");
   }
   if (optimises && !splits &&
       optimisation.starts_of_population != Optimisation{}.starts_of_population) {
@@ -51,13 +57,18 @@ SearchMethod read_search(ObjectReader reader, double threshold_deg, double sampl
     check_optimisation(reader, optimisation);
     search.optimisation = optimisation;
   }
+  if (shapes) search.shape = shape;
   return search;
 }
 
 Json search_json(const SearchMethod& method) {
   Json json = splitting_json(method.splitting.value_or(Splitting{}));
   json.update(optimisation_json(method.optimisation.value_or(Optimisation{})));
-  json["method"] = method.optimisation ? "optimise" : method.splitting ? "splitting" : "plain";
+  json.update(shape_search_json(method.shape.value_or(ShapeSearch{})));
+  json["method"] = method.shape          ? "shape"
+                   : method.optimisation ? "optimise"
+                   : method.splitting    ? "splitting"
+                                         : "plain";
   if (method.optimisation && method.splitting) json["starts"] = "splitting";
   return json;
 }

@@ -103,40 +103,59 @@ void check_screened(SQLite::Database& database, const Campaign& campaign,
   }
 }
 
+namespace {
+
+// Pairs a column with its condition.
+struct AscentRule {
+  const char* column;
+  const char* can_be;
+  std::string holds;
+};
+
+// The draw is kept as drawn, or an ascent starts from it.
+std::vector<AscentRule> rules_of(const Optimisation& asked) {
+  const std::string kept = "ended IN ('breaks_a_limit', 'has_no_value')";
+  return {{"start_value", "a value, or none if the draw is kept unchanged",
+           "iif(" + kept + ", start_value IS NULL, start_value > 0)"},
+          {"end_value", "more than at the start after a step, and the same without one",
+           "iif(" + kept +
+               ", end_value IS NULL, iif(steps = 0, end_value = start_value, "
+               "end_value > start_value AND end_value < 9e999))"},
+          {"steps", "the number that its end implies",
+           fmt::format("iif({0}, steps = 0, steps >= 0 AND iif(ended = 'most_steps', steps = {1}, "
+                       "steps < {1}))",
+                       kept, asked.most_steps)},
+          {"sheets_folded", "at least one for each step",
+           "iif(" + kept + ", sheets_folded = 0, sheets_folded >= steps)"},
+          {"ended", "a known reason", "ended IN ('no_step_is_better', 'most_steps') OR " + kept},
+          {"limited_by", "none",
+           fmt::format("limited_by IS NULL OR NOT ({} OR {:d})", kept, asked.ternary)}};
+}
+
+// Distances from the target, which a start need not have.
+std::vector<AscentRule> rules_of_shapes() {
+  return {{"start_value", "a distance, or none",
+           "start_value IS NULL OR start_value >= 0 AND start_value < 9e999"},
+          {"end_value", "a distance", "end_value >= 0 AND end_value < 9e999"},
+          {"sheets_folded", "at least one for each step", "sheets_folded > steps"},
+          {"ended", "the only reason", "ended = 'no_step_is_better'"},
+          {"limited_by", "none", "limited_by IS NULL"}};
+}
+
+}  // namespace
+
 void check_ascents(SQLite::Database& database, const Campaign& campaign,
                    std::vector<Finding>& findings) {
-  if (!campaign.search.optimisation) {
+  if (!campaign.search.has_ends()) {
     if (!database.tableExists("ascent")) return;
     const std::int64_t rows = database.execAndGet("SELECT count(*) FROM ascent").getInt64();
     if (rows > 0) findings.push_back(differs("catalogue", "rows of ascent", rows, 0));
     return;
   }
-  const Optimisation& asked = *campaign.search.optimisation;
-  // Pairs each column with its condition: the draw is kept as drawn, or an ascent starts from it.
-  struct Rule {
-    const char* column;
-    const char* can_be;
-    std::string holds;
-  };
-  const std::string kept = "ended IN ('breaks_a_limit', 'has_no_value')";
-  const Rule rules[] = {
-      {"start_value", "a value, or none if the draw is kept unchanged",
-       "iif(" + kept + ", start_value IS NULL, start_value > 0)"},
-      {"end_value", "more than at the start after a step, and the same without one",
-       "iif(" + kept +
-           ", end_value IS NULL, iif(steps = 0, end_value = start_value, "
-           "end_value > start_value AND end_value < 9e999))"},
-      {"steps", "the number that its end implies",
-       fmt::format("iif({0}, steps = 0, steps >= 0 AND iif(ended = 'most_steps', steps = {1}, "
-                   "steps < {1}))",
-                   kept, asked.most_steps)},
-      {"sheets_folded", "at least one for each step",
-       "iif(" + kept + ", sheets_folded = 0, sheets_folded >= steps)"},
-      {"ended", "a known reason", "ended IN ('no_step_is_better', 'most_steps') OR " + kept},
-      {"limited_by", "none",
-       fmt::format("limited_by IS NULL OR NOT ({} OR {:d})", kept, asked.ternary)}};
+  const std::vector<AscentRule> rules =
+      campaign.search.shape ? rules_of_shapes() : rules_of(*campaign.search.optimisation);
   std::string columns;
-  for (const Rule& rule : rules) {
+  for (const AscentRule& rule : rules) {
     columns += fmt::format(", {}, coalesce({}, 0)", rule.column, rule.holds);
   }
   SQLite::Statement row(database, "SELECT candidate.draw, ascent.draw IS NULL" + columns +
@@ -148,7 +167,7 @@ void check_ascents(SQLite::Database& database, const Campaign& campaign,
       continue;
     }
     int column = 2;
-    for (const Rule& rule : rules) {
+    for (const AscentRule& rule : rules) {
       if (row.getColumn(column + 1).getInt() == 0) {
         const SQLite::Column stored = row.getColumn(column);
         findings.push_back(differs(where, std::string("ascent.") + rule.column,

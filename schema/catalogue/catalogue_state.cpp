@@ -169,7 +169,7 @@ CatalogueState state_of(SQLite::Database& database) {
     throw damaged(database, "its goal is no range of draws");
   add_units(database, state);
   if (state.goal.of_populations) state.ladder = read_ladder(database, state.goal_end);
-  if (method == "optimise") state.ends = read_ends(database, state.goal_end);
+  if (method == "optimise" || method == "shape") state.ends = read_ends(database, state.goal_end);
 
   // Faults of samples that are no candidates, selected by the criterion: a join with candidates
   // would take ten times as long.

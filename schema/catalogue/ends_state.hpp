@@ -11,8 +11,8 @@
 
 namespace misalign::schema {
 
-/// Totals of the draws below the goal's end; values of the campaign's objective, none if no draw
-/// has one.
+/// Totals of the draws below the goal's end; values of the campaign's objective, or distances from
+/// its shape, none if no draw has one.
 struct EndsState {
   std::string goal;
   std::uint64_t sheets, kept_as_drawn;  ///< different sheets; starts without an ascent

@@ -67,6 +67,18 @@ constexpr StudyColumn kOfFolding[] = {
      "opposite for a saddle or twist.",
      Cost::path}};
 
+constexpr StudyColumn kOfShape[] = {
+    {"shape_rms_mm", "distance from shape", "mm",
+     "Root mean square of the distances from the target of a campaign that searches by shape; none "
+     "where the sheet does not fold to its angle.",
+     Cost::path, true},
+    {"shape_max_mm", "largest distance from shape", "mm", "Largest of those distances.", Cost::path,
+     true},
+    {"stop_stiffness_mm2_per_rad2", "stiffness of the stop", "mm²/rad²",
+     "Sum of (dL/dρ)² over all diagonals where the sheet has that shape; times the stiffness of "
+     "springs that are relaxed there (N/mm) it is the stop’s, in N mm/rad, panels rigid.",
+     Cost::path}};
+
 constexpr StudyEntry kStudies[] = {
     {"deploy", "deployment of one sheet: its motion, friction and equilibria",
      "also deployment time and critical friction of the table's candidates (some milliseconds "
@@ -78,6 +90,7 @@ constexpr StudyEntry kStudies[] = {
     {"actuators", "springs on the diagonals of one sheet: energy, moments, forces", nullptr,
      kOfActuators},
     {"fold", "curvatures of one folded sheet", nullptr, kOfFolding},
+    {"shape", "a sheet that has a target shape, and its distances from it", nullptr, kOfShape},
     {"stress", "deployment and stresses of one sheet with elastic panels (CalculiX)"},
     {"tolerance", "yield of a sheet's miscut copies, or the play that its joints bear"},
     {"optimise",

@@ -88,7 +88,7 @@ UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into, const Sea
   if (!method.stores_sheets()) return;
   if (method.splitting)
     population_ = table("population", "WHERE unit >= ? AND unit < ? ORDER BY unit, level");
-  if (method.optimisation) ascent_ = table("ascent", "WHERE draw >= ? AND draw < ? ORDER BY draw");
+  if (method.has_ends()) ascent_ = table("ascent", "WHERE draw >= ? AND draw < ? ORDER BY draw");
   sheet_ = table("sheet", "WHERE draw >= ? AND draw < ? ORDER BY draw");
 }
 

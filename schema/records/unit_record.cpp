@@ -6,6 +6,19 @@
 
 namespace misalign::schema {
 
+void UnitRecord::reject(solver::Fault fault, int sample) {
+  ++rejected;
+  ++screened[{static_cast<int>(fault), sample}];
+}
+
+void UnitRecord::turn_down(std::uint64_t draw, const solver::Verdict& verdict) {
+  if (verdict.first_fault == solver::Fault::undecided) {
+    undecided.push_back({draw, verdict});
+  } else {
+    reject(verdict.first_fault, verdict.fault_sample());
+  }
+}
+
 std::vector<std::uint64_t> UnitRecord::accepted_draws() const {
   std::vector<std::uint64_t> draws;
   for (const Candidate& candidate : candidates) draws.push_back(candidate.draw);

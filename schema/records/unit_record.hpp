@@ -26,7 +26,7 @@ struct Candidate {
   solver::Metrics metrics;
   Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
   std::optional<CertificateRecord> certificate = {};
-  std::optional<AscentRecord> ascent = {};  ///< the sheet is the optimum; optimising searches only
+  std::optional<AscentRecord> ascent = {};  ///< the sheet is the optimum; searches with ends only
 };
 
 /// Results of a range of draws: a unit of the ledger with all its rows.
@@ -42,6 +42,10 @@ struct UnitRecord {
   std::map<std::pair<int, int>, std::uint64_t> screened;  ///< (Fault, sample) -> draws
   std::vector<LevelCount> levels;                         ///< levels of a population, from 0 on
 
+  /// Counts a rejected draw.
+  void reject(solver::Fault fault, int sample);
+  /// Adds a draw that is not accepted.
+  void turn_down(std::uint64_t draw, const solver::Verdict& verdict);
   std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
   /// Adds the results of the range behind this one.
   void add(UnitRecord&& next);

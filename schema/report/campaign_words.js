@@ -102,14 +102,21 @@ const ascent_words = ({
       "Candidates are the optima."
     : "";
 
+/** The descents of a search among sheets of one shape. */
+const shape_words = ({ method, shape_max_mm }, target) =>
+  method === "shape"
+    ? ` A descent starts from each draw, to a sheet within ${number(shape_max_mm)} mm of its target at ${degrees(target.at_deg)}. Candidates are its ends.`
+    : "";
+
 export function asked(report) {
-  const { pattern, misalignment, path, accept, search } = report.campaign.configuration,
+  const { pattern, misalignment, path, accept, search, target } = report.campaign.configuration,
     { between_samples } = accept;
   return (
     `${sheet_words(pattern)}. Each draw shifts ${shift_words(misalignment)}. A draw is accepted when ` +
     `${criterion_words(accept, report.campaign.judged_filling)}${stop_words(accept, report.actuators)}. Samples: every ${degrees(path.sample_deg)} up to ` +
     `${degrees(path.end_deg)}${kBetween[between_samples] ?? ""}.` +
     (is_splitting(report) ? search_words(search, report.state.ladder.levels.length - 1) : "") +
-    ascent_words(search)
+    ascent_words(search) +
+    shape_words(search, target)
   );
 }

@@ -6,6 +6,7 @@
 #include "schema/exchange/folding_json.hpp"
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/pattern_file.hpp"
+#include "schema/pattern/target.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
 #include "search/sheets/campaign_sheet.hpp"
@@ -13,6 +14,7 @@
 #include "solver/model/miscut_margin.hpp"
 #include "solver/optimise/objective.hpp"
 #include "solver/optimise/optimise.hpp"
+#include "solver/target/shape_measure.hpp"
 
 namespace misalign::search {
 using schema::Json;
@@ -62,8 +64,8 @@ void compare_ascents(
 
 CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
     : campaign_(campaign), sheets_(campaign) {
-  if (!campaign.search.optimisation) return;
-  asked_ = asked_of_ends(campaign);
+  if (!campaign.search.has_ends()) return;
+  if (campaign.search.optimisation) asked_ = asked_of_ends(campaign);
   model_.reset(new solver::Model(model_of(campaign)));
 }
 
@@ -132,6 +134,21 @@ void CandidateCheck::check_ascent(const Json& row, const Json& ascent,
     if (!agrees(stored, recomputed)) differs(std::string("ascent.") + column, stored, recomputed);
   };
   const solver::Sheet end(solver, *shifts_mm);
+  if (campaign_.search.shape) {
+    const auto measure =
+        solver::ShapeMeasure::of(solver, campaign_.target->shape, *campaign_.target->at_deg);
+    const auto off_of = [&](const solver::Sheet& sheet) {
+      return measure ? measure->fitted(sheet) : std::nullopt;
+    };
+    const auto off = off_of(end), at_start = off_of({solver, shifts_of_draw(campaign_, draw)});
+    compare("start_value", at_start ? Json(at_start->rms_mm()) : Json());
+    compare("end_value", off ? Json(off->rms_mm()) : Json());
+    const double most_mm = campaign_.search.shape->shape_max_mm;
+    if (off && off->max_mm() > most_mm * (1 + 1e-9)) {
+      differs("shape_max_mm", most_mm, off->max_mm());
+    }
+    return;
+  }
   const bool is_as_drawn = ascent.value("steps", Json()) == 0;
   if (!is_as_drawn) compare("end_value", schema::or_null(solver::objective(end, *asked_)));
   if (campaign_.search.splitting) return;  // its start is recomputed with --units alone

@@ -37,7 +37,8 @@ class CandidateCheck {
                         int metrics_version = solver::kMetricsVersion) const;
 
   /// Checks an optimising search's ascent: the draw is accepted, it can start there, and the values
-  /// of start and optimum are right. For a population's sheets it checks the optimum alone.
+  /// of start and optimum are right. For a population's sheets it checks the optimum alone; for a
+  /// search among sheets of one shape the distances of start and end.
   void check_ascent(const schema::Json& row, const schema::Json& ascent,
                     CandidateReport& report) const;
 
@@ -52,7 +53,7 @@ class CandidateCheck {
 
   const schema::Campaign& campaign_;
   const FoldedCheck sheets_;
-  // Objective and model of an optimising search, up to its threshold.
+  // Objective of an optimising search, and model of one with ends, up to its threshold.
   std::optional<solver::OptimiseOptions> asked_;
   std::unique_ptr<const solver::Model> model_;
 };

@@ -154,7 +154,7 @@ std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluat
   Accepted again;
   for (const schema::Candidate& c : record.candidates) {
     again[c.draw] = c.metrics.deploys_from_sample;
-    if (!evaluator.campaign().search.optimisation) continue;
+    if (!evaluator.campaign().search.has_ends()) continue;
     compare_end(database, c, findings);
     if (c.ascent) compare_ways(database, c, c.draw, findings);
   }

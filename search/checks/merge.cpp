@@ -222,7 +222,7 @@ class Merge {
       const Json other = theirs.value(column, Json());
       if (!tolerances.agree(column, other, value)) differ(input, draw, column, other, value);
     }
-    if (!evaluator_->campaign().search.optimisation) return;
+    if (!evaluator_->campaign().search.has_ends()) return;
     compare_ascents(schema::read_ascent(*input.database, draw), schema::read_ascent(merged, draw),
                     [&](const std::string& column, const Json& other, const Json& value) {
                       differ(input, draw, column, other, value);

@@ -77,11 +77,13 @@ class Verifier {
       show_work("candidates computed again", v_.checked.size(), candidates_.size());
       const Json row = schema::read_candidate(database_, draw);
       CandidateReport report = check.check(row, schema::metrics_version_of(database_, draw));
-      if (campaign_.search.optimisation) {
+      if (campaign_.search.has_ends()) {
         check.check_ascent(row, schema::read_ascent(database_, draw), report);
       }
       add(report, draw);
     }
+    // A sample of ends is checked with their units.
+    if (campaign_.search.shape) fault_samples_.clear();
     for (const std::uint64_t draw : fault_samples_) {
       show_work("fault samples judged again", v_.fault_samples.checked, fault_samples_.size());
       for (const StoredVerdict& row : stored_verdicts(database_, {draw, draw + 1})) {

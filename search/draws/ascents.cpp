@@ -7,8 +7,9 @@
 
 namespace misalign::search {
 
-void Ascents::begin(schema::UnitRecord block) {
+void Ascents::begin(schema::UnitRecord block, const schema::FaultSampleRule& sampled) {
   block_ = std::move(block);
+  sampled_ = sampled;
   next_ = 0;
 }
 
@@ -29,10 +30,26 @@ schema::Candidate* Ascents::look() {
     ascent_->advance();
   }
   if (!ascent_->finished()) return nullptr;
+  if (!is_kept(candidate.draw)) {
+    block_->candidates.erase(block_->candidates.begin() + static_cast<std::ptrdiff_t>(next_));
+    ascent_.reset();
+    return nullptr;
+  }
   candidate = ascent_->take();
   ascent_.reset();
   ++next_;
   return &candidate;
+}
+
+// Judges the draw's end, where ends are judged.
+bool Ascents::is_kept(std::uint64_t draw) {
+  const std::optional<solver::Verdict> verdict = ascent_->verdict();
+  if (!verdict) return true;
+  if (sampled_.holds(draw)) block_->fault_sample.push_back({draw, *verdict});
+  if (campaign_.accepts(*verdict)) return true;
+  --block_->accepted;
+  block_->turn_down(draw, *verdict);
+  return false;
 }
 
 schema::UnitRecord Ascents::take() {

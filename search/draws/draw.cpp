@@ -123,6 +123,9 @@ bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shif
 }
 
 bool can_be_kept(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm) {
+  if (campaign.search.shape) {
+    return are_shifts(campaign, shifts_mm, [](double shift_mm) { return std::isfinite(shift_mm); });
+  }
   if (!campaign.search.optimisation) return can_be_drawn(campaign, shifts_mm);
   const schema::Optimisation& ends = *campaign.search.optimisation;
   const double most_mm = (1 + kMemberRounding) * campaign.misalignment.amplitude_mm;

@@ -13,19 +13,6 @@
 namespace misalign::search {
 namespace {
 
-void reject(solver::Fault fault, int sample, schema::UnitRecord& unit) {
-  ++unit.rejected;
-  ++unit.screened[{static_cast<int>(fault), sample}];
-}
-
-void turn_down(std::uint64_t draw, const solver::Verdict& verdict, schema::UnitRecord& unit) {
-  if (verdict.first_fault == solver::Fault::undecided) {
-    unit.undecided.push_back({draw, verdict});
-  } else {
-    reject(verdict.first_fault, verdict.fault_sample(), unit);
-  }
-}
-
 Eigen::Matrix2Xd per_vertex(const solver::Model& model, const double* shifts_mm) {
   Eigen::Matrix2Xd columns_mm = Eigen::Matrix2Xd::Zero(2, model.mechanism().vertices);
   for (const int vertex : model.shifted()) {
@@ -105,7 +92,7 @@ DrawEvaluator::DrawEvaluator(schema::Campaign campaign, solver::InstructionSet s
       model_(model_of(campaign_)),
       batch_(solver::make_batch(set, model_)),
       certify_(campaign_.certify && parts.certifier ? parts.certifier(campaign_, model_) : nullptr),
-      ascend_(campaign_.search.optimisation ? parts.ascend : nullptr) {}
+      ascend_(campaign_.search.has_ends() ? parts.ascend : nullptr) {}
 
 std::optional<Ascents> DrawEvaluator::ascents() const {
   if (!ascend_) return std::nullopt;
@@ -132,7 +119,7 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
     if (seen[k].fault == solver::Fault::none || sampled.holds(drawn_.numbers[k])) {
       waiting_.add(drawn_, k);
     } else {
-      reject(seen[k].fault, seen[k].sample, unit);
+      unit.reject(seen[k].fault, seen[k].sample);
     }
   }
   if (waiting_.size() == 0 || !paths_are_due(waiting_.size())) return;
@@ -153,7 +140,7 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
     if (campaign_.accepts(verdict)) {
       to_measure_.add(waiting_, k);
     } else {
-      turn_down(draw, verdict, unit);
+      unit.turn_down(draw, verdict);
     }
   }
   waiting_.clear();
@@ -172,6 +159,15 @@ void DrawEvaluator::make(const schema::DrawRange& range) {
               drawn_.shifts.shifts_mm.data());
 }
 
+void DrawEvaluator::add_starts(schema::UnitRecord& unit) {
+  make(unit.range);
+  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+    unit.candidates.push_back(
+        {drawn_.numbers[k], {}, per_vertex(model_, drawn_.shifts_mm(k).data())});
+    ++unit.accepted;
+  }
+}
+
 void DrawEvaluator::certify(schema::Candidate& candidate) const {
   if (!certify_) return;
   candidate.certificate =
@@ -182,7 +178,7 @@ void DrawEvaluator::certify(schema::Candidate& candidate) const {
 void DrawEvaluator::record(schema::UnitRecord& unit) {
   const auto keep = [&](std::size_t k, const solver::PathRecord& record) {
     if (!campaign_.accepts(record.verdict)) {
-      turn_down(to_measure_.numbers[k], record.verdict, unit);
+      unit.turn_down(to_measure_.numbers[k], record.verdict);
       return;
     }
     const std::uint64_t draw = to_measure_.numbers[k];
@@ -214,7 +210,7 @@ UnitWork::UnitWork(DrawEvaluator& evaluator, const schema::DrawRange& range,
       seconds_per_path_(std::numeric_limits<double>::infinity()),
       ascents_(evaluator.ascents()) {
   record_.range = {range.lo, range.lo};
-  assert(ascents_ || !evaluator.campaign().search.optimisation);
+  assert(ascents_ || !evaluator.campaign().search.has_ends());
 }
 
 bool UnitWork::is_full() const {
@@ -245,8 +241,12 @@ void UnitWork::begin_block() {
   if (ascents_) {
     schema::UnitRecord starts;
     starts.range = block;
-    evaluate(block, starts, [](std::size_t) { return true; });
-    ascents_->begin(std::move(starts));
+    if (evaluator_.campaign().search.shape) {
+      evaluator_.add_starts(starts);
+    } else {
+      evaluate(block, starts, [](std::size_t) { return true; });
+    }
+    ascents_->begin(std::move(starts), sampled_);
     return advance_ascents();
   }
   record_.range.hi = block.hi;

@@ -56,6 +56,9 @@ class DrawEvaluator {
   using PathsAreDue = std::function<bool(std::size_t waiting)>;
   void evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
                 const schema::FaultSampleRule& sampled, const PathsAreDue& paths_are_due);
+  /// Adds all draws of the unit's range, no larger than a block, as candidates without metrics: the
+  /// starts of descents, whose ends are judged.
+  void add_starts(schema::UnitRecord& unit);
   std::size_t waiting() const { return waiting_.size(); }
   /// Returns an upper estimate of a candidate's size in a message, in bytes.
   std::size_t bytes_of_candidate() const;

@@ -24,18 +24,26 @@ std::string golden_verdicts(solver::InstructionSet set) {
 
 std::string fingerprint(const schema::Campaign& campaign, const std::string& golden_verdicts,
                         const Parts& parts) {
-  if (!campaign.search.optimisation) return golden_verdicts;
-  std::string ends;  // optima of a small sheet's first draws, for each objective
-  for (const std::string& goal : solver::goal_names(&solver::Goal::is_same_everywhere)) {
-    DrawEvaluator evaluator(
-        schema::read_campaign(
-            {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
-             {"accept", {{"deploys_from_deg", 150}}},
-             {"search", {{"method", "optimise"}, {"maximise", goal}, {"from_deg", 36}}}},
-            "the golden campaign"),
-        solver::available_instruction_sets().back(), parts);
+  if (!campaign.search.has_ends()) return golden_verdicts;
+  std::string ends;  // of a small sheet's first draws, for each objective
+  const auto add_ends = [&](const schema::Json& beside) {
+    schema::Json golden = {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
+                           {"accept", {{"deploys_from_deg", 150}}}};
+    golden.update(beside);
+    DrawEvaluator evaluator(schema::read_campaign(golden, "the golden campaign"),
+                            solver::available_instruction_sets().back(), parts);
     for (const schema::Candidate& end : work_off(evaluator, {0, 4}).candidates) {
       ends += schema::displacements_json(end.shifts_mm).dump();
+    }
+  };
+  if (campaign.search.shape) {
+    add_ends({{"accept", {{"deploys_from_deg", 100}}},
+              {"misalignment", {{"vertices", "all"}}},
+              {"search", {{"method", "shape"}}},
+              {"target", {{"surface", "sphere"}, {"radius_mm", 1440}}}});
+  } else {
+    for (const std::string& goal : solver::goal_names(&solver::Goal::is_same_everywhere)) {
+      add_ends({{"search", {{"method", "optimise"}, {"maximise", goal}, {"from_deg", 36}}}});
     }
   }
   return golden_verdicts + "-" + schema::hex(schema::hash_of(ends));

@@ -8,9 +8,10 @@ namespace misalign::search {
 
 /// Philox4x32-10 (Random123), key = (low, high half of the seed), counter = (low, high half of the
 /// draw, block, stream). Stream 0 is draws; 1 is miscut copies and 2 loose joints, with the trial
-/// in the draw's place; 3 is splitting, see StepWords; the rest is reserved.
+/// in the draw's place; 3 is splitting, see StepWords; 4 is what a descent to a shape
+/// varies by draw; the rest is reserved.
 inline constexpr std::uint32_t kDrawStream = 0, kToleranceStream = 1, kBacklashStream = 2,
-                               kSplittingStream = 3;
+                               kSplittingStream = 3, kShapeStream = 4;
 std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
                                           std::uint32_t block, std::uint32_t stream);
 

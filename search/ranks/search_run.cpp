@@ -67,7 +67,7 @@ schema::Campaign resolved_campaign(const SearchOptions& options) {
   if (options.range || options.populations) campaign.stop.populations = options.populations;
   check_counts(options, campaign);
   need_part(!campaign.certify || options.parts.certifier, "certifies nothing");
-  need_part(!campaign.search.optimisation || options.parts.ascend, "does not optimise");
+  need_part(!campaign.search.has_ends() || options.parts.ascend, "does not optimise");
   return campaign;
 }
 

@@ -83,7 +83,7 @@ Json detail_json(SQLite::Database& database, const schema::Campaign& campaign, F
                  std::uint64_t draw, const ReportDetails& details) {
   const solver::Sheet sheet = model.sheet(shifts_of_number(database, campaign, draw));
   Json json = details.of_draw(sheet, draw, campaign.accepts(sheet.history().verdict));
-  if (!campaign.search.optimisation) return json;
+  if (!campaign.search.has_ends()) return json;
   Json ascent = schema::read_ascent(database, draw);
   if (!ascent.is_object()) return json;
   ascent["limited_by"] = schema::json_of(ascent["limited_by"]);

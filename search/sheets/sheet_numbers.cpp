@@ -4,11 +4,13 @@
 #include <cmath>
 #include <iterator>
 
+#include "schema/pattern/target.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/motion/deploy.hpp"
 #include "solver/optimise/chosen_friction.hpp"
 #include "solver/shape/surface_curvature.hpp"
+#include "solver/target/shape_measure.hpp"
 
 namespace misalign::search {
 namespace {
@@ -24,8 +26,10 @@ struct Found {
   std::optional<solver::BentPanels> bent;
   std::optional<solver::SpringChoice> choice;
   std::optional<solver::SurfaceCurvature> curvature;
+  std::optional<solver::ShapeMisfit> off_shape;
+  Number stop_mm2_per_rad2;  // sum of (dL/drho)^2 over all diagonals where it has the shape
 };
-enum class Needs { standstill, springs, motion, contact, bent, choice, curvature };
+enum class Needs { standstill, springs, motion, contact, bent, choice, curvature, shape, stop };
 
 struct StudyFunction {
   std::string_view name;  // in the table of studies
@@ -58,6 +62,16 @@ template <std::size_t kWhich>
 Number curvature_per_m(const Found& found) {
   constexpr double kMmPerM = 1000;
   return found.curvature ? kMmPerM * found.curvature->per_mm[kWhich] : Number();
+}
+
+// The stiffness of a stop there by springs of 1 N/mm; none where the sheet does not fold to it.
+Number stop_mm2_per_rad2(const solver::Sheet& sheet, double at_deg) {
+  if (!sheet.way() || sheet.way()->end_deg() <= at_deg) return {};
+  const solver::FoldingWay& way = *sheet.way();
+  Eigen::VectorXd lengths_mm, rates_mm;
+  const double x = way.x_of(at_deg), rate = way.pilot_rate(x);
+  way.find_lengths(x, lengths_mm, rates_mm);
+  return rates_mm.squaredNorm() / (rate * rate);
 }
 
 constexpr StudyFunction kFunctions[] = {
@@ -95,14 +109,24 @@ constexpr StudyFunction kFunctions[] = {
     {"first_contact_deg", Needs::contact, true, first_contact_deg},
     {"thickness_mm", Needs::contact, true, thickness_mm},
     {"curvature_1_per_m", Needs::curvature, true, curvature_per_m<0>},
-    {"curvature_2_per_m", Needs::curvature, true, curvature_per_m<1>}};
+    {"curvature_2_per_m", Needs::curvature, true, curvature_per_m<1>},
+    {"shape_rms_mm", Needs::shape, false,
+     [](const Found& found) {
+       return found.off_shape ? Number(found.off_shape->rms_mm()) : Number();
+     }},
+    {"shape_max_mm", Needs::shape, false,
+     [](const Found& found) {
+       return found.off_shape ? Number(found.off_shape->max_mm()) : Number();
+     }},
+    {"stop_stiffness_mm2_per_rad2", Needs::stop, false,
+     [](const Found& found) { return found.stop_mm2_per_rad2; }}};
 static_assert(std::size(kFunctions) == kNumberCount);
 
-using Needed = std::array<bool, 7>;  // by Needs
+using Needed = std::array<bool, 9>;  // by Needs
 
 Found find(const solver::Sheet& sheet, const schema::Design& design,
            const solver::ReleaseOptions& options, std::optional<double> from_deg,
-           const Needed& needed) {
+           const Needed& needed, const schema::Target* target) {
   const auto needs = [&](Needs what) { return needed[static_cast<std::size_t>(what)]; };
   Found found;
   if (needs(Needs::standstill)) found.standstill = solver::static_release(sheet, options).if_any();
@@ -118,6 +142,12 @@ Found find(const solver::Sheet& sheet, const schema::Design& design,
   }
   if (needs(Needs::curvature)) {
     found.curvature = solver::surface_curvature(sheet, from_deg.value_or(sheet.deploys_from_deg()));
+  }
+  if (needs(Needs::shape) && target) {
+    found.off_shape = solver::shape_misfit_of(sheet, target->shape, *target->at_deg);
+  }
+  if (needs(Needs::stop) && target) {
+    found.stop_mm2_per_rad2 = stop_mm2_per_rad2(sheet, *target->at_deg);
   }
   return found;
 }
@@ -137,7 +167,7 @@ bool needs_sundials(std::size_t number) { return kFunctions[number].needs == Nee
 
 StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
                           std::optional<double> from_deg, const WantedNumbers& wanted,
-                          bool is_candidate) {
+                          bool is_candidate, const schema::Target* target) {
   StudyNumbers answers;
   const auto used_deg = from_deg ? from_deg : design.from_deg;
   for (const bool from_d : {false, true}) {
@@ -153,7 +183,7 @@ StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& desi
     if (!used_deg && from_d) used.from_deg = sheet.deploys_from_deg();
     if (!used_deg && !from_d && is_candidate) used.from_deg = solver::kDeployFrom_deg;
     const solver::ReleaseOptions options = deploy_options(used, sheet);
-    const Found found = find(sheet, design, options, used_deg, needed);
+    const Found found = find(sheet, design, options, used_deg, needed, target);
     for (std::size_t k = 0; k < kNumberCount; ++k) {
       if (!wanted[k] || kFunctions[k].from_d != from_d) continue;
       answers.is_found[k] = true;

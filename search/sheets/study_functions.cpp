@@ -190,12 +190,13 @@ class StudyFunctions {
         threads, pieces.size(),
         [&](std::size_t thread) {
           if (!models_[thread]) models_[thread] = std::make_unique<FoldingModel>(campaign());
-          return [&, model = models_[thread].get()](std::size_t k) {
-            const Piece& piece = pieces[k];
-            const solver::Sheet sheet = model->sheet(piece.shifts_mm);
-            return find_numbers(sheet, model->design(), piece.call.from_deg, piece.wanted,
-                                piece.is_candidate);
-          };
+          return
+              [&, model = models_[thread].get(), target = campaign().target.get()](std::size_t k) {
+                const Piece& piece = pieces[k];
+                const solver::Sheet sheet = model->sheet(piece.shifts_mm);
+                return find_numbers(sheet, model->design(), piece.call.from_deg, piece.wanted,
+                                    piece.is_candidate, target);
+              };
         },
         [&](std::size_t k, const StudyNumbers& found) {
           StudyNumbers& answers = answers_[pieces[k].call];

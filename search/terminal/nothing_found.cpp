@@ -118,6 +118,10 @@ std::string what_to_try(const Survival& survival, const schema::CatalogueState& 
   const auto sample = survival.sample_to_try(kShareToTry);
   const std::string other =
       "another misalignment.amplitude_mm or other vertices change all of these shares";
+  if (state.ends && state.ends->goal == "shape_rms_mm") {
+    return "to find some: a larger search.shape_max_mm, a lower accept.deploys_from_deg, or a "
+           "target of less curvature in a copy of the campaign";
+  }
   // A threshold cannot lie below the stop.
   if (state.stops_at_deg && (!sample || survival.deg(*sample) < *state.stops_at_deg)) {
     return "to find some: more draws (--draws), or a lower accept.stop_stiffness_mm2_per_rad2 in a "

@@ -140,6 +140,11 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
   if (state.accepted == 0) {
     return "misalign report " + file + " --output report.html shows the D of draws";
   }
+  if (state.ends && state.ends->goal == "shape_rms_mm") {
+    return "misalign query " + file +
+           " --front shape_rms_mm,slope_min_mm_per_deg,thickness_mm; misalign export " + file +
+           " --best 3 --by shape_rms_mm --output found";
+  }
   if (state.ends) {
     return "misalign query " + file + " ends; misalign export " + file +
            " --best 3 --by end_value --output found";
@@ -150,7 +155,7 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
 schema::DeployingFrom deploying_from(SQLite::Database& database,
                                      const schema::CatalogueState& state,
                                      const schema::Campaign& campaign, double at_deg) {
-  if (campaign.search.optimisation) {
+  if (campaign.search.has_ends()) {
     throw schema::UserError(
         solver::OptionFault{"at_deg", schema::shown_number(at_deg),
                             "this campaign optimises its draws, and their own D is not stored",

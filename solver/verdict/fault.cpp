@@ -31,6 +31,8 @@ constexpr FaultEntry kFaults[] = {
      "the total energy of the filling rises on the way to flat", ShownBy::diagonal},
     {Fault::weak_drive, "weak_drive", "weak drive",
      "the filling drives the sheet more weakly than the campaign asks for", ShownBy::nothing},
+    {Fault::off_shape, "off_shape", "off the shape",
+     "the folded sheet lies farther from the target than the campaign allows", ShownBy::nothing},
     {Fault::undecided, "undecided", "undecided", "numerical failure: neither accepted nor rejected",
      ShownBy::nothing},
     {Fault::none, "none", "no fault", "no fault up to the end of the path", ShownBy::nothing},

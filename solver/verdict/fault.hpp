@@ -27,7 +27,8 @@ enum class Fault {
   undecided,           ///< a numerical failure (PathEnd says which): never a "no"
   reverses_between,    ///< a diagonal turns back before the next sample
   energy_rises,        ///< the filling's energy does not fall from this sample towards flat
-  weak_drive           ///< a margin of the energy criterion is missed at this sample
+  weak_drive,          ///< a margin of the energy criterion is missed at this sample
+  off_shape            ///< the sheet lies too far from a target, which it should have there
 };
 
 struct FaultEntry {

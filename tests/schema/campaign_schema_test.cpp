@@ -303,7 +303,7 @@ TEST(CampaignSchema, RefusesEveryWrongType) {
     const bool may_be_null = key.find("stop.") == 0 || key.find("accept.stop") == 0 ||
                              key == "accept.fill" || key.find("accept.least_") == 0 ||
                              key == "misalignment.grid_mm" || key == "search.from_deg" ||
-                             key == "search.grid_mm" ||
+                             key == "search.grid_mm" || key == "target" ||
                              (key.find("design.") == 0 && !kNumbersOfDesign.contains(key));
     if (!may_be_null) wrong.push_back(nullptr);
     for (const Json& other : wrong) {

@@ -34,7 +34,7 @@ TEST(FaultTable, HasEveryFaultOnce) {
     labels.insert(entry.label);
     EXPECT_EQ(&solver::entry_of(entry.fault), &entry);
   }
-  const std::size_t count = static_cast<std::size_t>(solver::Fault::weak_drive) + 1;
+  const std::size_t count = static_cast<std::size_t>(solver::Fault::off_shape) + 1;
   EXPECT_EQ(solver::fault_table().size(), count);
   EXPECT_EQ(faults.size(), count);
   EXPECT_EQ(names.size(), count);
@@ -79,6 +79,7 @@ TEST(FaultTable, IsWhatAnExportMaySay) {
     // A stop that is asked for lies at the threshold at most: no candidate's is softer.
     const bool may_be_accepted = entry.fault != solver::Fault::inactive_diagonal &&
                                  entry.fault != solver::Fault::soft_stop &&
+                                 entry.fault != solver::Fault::off_shape &&
                                  entry.fault != solver::Fault::undecided;
     if (may_be_accepted) of_candidates.insert(entry.name);
   }
