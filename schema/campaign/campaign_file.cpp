@@ -173,7 +173,7 @@ Campaign read_campaign(const Json& value, const std::string& source,
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
   const Design springs = read_springs(part("actuators"), "actuators", faults);
   campaign.design = read_design(part("design"), "design", faults).merged_over(springs);
-  campaign.design.relax_at(campaign.pattern.target);
+  campaign.design.relax_at(campaign.pattern.folded_target);
   if (reader.find("actuators") && part("design").contains("fill")) {
     faults.add("actuators", "is given beside design.fill",
                "write design.fill alone: springs are a filling, too");

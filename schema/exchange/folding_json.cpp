@@ -74,7 +74,7 @@ Json energy_json(const FoldingView& view, const solver::Fill& fill) {
 }
 
 std::optional<double> off_target_mm(const FoldingView& view) {
-  const std::optional<FoldedTarget>& target = view.base.target;
+  const std::optional<FoldedTarget>& target = view.base.folded_target;
   const solver::FoldingWay* const way = target ? view.sheet.way() : nullptr;
   if (!way || target->pilot_deg > way->end_deg()) return {};
   const Eigen::Matrix3Xd& found_mm = view.sheet.at(target->pilot_deg).vertices_mm;
@@ -83,7 +83,7 @@ std::optional<double> off_target_mm(const FoldingView& view) {
 }
 
 std::optional<solver::HeldRest> held_at_target(const FoldingView& view, const solver::Fill& fill) {
-  const std::optional<FoldedTarget>& target = view.base.target;
+  const std::optional<FoldedTarget>& target = view.base.folded_target;
   if (!off_target_mm(view) || solver::rest_deg(fill) != target->pilot_deg) return {};
   const solver::FoldingWay& way = *view.sheet.way();
   return solver::held_rest(way, solver::filling_on(way, fill), target->pilot_deg);
@@ -92,7 +92,7 @@ std::optional<solver::HeldRest> held_at_target(const FoldingView& view, const so
 Json target_json(const FoldingView& view, const solver::Fill& fill) {
   const auto held = held_at_target(view, fill);
   if (!held) return {};
-  return {{"rest_deg", view.base.target->pilot_deg},
+  return {{"rest_deg", view.base.folded_target->pilot_deg},
           {"driven_from_deg", held->driven_from_deg},
           {"driven_from_below_deg", held->driven_from_below_deg},
           {"barrier_n_mm", held->barrier_n_mm},

@@ -1,5 +1,6 @@
 #include "schema/exchange/shape_json.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <iterator>
 
@@ -11,15 +12,6 @@ namespace {
 
 using solver::ShapeRow;
 
-struct KindName {
-  solver::ShapeKind kind;
-  const char* name;
-};
-constexpr KindName kKinds[] = {{solver::ShapeKind::free, "shape"},
-                               {solver::ShapeKind::rest, "rest"},
-                               {solver::ShapeKind::rest_by_energy, "energy"},
-                               {solver::ShapeKind::bistable, "bistable"}};
-
 struct RowName {
   ShapeRow::Kind kind;
   const char* name;
@@ -29,12 +21,27 @@ constexpr RowName kRows[] = {
     {ShapeRow::Kind::fold, "fold_angle"},     {ShapeRow::Kind::limit, "fold_limit"},
     {ShapeRow::Kind::direction, "direction"}, {ShapeRow::Kind::energy, "energy"},
     {ShapeRow::Kind::equal, "equal_lengths"}, {ShapeRow::Kind::barrier, "barrier"},
-    {ShapeRow::Kind::floor, "floor"}};
+    {ShapeRow::Kind::floor, "floor"},         {ShapeRow::Kind::amplitude, "amplitude"}};
+
+// The motion of the sheet, as exports and `fold` place it, onto the target; null where it has no
+// sample there.
+Json pose_json(const solver::Sheet& sheet, double at_deg, const solver::ShapePose& pose) {
+  const auto row = sheet.row_at(at_deg);
+  if (!row) return nullptr;
+  const Eigen::Matrix4d motion = Eigen::umeyama(sheet.shapes_mm()[static_cast<std::size_t>(*row)],
+                                                pose.placed(sheet.at(at_deg).vertices_mm), false);
+  Json turn = Json::array(), move_mm = Json::array();
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    turn.push_back({motion(k, 0), motion(k, 1), motion(k, 2)});
+    move_mm.push_back(motion(k, 3));
+  }
+  return {{"turn", turn}, {"move_mm", move_mm}};
+}
 
 }  // namespace
 
 const char* name_of(solver::ShapeKind kind) {
-  return std::ranges::find(kKinds, kind, &KindName::kind)->name;
+  return std::ranges::find(kShapeKinds, kind, &ShapeKindName::kind)->name;
 }
 
 const char* name_of(ShapeRow::Kind kind) {
@@ -61,6 +68,7 @@ std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
     case ShapeRow::Kind::limit:
     case ShapeRow::Kind::energy:
     case ShapeRow::Kind::barrier:
+    case ShapeRow::Kind::amplitude:
       break;
   }
   return "";
@@ -68,7 +76,6 @@ std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
 
 Json shape_json(const Pattern& base, const Target& target, const solver::Sheet& sheet,
                 const solver::ShapeOptions& options, const solver::ShapeStudy& study) {
-  const Eigen::Matrix3d& turn = study.pose.turn;
   const Json limits = json_list(study.limits, [&](const solver::ShapeLimit& limit) {
     return Json{{"kind", name_of(limit.kind)},
                 {"place", place_of(base, sheet.mechanism(), options, limit)},
@@ -80,16 +87,12 @@ Json shape_json(const Pattern& base, const Target& target, const solver::Sheet& 
           {"kind", name_of(options.kind)},
           {"at_deg", options.at_deg},
           {"from_deg", options.from_deg},
+          {"reached", study.is_reached},
           {"rms_mm", study.rms_mm},
           {"max_mm", study.max_mm},
           {"shift_max_mm", study.shifts_mm.colwise().norm().maxCoeff()},
           {"half_depth_mm", study.pose.half_depth_mm},
-          {"pose",
-           {{"turn",
-             {{turn(0, 0), turn(0, 1), turn(0, 2)},
-              {turn(1, 0), turn(1, 1), turn(1, 2)},
-              {turn(2, 0), turn(2, 1), turn(2, 2)}}},
-            {"move_mm", {study.pose.move_mm.x(), study.pose.move_mm.y(), study.pose.move_mm.z()}}}},
+          {"pose", pose_json(sheet, options.at_deg, study.pose)},
           {"deploys_from_deg", study.deploys_from_deg},
           {"driven_from_deg", study.driven_from_deg},
           {"fold_limit_deg", sheet.way()->ends_at_limit() ? Json(sheet.way()->end_deg()) : Json()},

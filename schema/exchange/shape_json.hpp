@@ -10,7 +10,15 @@
 
 namespace misalign::schema {
 
-/// Names as in files and options: "shape", "rest", "energy", "bistable".
+/// Names as in files and options.
+struct ShapeKindName {
+  const char* name;
+  solver::ShapeKind kind;
+};
+inline constexpr ShapeKindName kShapeKinds[] = {{"shape", solver::ShapeKind::free},
+                                                {"rest", solver::ShapeKind::rest},
+                                                {"energy", solver::ShapeKind::rest_by_energy},
+                                                {"bistable", solver::ShapeKind::bistable}};
 const char* name_of(solver::ShapeKind kind);
 /// Names of limits: "corner", "edge", "fold_angle", "fold_limit", ...
 const char* name_of(solver::ShapeRow::Kind kind);

@@ -124,7 +124,7 @@ FamilyMesh read_fold_mesh(ObjectReader& reader,
                             reader.find("mm_per_unit") ? std::optional(mm_per_unit) : std::nullopt,
                             reader.faults());
   if (reader.faults().count() > before) return {};
-  auto target = read_target(reader, document, directory, mm_per_unit, fold);
+  auto target = read_mesh_target(reader, document, directory, mm_per_unit, fold);
   return {{{"family", "fold"}},    place,
           std::move(fold.sheet),   std::move(fold.assignment),
           std::move(fold.missing), std::move(fold.reading),

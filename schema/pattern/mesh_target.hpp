@@ -22,7 +22,7 @@ struct MeshTarget {
 /// "target_file", the name of a FOLD or OBJ file; without them the only folded form of `document`,
 /// if there is one. The target has the vertices of `mesh`, three numbers each, and its faces or
 /// none.
-std::optional<MeshTarget> read_target(ObjectReader& reader, const Json& document,
+std::optional<MeshTarget> read_mesh_target(ObjectReader& reader, const Json& document,
                                       const std::optional<std::filesystem::path>& directory,
                                       double mm_per_unit, const FoldMesh& mesh);
 

@@ -26,7 +26,7 @@ struct Pattern {
   double mesh_off_mm = 0;
   std::vector<std::string> reading{};  ///< sentences about the interpretation of the mesh
 
-  std::optional<FoldedTarget> target{};
+  std::optional<FoldedTarget> folded_target{};
 
   solver::FlatVertices vertices_mm() const { return base.sheet.vertices_mm + shifts_mm; }
 };

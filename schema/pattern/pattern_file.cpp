@@ -60,7 +60,7 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
         read_pattern(pattern, "", Displacements::allowed, directory, faults, perforations);
     if (!is_mesh) read_its_target(document);
   }
-  read.design.relax_at(read.pattern.target);
+  read.design.relax_at(read.pattern.folded_target);
   read.sampling = read_sampling(read.exported, read.pattern, faults);
   faults.refuse(source);
   if (!read.exported.is_object()) read.exported = nullptr;

@@ -17,8 +17,8 @@ namespace {
 using Eigen::Index;
 
 constexpr char kTargetForms[] =
-    R"(write {"surface": "sphere", "radius_mm": 1440}, or "cylinder", "saddle", "helicoid", "grid" )"
-    R"(or "mesh"; or {"vertices_mm": {"A1": [0, 0, 0], ...}})";
+    R"(write {"surface": "sphere", "radius_mm": 1440}, or "plane", "cylinder", "saddle", "helicoid", )"
+    R"("grid" or "mesh"; or {"vertices_mm": {"A1": [0, 0, 0], ...}})";
 constexpr char kGridForm[] = R"(write rows of numbers, y ascending, such as [[0, 1], [1, 0]])";
 constexpr char kPlacesForm[] = R"(write {"A1": [0, 0, 0], "A7": [470, 0, 12], ...})";
 
@@ -193,6 +193,7 @@ Target read_target(const Json& value, const std::string& where, const solver::Cr
     const auto* const measured = read_name(reader, "of", kMeasured, "is no part of a sheet",
                                            R"(write "vertices" or "panels")");
     if (measured) target.shape.measured = measured->measured;
+    if (!target.shape.surface) return target;  // of an unknown surface no key is known
   }
   reader.refuse_unknown_keys();
   return target;

@@ -159,7 +159,7 @@ class TargetBase {
     say(fmt::format("{} is the target: the pilot {} is folded by {:.4f} deg", target_.name,
                     solver::line_label(pilot.a, pilot.b), target_deg));
     pattern_.base.folding = std::move(folding);
-    pattern_.target = FoldedTarget{folded_mm_, target_deg};
+    pattern_.folded_target = FoldedTarget{folded_mm_, target_deg};
   }
 
   std::string hole_count_advice() {

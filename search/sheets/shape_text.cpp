@@ -50,9 +50,9 @@ const char* unit_of(ShapeRow::Kind kind) {
     case ShapeRow::Kind::limit:
       return "deg";
     case ShapeRow::Kind::corner:
-      return "of a sine";
+      return "unit of its sine";
     case ShapeRow::Kind::floor:
-      return "of the goal";
+      return "unit of the goal";
     default:
       return "mm";
   }
@@ -95,6 +95,11 @@ std::string shape_text(const schema::PatternFile& file, const std::string& name,
       count_text(static_cast<std::uint64_t>(study.evaluations), "sheet"), study.rms_mm,
       study.max_mm, study.rms_mm / width_mm, study.max_mm / width_mm, width_mm,
       study.shifts_mm.colwise().norm().maxCoeff(), std::abs(study.pose.half_depth_mm));
+  if (!study.is_reached) {
+    text +=
+        "not reached: a limit is violated, or the sheet lies farther from the target than "
+        "shapes that it can have; the limits below say what stands in the way\n";
+  }
   text += held_text(shaped);
   if (const solver::FoldingWay& way = *folded.sheet.way(); way.ends_at_limit()) {
     text += fmt::format("fold limit {:.2f} deg\n", way.end_deg());

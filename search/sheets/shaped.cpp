@@ -7,6 +7,7 @@
 
 #include "schema/pattern/fill_words.hpp"
 #include "search/sheets/deploy_input.hpp"
+#include "search/sheets/row_certifier.hpp"
 #include "search/sheets/studies.hpp"
 
 namespace misalign::search {
@@ -116,6 +117,11 @@ ShapedSheet shaped(const schema::PatternFile& file, const std::string& name,
         value_or_throw(solver::prove_wells(sheet, made.design.fill(file.pattern.base), to_deg),
                        name, "its wells are not known");
     made.used_from_deg = std::min(made.used_from_deg, made.wells->proven_deg);
+    if (options.kind == ShapeKind::rest && made.used_from_deg > 0) {
+      RowCertifier certifier(file.pattern, model);
+      made.used_from_deg =
+          certifier.certify(0, made.study.shifts_mm, made.used_from_deg).certified_deg;
+    }
   }
   // Angles beyond the proof, or beyond contact, are taken back.
   made.design.from_deg = std::nullopt;

@@ -26,7 +26,8 @@ struct ShapedSheet {
   std::optional<solver::Contact> contact;
   /// Proof of its wells; none for a shape alone, or where no proof applies.
   std::optional<solver::EnergyWells> wells;
-  /// The stowed angle to which it is driven, proven, and without contact; 0: none.
+  /// The stowed angle to which it is driven, proven, all diagonals monotone where they have to be,
+  /// and without contact; 0: none.
   double used_from_deg = 0;
 };
 

@@ -11,7 +11,7 @@ std::string target_text(const schema::FoldingView& view, const solver::Fill& fil
   const auto off_mm = schema::off_target_mm(view);
   if (!off_mm) return "";
   std::string text = fmt::format("\ntarget at {:.4f} deg: vertices within {:.2g} mm",
-                                 view.base.target->pilot_deg, *off_mm);
+                                 view.base.folded_target->pilot_deg, *off_mm);
   const auto held = schema::held_at_target(view, fill);
   if (!held) return text;
   if (!(held->barrier_n_mm > kRounding_n_mm)) {

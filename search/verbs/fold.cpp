@@ -36,7 +36,7 @@ void fold(const FoldCall& call) {
   if (!call.json) return put_folding(view, design, fill, call.table);
   schema::Json json = schema::folding_json(view);
   json["energy"] = schema::energy_json(view, fill);
-  if (pattern.target) json["target"] = schema::target_json(view, fill);
+  if (pattern.folded_target) json["target"] = schema::target_json(view, fill);
   put_json(json);
 }
 

@@ -70,7 +70,7 @@ void replay(const ReplayCall& call) {
   }
   schema::Json json = schema::folding_json(view);
   json["energy"] = schema::energy_json(view, fill);
-  if (campaign.pattern.target) json["target"] = schema::target_json(view, fill);
+  if (campaign.pattern.folded_target) json["target"] = schema::target_json(view, fill);
   json["campaign"] = {{"name", campaign.name}, {"identity", schema::identity(campaign)}};
   json["draw"] = call.draw;
   json["verdict"]["accepted"] = accepted;

@@ -1,6 +1,6 @@
 // `misalign shape`: a sheet that has a target shape on its way.
+#include "schema/exchange/shape_json.hpp"
 #include "schema/files/output_file.hpp"
-#include "schema/pattern/pattern_document.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/shaped.hpp"
 #include "search/terminal/terminal.hpp"
@@ -17,18 +17,18 @@ struct ShapeCall {
   schema::Design design;
   ShapeInput input;
   std::vector<std::string> subject_to;
-  double amplitude_mm = 0, least_corner_deg = 0;
   bool json = false;
 };
 
 // The file, with a typed target in place of its own.
 schema::PatternFile file_of(const ShapeCall& call) {
-  schema::Json document = schema::read_pattern_document(call.path);
-  if (!call.target.empty() && document.is_object()) {
-    document["target"] = schema::parse_json(call.target, "--target");
-  }
-  return schema::read_sampled_pattern(document, call.path,
-                                      std::filesystem::path(call.path).parent_path());
+  schema::PatternFile file = schema::read_sampled_pattern_file(call.path);
+  if (call.target.empty()) return file;
+  schema::InputFaults faults;
+  file.target = schema::read_target(schema::parse_json(call.target, "--target"), "target",
+                                    file.pattern.base.sheet, "", faults);
+  faults.refuse("--target");
+  return file;
 }
 
 void shape_sheet(ShapeCall& call) {
@@ -92,13 +92,13 @@ Action shape_verb(CLI::App& verb) {
   auto call = std::make_shared<ShapeCall>();
   solver::ShapeOptions& options = call->input.options;
   verb.add_option("PATTERN", call->path, "pattern file (JSON) with a \"target\"")->required();
-  verb.add_option("--target", call->target, "target in place of the file's, JSON")
+  verb.add_option("--target", call->target,
+                  "target in place of the file's, JSON; a mesh is sought in the present folder")
       ->type_name("JSON");
+  Names<solver::ShapeKind> kinds;
+  for (const auto& [name, kind] : schema::kShapeKinds) kinds.emplace_back(name, kind);
   verb.add_option("--kind", options.kind, "how springs hold it at its shape [rest]")
-      ->transform(one_of(Names<solver::ShapeKind>{{"shape", solver::ShapeKind::free},
-                                                  {"rest", solver::ShapeKind::rest},
-                                                  {"energy", solver::ShapeKind::rest_by_energy},
-                                                  {"bistable", solver::ShapeKind::bistable}}));
+      ->transform(one_of(kinds));
   add_value(verb, "--at", call->input.at_deg,
             "pilot angle of the shape [the target's, or where the filling rests, or 90]",
             within(1, 179), "DEG");

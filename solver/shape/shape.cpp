@@ -17,11 +17,15 @@ using Eigen::VectorXd;
 // The first curvature, the largest growth between stages and the least, times the sheet's width;
 // and the misfit, in panel widths, of a stage that is repeated after a smaller growth.
 constexpr double kFirstCurvature = 0.1, kCurvatureStep = 1.0 / 12, kLeastStep = 1.0 / 96;
+// Stages of a surface that is bent more sharply than a sheet can follow: a corner of a grid.
+constexpr double kMostStages = 60;
 constexpr double kPoorMisfit = 1e-3;
 // Misfit, in panel widths, that one degree of the path is worth.
 constexpr double kPerDegree = 6e-4;
 // Growth of the fold limit between stages.
 constexpr double kLimitStep_deg = 8;
+// Diagonals keep their directions, and the energy falls, from this far beyond the stowed angle.
+constexpr double kPast_deg = 0.2;
 // Angle by whose lengths directions are chosen; angles of directions; distance of more from one
 // where a diagonal turns back; rounds of these.
 constexpr double kSigns_deg = 60, kDirections_deg = 6, kAround_deg = 1.5;
@@ -68,6 +72,7 @@ class Shaping {
 
   const ShapeDescent::State& now() const { return descent_.now(); }
   WantedRows& wanted() { return descent_.wanted(); }
+  double top_deg() const { return options_.from_deg + kPast_deg; }
   double stowed_deg() const { return options_.from_deg + options_.beyond_deg; }
 
   // A stage that ends far from its surface is repeated from the one before it, nearer to that;
@@ -75,7 +80,8 @@ class Shaping {
   // more.
   void climb_in_curvature() {
     const double whole = descent_.whole_curvature();
-    double share = 0, growth = kFirstCurvature;
+    const double usual = std::max(kCurvatureStep, whole / kMostStages);
+    double share = 0, growth = std::max(kFirstCurvature, usual);
     bool is_in_reach = true;
     while (share < 1 && whole > 0) {
       const Matrix2Xd before_mm = now().sheet->shifts_mm();
@@ -93,7 +99,7 @@ class Shaping {
       }
       share = next;
       is_in_reach = is_in_reach && !is_poor;
-      growth = is_in_reach ? std::min(growth, kCurvatureStep) : kCurvatureStep;
+      growth = is_in_reach ? std::min(growth, usual) : usual;
     }
   }
 
@@ -171,8 +177,8 @@ class Shaping {
 
   void set_angles() {
     wanted().angles_deg.clear();
-    const int count = static_cast<int>(std::ceil(options_.from_deg / kDirections_deg));
-    for (int k = 1; k <= count; ++k) wanted().angles_deg.push_back(options_.from_deg * k / count);
+    const int count = static_cast<int>(std::ceil(top_deg() / kDirections_deg));
+    for (int k = 1; k <= count; ++k) wanted().angles_deg.push_back(top_deg() * k / count);
   }
 
   // Improves by the rows that are wanted, and by more of them where they were too far apart.
@@ -201,7 +207,7 @@ class Shaping {
 
   // Angles where a diagonal, or the energy, turns back.
   std::vector<double> turns_deg() const {
-    const double to_deg = std::min(options_.from_deg, now().sheet->way()->end_deg());
+    const double to_deg = std::min(top_deg(), now().sheet->way()->end_deg());
     if (options_.kind == ShapeKind::rest_by_energy) {
       return energy_turns_deg(*now().sheet, options_.at_deg, to_deg);
     }
@@ -218,7 +224,7 @@ class Shaping {
     std::vector<double> more_deg;
     for (const double turn_deg : turns_deg()) {
       for (const double off_deg : {-kAround_deg, kAround_deg}) {
-        more_deg.push_back(std::round(std::clamp(turn_deg + off_deg, 1.0, options_.from_deg)));
+        more_deg.push_back(std::round(std::clamp(turn_deg + off_deg, 1.0, top_deg())));
       }
     }
     const std::size_t before = wanted().angles_deg.size();
@@ -243,6 +249,10 @@ class Shaping {
     study.deploys_from_deg = now().sheet->deploys_from_deg();
     study.driven_from_deg = driven_from_deg();
     study.limits = descent_.limits();
+    study.is_reached = study.rms_mm < kPoorMisfit * descent_.width_mm() &&
+                       std::ranges::all_of(study.limits, [](const ShapeLimit& limit) {
+                         return limit.missing == 0;
+                       });
     return study;
   }
 

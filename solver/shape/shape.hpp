@@ -24,6 +24,8 @@ struct ShapeStudy {
   /// sheets: the end of the path, or the stowed angle.
   double driven_from_deg = 0;
   std::vector<ShapeLimit> limits;
+  /// True if the misfit is below a thousandth of a panel's width, and no limit is violated.
+  bool is_reached = false;
 };
 
 /// Shapes a sheet of this solver's model, whose base must fold to the stowed angle. Reasons:

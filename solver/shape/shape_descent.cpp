@@ -22,6 +22,8 @@ constexpr double kArc = 8;
 // Number of limits that are told, and the box in panel widths in which their prices are found.
 constexpr std::size_t kMostLimits = 8;
 constexpr double kPriceBox = 0.01;
+// Shifts this near to the amplitude, as a share of it, are held by it.
+constexpr double kAtAmplitude = 1e-4;
 // Prices and violations below these are rounding.
 constexpr double kLeastPrice = 1e-3, kLeastMissing = 1e-3, kLeastMerit = 1e-12;
 
@@ -174,12 +176,31 @@ std::pair<Matrix2Xd, double> ShapeDescent::best_change(const QuadraticProgram& a
   return {change_mm, now - best.value};
 }
 
+// Fall of the merit, to first order, per mm of all amplitudes: of coordinates at theirs the slope
+// of the program's Lagrange function.
+double ShapeDescent::price_of_amplitude(const QuadraticProgram& program,
+                                        const QuadraticOptimum& best) const {
+  if (!options_.amplitude_mm) return 0;
+  const VectorXd slope =
+      program.hessian * best.x + program.gradient - program.rows.transpose() * best.price;
+  double price = 0;
+  for (Index k = 0; k < 2 * std::ssize(free_); ++k) {
+    const double shift_mm =
+        now_.sheet->shifts_mm()(k % 2, free_[static_cast<std::size_t>(k / 2)]) + best.x(k);
+    const double room_mm = *options_.amplitude_mm - std::abs(shift_mm);
+    if (room_mm < kAtAmplitude * *options_.amplitude_mm) price += std::abs(slope(k));
+  }
+  return price;
+}
+
 std::vector<ShapeLimit> ShapeDescent::limits() const {
   std::vector<ShapeRow> rows;
   const auto around = program(rows);
   if (!around) return {};
   std::vector<Index> reached;
-  const QuadraticOptimum best = minimize(in_box(*around, kPriceBox * width_mm_, reached));
+  const QuadraticProgram inside = in_box(*around, kPriceBox * width_mm_, reached);
+  const QuadraticOptimum best = minimize(inside);
+  const double merit = std::max(now_.merit, kLeastMerit);
   std::vector<ShapeLimit> limits;
   for (std::size_t k = 0; k < reached.size(); ++k) {
     const ShapeRow& row = rows[static_cast<std::size_t>(reached[k])];
@@ -189,13 +210,15 @@ std::vector<ShapeLimit> ShapeDescent::limits() const {
                                ? wanted_.floors[static_cast<std::size_t>(row.where)].mm
                            : row.kind == ShapeRow::Kind::corner ? width_mm_
                                                                 : 1;
-    const double price =
-        best.price(static_cast<Index>(k)) * unit_mm / std::max(now_.merit, kLeastMerit);
-    const double missing = std::max(0.0, -row.slack) / unit_mm;
-    if (price > kLeastPrice || missing > kLeastMissing) {
-      limits.push_back({row.kind, row.where, row.pilot_deg, missing, price});
+    const double price = best.price(static_cast<Index>(k)) * unit_mm / merit;
+    const double missing = -row.slack / unit_mm;
+    const bool is_missed = missing > kLeastMissing;
+    if (price > kLeastPrice || is_missed) {
+      limits.push_back({row.kind, row.where, row.pilot_deg, is_missed ? missing : 0, price});
     }
   }
+  const double price = price_of_amplitude(inside, best) / merit;
+  if (price > kLeastPrice) limits.push_back({ShapeRow::Kind::amplitude, -1, 0, 0, price});
   std::ranges::sort(limits, std::greater(), &ShapeLimit::price);
   if (limits.size() > kMostLimits) limits.resize(kMostLimits);
   return limits;

@@ -69,6 +69,7 @@ class ShapeDescent {
   std::optional<QuadraticProgram> program(std::vector<ShapeRow>& rows) const;
   QuadraticProgram in_box(const QuadraticProgram& around, double box_mm,
                           std::vector<Eigen::Index>& reached) const;
+  double price_of_amplitude(const QuadraticProgram& program, const QuadraticOptimum& best) const;
   std::pair<Eigen::Matrix2Xd, double> best_change(const QuadraticProgram& around,
                                                   double box_mm) const;
 

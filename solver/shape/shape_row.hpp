@@ -25,7 +25,18 @@ struct WantedRows {
 
 /// slack + by_mm . (change of the flat vertices) >= 0; mm, or panel widths times rad.
 struct ShapeRow {
-  enum class Kind { corner, edge, fold, limit, direction, energy, equal, barrier, floor } kind;
+  enum class Kind {
+    corner,
+    edge,
+    fold,
+    limit,
+    direction,
+    energy,
+    equal,
+    barrier,
+    floor,
+    amplitude
+  } kind;
   int where;  ///< facet, edge, crease, diagonal or floor
   double pilot_deg;
   double slack;

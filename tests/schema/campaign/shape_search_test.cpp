@@ -80,6 +80,8 @@ TEST(ShapeSearch, IsRefusedWithAllFaults) {
   };
   one(shaping({}, {{"target", nullptr}}), "target (is missing");
   one(with(R"({"target": {"surface": "plane"}})"), "search.method = \"shape\"");
+  one(shaping({}, {{"target", {{"surface", "mesh"}, {"file", "hull.obj"}}}}),
+      "no catalogue carries");
   one(with(R"({"search": {"shape_max_mm": 2}})"), "\"plain\"");
   one(shaping({{"maximise", "miscut_margin_mm"}}), "search.method = \"shape\"");
   one(shaping({}, {{"accept", {{"deploys_from_deg", 90}}}}), "target.at_deg = 90");

@@ -19,7 +19,7 @@ TEST(TargetJson, IsOfTheRestAtTheTargetAlone) {
   const solver::OwnSheet own(read.pattern.base, read.pattern.shifts_mm, {.end_deg = end_deg});
   const FoldingView view(read.pattern, own.sheet);
   const Json json = target_json(view, read.design.fill(read.pattern.base));
-  EXPECT_EQ(json["rest_deg"], read.pattern.target->pilot_deg);
+  EXPECT_EQ(json["rest_deg"], read.pattern.folded_target->pilot_deg);
   EXPECT_LT(json["driven_from_below_deg"], json["rest_deg"]);
   EXPECT_GT(json["driven_from_deg"], json["rest_deg"]);
   EXPECT_LE(json["driven_from_deg"], end_deg);
@@ -38,10 +38,11 @@ TEST(TargetJson, IsOfTheRestAtTheTargetAlone) {
   EXPECT_LT(*off_mm, 2);
   // Plates have a rest there, too; a sheet without a target has no such value.
   Pattern plain = read.pattern;
-  plain.target.reset();
+  plain.folded_target.reset();
   EXPECT_FALSE(off_target_mm({plain, own.sheet}));
-  EXPECT_FALSE(target_json(view, solver::RubberPlates{.rest_deg = read.pattern.target->pilot_deg})
-                   .is_null());
+  EXPECT_FALSE(
+      target_json(view, solver::RubberPlates{.rest_deg = read.pattern.folded_target->pilot_deg})
+          .is_null());
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ std::string written(const std::string& name, const std::string& text) {
 double off_mm(const Pattern& pattern, const solver::FoldedVertices& folded_mm) {
   const solver::OwnSheet own(pattern.base, pattern.shifts_mm,
                              {.end_deg = pattern.base.folding.end_deg()});
-  const Eigen::Matrix3Xd& found = own.sheet.at(pattern.target->pilot_deg).vertices_mm;
+  const Eigen::Matrix3Xd& found = own.sheet.at(pattern.folded_target->pilot_deg).vertices_mm;
   const Eigen::Isometry3d onto(Eigen::umeyama(found, folded_mm, false));
   return (onto * found - folded_mm).colwise().norm().maxCoeff();
 }
@@ -76,7 +76,7 @@ struct TargetMesh : testing::Test {
 
 TEST_F(TargetMesh, AFrameIsTheTarget) {
   const Pattern read = good(pattern_of(fold_of(curved)));
-  ASSERT_TRUE(read.target);
+  ASSERT_TRUE(read.folded_target);
   EXPECT_TRUE(read.base.folding.path());
   EXPECT_LT(off_mm(read, curved.folded_mm), 1e-9);
   EXPECT_EQ(read.base.sheet.vertices_mm, curved.flat.vertices_mm);
@@ -87,7 +87,7 @@ TEST_F(TargetMesh, AFrameIsTheTarget) {
   const Json stored = pattern_json(read, read.shifts_mm);
   const Pattern again = good(parse_json(stored.dump(), "stored"));
   EXPECT_EQ(pattern_json(again, again.shifts_mm), stored);
-  EXPECT_EQ(again.target->pilot_deg, read.target->pilot_deg);
+  EXPECT_EQ(again.folded_target->pilot_deg, read.folded_target->pilot_deg);
 }
 
 // Seen from below, and on its side, the target is the same state.
@@ -99,7 +99,7 @@ TEST_F(TargetMesh, IsReadInAnyOrientation) {
   for (Json& point : turned["vertices_coords"]) point = {point[0], 0.0, point[1]};
   const Pattern upright = good(pattern_of(turned));
   EXPECT_LT(off_mm(upright, curved.folded_mm), 1e-9);
-  EXPECT_NEAR(upright.target->pilot_deg, read.target->pilot_deg, 1e-9);
+  EXPECT_NEAR(upright.folded_target->pilot_deg, read.folded_target->pilot_deg, 1e-9);
 }
 
 TEST_F(TargetMesh, APairOfObjFilesIsRead) {
@@ -119,7 +119,7 @@ TEST_F(TargetMesh, APairOfObjFilesIsRead) {
 
 TEST_F(TargetMesh, ARigidMeshKeepsItsClosedForm) {
   const Pattern read = good(pattern_of(fold_of(miura)));
-  ASSERT_TRUE(read.target);
+  ASSERT_TRUE(read.folded_target);
   EXPECT_FALSE(read.base.folding.path());
   EXPECT_EQ(read.base.folding.end_deg(), 180);
   EXPECT_LT(off_mm(read, miura.folded_mm), 1e-9);
@@ -139,7 +139,7 @@ TEST_F(TargetMesh, SmallGapsAreClosed) {
       << read.reading[0];
   // Half a last place in three coordinates, and as much for what the constraints add.
   EXPECT_LT(off_mm(read, rounded.folded_mm), 2e-3);
-  EXPECT_LT(off_mm(read, read.target->vertices_mm), 1e-7);
+  EXPECT_LT(off_mm(read, read.folded_target->vertices_mm), 1e-7);
   const Json stored = pattern_json(read, read.shifts_mm);
   const Pattern again = good(stored);
   EXPECT_EQ(again.reading.size(), 2U);
@@ -149,7 +149,7 @@ TEST_F(TargetMesh, SmallGapsAreClosed) {
 TEST_F(TargetMesh, SpringsAreRelaxedAtTheTarget) {
   const Json mesh = fold_of(curved);
   const PatternFile alone = read_sampled_pattern(mesh, "x", ".");
-  EXPECT_EQ(alone.design.rest_deg, alone.pattern.target->pilot_deg);
+  EXPECT_EQ(alone.design.rest_deg, alone.pattern.folded_target->pilot_deg);
   Json pattern = pattern_of(mesh);
   pattern["design"] = {{"springs", {{"rest_deg", 12}}}};
   EXPECT_EQ(read_sampled_pattern(pattern, "x", ".").design.rest_deg, 12);
@@ -209,13 +209,13 @@ TEST_F(TargetMesh, DrawingsArePassedOver) {
   for (Json& point : drawing["file_frames"][0]["vertices_coords"])
     point[0] = 2 * point[0].get<double>();
   for (Json& letter : drawing["edges_assignment"]) letter = letter == "U" ? "U" : "B";
-  EXPECT_FALSE(good(pattern_of(drawing)).target);
+  EXPECT_FALSE(good(pattern_of(drawing)).folded_target);
   Json several = fold_of(miura);
   several["file_frames"].push_back(several["file_frames"][0]);
-  EXPECT_FALSE(good(pattern_of(several)).target);
+  EXPECT_FALSE(good(pattern_of(several)).folded_target);
   Json pattern = pattern_of(several);
   pattern["target_frame"] = 2;
-  EXPECT_TRUE(good(pattern).target);
+  EXPECT_TRUE(good(pattern).folded_target);
 }
 
 // A target that has popped through: with the usual pilot the path turns back before flat. Without

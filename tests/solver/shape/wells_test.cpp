@@ -24,26 +24,23 @@ struct SixBySix {
   ShapeOptions options;
 };
 
-// Lengths of the diagonals by the folded vertices.
-Eigen::VectorXd lengths_mm(const Sheet& sheet, double pilot_deg) {
-  const Eigen::Matrix3Xd& folded_mm = sheet.at(pilot_deg).vertices_mm;
+// Lengths of the diagonals between these vertices, folded or flat.
+template <class Vertices>
+Eigen::VectorXd lengths_between(const Vertices& vertices_mm, const Sheet& sheet) {
   const auto& diagonals = sheet.mechanism().diagonals;
   Eigen::VectorXd mm(std::ssize(diagonals));
   for (std::size_t d = 0; d < diagonals.size(); ++d) {
     mm(static_cast<Eigen::Index>(d)) =
-        (folded_mm.col(diagonals[d].from) - folded_mm.col(diagonals[d].to)).norm();
+        (vertices_mm.col(diagonals[d].from) - vertices_mm.col(diagonals[d].to)).norm();
   }
   return mm;
 }
 
+Eigen::VectorXd lengths_mm(const Sheet& sheet, double pilot_deg) {
+  return lengths_between(sheet.at(pilot_deg).vertices_mm, sheet);
+}
 Eigen::VectorXd flat_lengths_mm(const Sheet& sheet) {
-  const auto& diagonals = sheet.mechanism().diagonals;
-  Eigen::VectorXd mm(std::ssize(diagonals));
-  for (std::size_t d = 0; d < diagonals.size(); ++d) {
-    mm(static_cast<Eigen::Index>(d)) =
-        (sheet.point_mm(diagonals[d].from) - sheet.point_mm(diagonals[d].to)).norm();
-  }
-  return mm;
+  return lengths_between(sheet.vertices_mm(), sheet);
 }
 
 // Places of a dome's vertices, in another frame: the sheet that has them is known to exist.
