@@ -118,8 +118,8 @@ void compare_faces(const Json& frame, const FoldMesh& mesh, MeshFaults& faults) 
 }  // namespace
 
 std::optional<MeshTarget> read_mesh_target(ObjectReader& reader, const Json& document,
-                                      const std::optional<std::filesystem::path>& directory,
-                                      double mm_per_unit, const FoldMesh& mesh) {
+                                           const std::optional<std::filesystem::path>& directory,
+                                           double mm_per_unit, const FoldMesh& mesh) {
   const Json *const number = reader.find("target_frame"), *const file = reader.find("target_file");
   const bool is_named = number || file;
   if (number && file) {

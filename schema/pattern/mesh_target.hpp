@@ -23,8 +23,8 @@ struct MeshTarget {
 /// if there is one. The target has the vertices of `mesh`, three numbers each, and its faces or
 /// none.
 std::optional<MeshTarget> read_mesh_target(ObjectReader& reader, const Json& document,
-                                      const std::optional<std::filesystem::path>& directory,
-                                      double mm_per_unit, const FoldMesh& mesh);
+                                           const std::optional<std::filesystem::path>& directory,
+                                           double mm_per_unit, const FoldMesh& mesh);
 
 /// Adds a folded form of the mesh to a FOLD object: a frame that inherits the rest.
 void add_folded_form(const Eigen::Matrix3Xd& vertices_mm, Json& fold);

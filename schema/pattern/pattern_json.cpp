@@ -165,7 +165,8 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
       std::vector<int> assignment = folding.assignment();
       for (int& sign : assignment) sign *= folding.side();
       pattern.family["mesh"] = fold_json(pattern.base.sheet, assignment);
-      if (pattern.folded_target) add_folded_form(pattern.folded_target->vertices_mm, pattern.family["mesh"]);
+      if (pattern.folded_target)
+        add_folded_form(pattern.folded_target->vertices_mm, pattern.family["mesh"]);
     }
   }
   if (good()) read_spring_ends(reader, pattern);

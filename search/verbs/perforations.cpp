@@ -38,7 +38,8 @@ solver::Mobility mobility_to_target(const schema::Pattern& pattern, const std::v
       {sheet, holes, solver::BaseFolding(pilot, 1, std::vector<int>(sheet.edges.size(), 0))});
   const solver::Mobility none{mechanism.unknowns, mechanism.equations, 0};
   if (mechanism.unknowns != mechanism.equations + 1) return none;
-  const auto found = solver::follow_from_target(sheet, holes, pilot, pattern.folded_target->vertices_mm);
+  const auto found =
+      solver::follow_from_target(sheet, holes, pilot, pattern.folded_target->vertices_mm);
   const auto* const base = std::get_if<solver::FollowedBase>(&found);
   return base ? solver::measured_mobility(sheet, holes, base->folding) : none;
 }
