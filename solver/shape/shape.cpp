@@ -30,8 +30,9 @@ constexpr double kPast_deg = 0.2;
 // where a diagonal turns back; rounds of these.
 constexpr double kSigns_deg = 60, kDirections_deg = 6, kAround_deg = 1.5;
 constexpr int kRounds = 4;
-// Levels of floors.
-constexpr int kMostLevels = 12;
+// Levels of floors; the largest growth from one to the next, and the least.
+constexpr int kMostLevels = 24;
+constexpr double kRaise = 2, kLeastRaise = 1.1;
 
 class Shaping {
  public:
@@ -72,6 +73,7 @@ class Shaping {
 
   const ShapeDescent::State& now() const { return descent_.now(); }
   WantedRows& wanted() { return descent_.wanted(); }
+  bool is_poor() const { return now().misfit.rms_mm() > kPoorMisfit * descent_.width_mm(); }
   double top_deg() const { return options_.from_deg + kPast_deg; }
   double stowed_deg() const { return options_.from_deg + options_.beyond_deg; }
 
@@ -90,15 +92,14 @@ class Shaping {
       descent_.set_share(next);
       descent_.refresh();
       descent_.improve();
-      const bool is_poor = now().misfit.rms_mm() > kPoorMisfit * descent_.width_mm();
-      if (is_poor && is_in_reach && growth > kLeastStep) {
+      if (is_poor() && is_in_reach && growth > kLeastStep) {
         growth = std::max(kLeastStep, growth / 2);
         descent_.set_share(share);
         descent_.move_to(before_mm, before);
         continue;
       }
       share = next;
-      is_in_reach = is_in_reach && !is_poor;
+      is_in_reach = is_in_reach && !is_poor();
       growth = is_in_reach ? std::min(growth, usual) : usual;
     }
   }
@@ -190,14 +191,24 @@ class Shaping {
     }
   }
 
-  // Floors rise by levels, from what the sheet has to what is asked for.
+  // Floors rise by levels, from what the sheet has to what is asked for. A level whose sheet leaves
+  // its surface is repeated from the one before it, and is lower.
   void keep_floors() {
     const auto& floors = options_.keeping.floors;
+    double raise = kRaise;
     for (int level = 0; level < kMostLevels && !floors.empty(); ++level) {
-      auto levels = floor_levels(*now().sheet, options_);
+      auto levels = floor_levels(*now().sheet, options_, raise);
       if (!levels) return;
+      const Matrix2Xd before_mm = now().sheet->shifts_mm();
+      const ShapePose before = now().pose;
+      const bool was_poor = is_poor();
       wanted().floors = *std::move(levels);
       refine();
+      if (is_poor() && !was_poor && raise > kLeastRaise) {
+        raise = std::sqrt(raise);
+        descent_.move_to(before_mm, before);
+        continue;
+      }
       const auto is_there = [](const WantedRows::Level& now, const OptimiseFloor& asked) {
         return now.least == asked.least;
       };

@@ -20,8 +20,6 @@ using Eigen::VectorXd;
 
 // Rows this far from their limits do not bind in any step: sine of a corner, share of an edge.
 constexpr double kFarSine = 0.3, kFarEdge = 0.3;
-// Growth of a floor from one level to the next.
-constexpr double kRaise = 2;
 
 class Builder {
  public:
@@ -195,7 +193,8 @@ class Builder {
 }  // namespace
 
 std::optional<std::vector<WantedRows::Level>> floor_levels(const Sheet& sheet,
-                                                           const ShapeOptions& options) {
+                                                           const ShapeOptions& options,
+                                                           double raise) {
   std::vector<WantedRows::Level> levels;
   for (const OptimiseFloor& floor : options.keeping.floors) {
     const auto value = value_of(*floor.goal, sheet, options.keeping);
@@ -205,7 +204,7 @@ std::optional<std::vector<WantedRows::Level>> floor_levels(const Sheet& sheet,
       steepest = std::max(steepest, term.row.norm() / term.divisor);
     }
     if (!value || steepest == 0 || !changes.is_known) return {};
-    const double reached = kRaise * *value;
+    const double reached = raise * *value;
     levels.push_back({*value > 0 ? std::min(floor.least, reached) : floor.least, 1 / steepest});
   }
   return levels;

@@ -15,9 +15,10 @@ namespace misalign::solver {
 std::optional<std::vector<ShapeRow>> shape_rows(const Sheet& sheet, const ShapeOptions& options,
                                                 const WantedRows& wanted, PathGradients* gradients);
 
-/// Levels of all floors next to a sheet, each at most a few times what it has. None where a goal
+/// Levels of all floors next to a sheet, each at most `raise` times what it has. None where a goal
 /// has no value or gradient.
 std::optional<std::vector<WantedRows::Level>> floor_levels(const Sheet& sheet,
-                                                           const ShapeOptions& options);
+                                                           const ShapeOptions& options,
+                                                           double raise);
 
 }  // namespace misalign::solver
