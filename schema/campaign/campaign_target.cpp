@@ -1,5 +1,7 @@
 #include "schema/campaign/campaign_target.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "schema/pattern/target.hpp"
@@ -7,14 +9,17 @@
 namespace misalign::schema {
 namespace {
 
-constexpr double kShape_deg = 90;
+// Points of a mesh that a catalogue carries: half a megabyte.
+constexpr Eigen::Index kMostPoints = 10000;
 
-// Numbers as reals: 1440 and 1440.0 are one target.
+// Numbers as reals, 1440 and 1440.0 are one target; but for indices of points.
 Json with_reals(const Json& value) {
   if (value.is_number()) return value.get<double>();
   Json all = value;
   if (value.is_structured()) {
-    for (auto& [key, part] : all.items()) part = with_reals(part);
+    for (auto& [key, part] : all.items()) {
+      if (key != "triangles") part = with_reals(part);
+    }
   }
   return all;
 }
@@ -33,13 +38,17 @@ void read_campaign_target(ObjectReader& reader, const std::filesystem::path& dir
   }
   if (campaign.pattern.base.sheet.facet_count() == 0) return;
   const std::size_t before = reader.faults().count();
-  if (value->is_object() && value->value("surface", Json()) == "mesh") {
-    return reader.faults().add("target.surface = \"mesh\"", "is a file, which no catalogue carries",
-                               "write its heights as a \"grid\"");
-  }
   Target target =
       read_target(*value, "target", campaign.pattern.base.sheet, directory, reader.faults());
   if (reader.faults().count() > before) return;
+  if (target.mesh) {
+    if (target.mesh->vertices_mm.cols() > kMostPoints) {
+      return reader.faults().add(
+          "target", fmt::format("is a mesh of {} points", target.mesh->vertices_mm.cols()),
+          fmt::format("thin it out to {}, which a catalogue carries", kMostPoints));
+    }
+    target.json = with_mesh_inside(target);
+  }
   target.at_deg = target.at_deg.value_or(kShape_deg);
   target.json = with_reals(target.json);
   target.json["at_deg"] = *target.at_deg;

@@ -74,6 +74,10 @@ Json backlash_json(const solver::Backlash& backlash, std::optional<double> thres
                {"one_way_up_to", quantiles_json(backlash.one_way_to_deg(), "to_deg")},
                {"left_over_backlashes",
                 {{"median", solver::quantile(left, 0.5)}, {"largest", left.back()}}}};
+  if (const std::vector<double> stops_deg = backlash.stops_deg(); !stops_deg.empty()) {
+    json["stops"] = {{"stopped", stops_deg.size()},
+                     {"quantiles", quantiles_json(stops_deg, "stops_at_deg")}};
+  }
   if (threshold_deg && *threshold_deg > backlash.from_deg) {
     json["one_way_to_threshold"] = one_way_json(backlash, *threshold_deg);
   }

@@ -14,16 +14,32 @@ Json share_json(std::uint64_t hits, const solver::MiscutCopies& copies) {
 }
 
 Json stops_json(const solver::Tolerance& t) {
+  using Value = std::pair<const char*, double solver::Stop::*>;
+  std::vector<Value> values = {{"stops_at_deg", &solver::Stop::relaxed_deg}};
+  if (t.friction_n_mm_per_mm > 0) {
+    values.emplace_back("held_from_deg", &solver::Stop::held_from_deg);
+    values.emplace_back("held_to_deg", &solver::Stop::held_to_deg);
+  }
+  if (t.has_target) {
+    values.emplace_back("shape_rms_mm", &solver::Stop::shape_rms_mm);
+    values.emplace_back("shape_max_mm", &solver::Stop::shape_max_mm);
+  }
   const solver::MiscutStops& stops = t.copies.stops;
-  Json quantiles = Json::array();
-  if (!stops.stops_deg.empty()) {
-    quantiles = json_list(solver::kShownShares, [&](double share) {
-      return Json{{"share", share}, {"stops_at_deg", stops.quantile_deg(share)}};
-    });
+  Json quantiles = Json::array(), designed = nullptr;
+  if (t.own_stop) designed = Json::object();
+  for (const double share : solver::kShownShares) {
+    if (!stops.stops.empty()) quantiles.push_back({{"share", share}});
+  }
+  for (const auto& [name, value] : values) {
+    if (t.own_stop) designed[name] = (*t.own_stop).*value;
+    const std::vector<double> sorted = stops.sorted(value);
+    for (Json& entry : quantiles) entry[name] = solver::quantile(sorted, entry["share"]);
   }
   return {{"rest_deg", t.rest_deg},
-          {"stops_at_deg", or_null(t.own_stop_deg)},
-          {"stopped", stops.stops_deg.size()},
+          {"friction_n_mm_per_mm", t.friction_n_mm_per_mm},
+          {"stops_at_deg", t.own_stop ? Json(t.own_stop->relaxed_deg) : Json()},
+          {"own", designed},
+          {"stopped", stops.stops.size()},
           {"flat", stops.flat},
           {"held", stops.held},
           {"quantiles", quantiles}};

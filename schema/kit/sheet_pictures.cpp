@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "schema/kit/guide_picture.hpp"
+#include "schema/exchange/svg_picture.hpp"
 #include "schema/kit/kit_parts.hpp"
 
 namespace misalign::schema {
@@ -28,7 +28,7 @@ Vector2d middle(const std::vector<Vector2d>& corners) {
 
 std::string exploded_picture(const solver::Sheet& sheet) {
   constexpr double kApart = 0.25;
-  GuidePicture picture;
+  SvgPicture picture;
   const Vector2d centre =
       0.5 * (sheet.vertices_mm().rowwise().minCoeff() + sheet.vertices_mm().rowwise().maxCoeff());
   for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
@@ -39,12 +39,12 @@ std::string exploded_picture(const solver::Sheet& sheet) {
     picture.text(middle(corners), panel_label(sheet, sheet.panels().facets[p]),
                  0.18 * sheet.mechanism().panel_width_mm);
   }
-  return picture.svg("Exploded view of the panels", true);
+  return picture.figure("Exploded view of the panels", true);
 }
 
 std::string assembled_picture(const solver::Sheet& sheet, const std::string& diagonals) {
   const solver::Mechanism& mechanism = sheet.mechanism();
-  GuidePicture picture;
+  SvgPicture picture;
   for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
     picture.polygon(corners_mm(sheet, p), "fill:#eef;stroke:none");
   }
@@ -64,7 +64,7 @@ std::string assembled_picture(const solver::Sheet& sheet, const std::string& dia
     picture.text(sheet.point_mm(ball.vertex) + Vector2d(0, 0.08 * mechanism.panel_width_mm),
                  solver::vertex_label(ball.vertex), 0.14 * mechanism.panel_width_mm);
   }
-  return picture.svg(
+  return picture.figure(
       "Mountains: red; valleys: blue, dashed; " + diagonals + ": green; ball joints: dots", true);
 }
 
@@ -90,12 +90,12 @@ std::string folded_picture(const solver::Sheet& sheet, const Eigen::Matrix3Xd& s
     panels.push_back(std::move(panel));
   }
   std::ranges::stable_sort(panels, {}, &Seen::near);
-  GuidePicture picture;
+  SvgPicture picture;
   for (const Seen& panel : panels) {
     picture.polygon(panel.corners, panel.from_above ? "fill:#dde;stroke:#333;stroke-width:.6"
                                                     : "fill:#fe9;stroke:#333;stroke-width:.6");
   }
-  return picture.svg(fmt::format("Pilot angle {:.10g}°", pilot_deg), false);
+  return picture.figure(fmt::format("Pilot angle {:.10g}°", pilot_deg), false);
 }
 
 }  // namespace misalign::schema

@@ -4,6 +4,7 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "schema/files/json_values.hpp"
@@ -91,17 +92,53 @@ Surface read_grid(ObjectReader& reader) {
   return solver::height_grid(spacing_mm, heights_mm);
 }
 
-// A mesh beside the pattern's file; `path` becomes its whole path.
-Surface read_mesh(ObjectReader& reader, const std::filesystem::path& directory, std::string& path) {
+// Points and triangles that the target itself holds.
+std::optional<TriangleMesh> read_mesh_inside(ObjectReader& reader, const Json& points,
+                                             const Json& triangles) {
+  const auto are_triples = [](const Json& rows) {
+    return rows.is_array() &&
+           std::ranges::all_of(rows, [](const Json& row) { return are_numbers(row, 3); });
+  };
+  const auto are_corners = [&](const Json& row) {
+    return std::ranges::all_of(row, [&](const Json& corner) {
+      return corner.is_number_integer() && corner >= 0 && corner < points.size();
+    });
+  };
+  if (!are_triples(points) || points.size() > kMostPolygons) {
+    reader.faults().add(reader.name("points_mm"), "are no places", "write [[x, y, z], ...] in mm");
+    return {};
+  }
+  if (!are_triples(triangles) || !std::ranges::all_of(triangles, are_corners)) {
+    reader.faults().add(reader.name("triangles"), "are no triples of indices of points_mm, from 0",
+                        "write [[0, 1, 2], ...]");
+    return {};
+  }
+  PolygonList polygons;
+  for (const Json& point : points) {
+    const auto at = point.get<std::array<double, 3>>();
+    polygons.points_mm.emplace_back(at[0], at[1], at[2]);
+  }
+  polygons.faces = triangles.get<std::vector<std::vector<int>>>();
+  return surface_mesh(polygons, reader.faults());
+}
+
+// A mesh in a file beside the pattern's, whose whole path `path` becomes, or in the target itself.
+std::optional<TriangleMesh> read_mesh(ObjectReader& reader, const std::filesystem::path& directory,
+                                      std::string& path) {
+  constexpr char kFileForm[] = R"(write the name of an OBJ, STL or PLY file, such as "hull.obj")";
+  const Json* const points = reader.find("points_mm");
+  const Json* const triangles = reader.find("triangles");
+  if (points && triangles && !reader.find("file")) {
+    return read_mesh_inside(reader, *points, *triangles);
+  }
   std::string name;
-  reader.require("file", R"(write the name of an OBJ, STL or PLY file, such as "hull.obj")");
-  reader.text("file", name, R"(write the name of an OBJ, STL or PLY file, such as "hull.obj")");
+  reader.require("file", kFileForm);
+  reader.text("file", name, kFileForm);
   if (name.empty()) return {};
   path = std::filesystem::absolute(directory / name).lexically_normal().string();
   const std::size_t before = reader.faults().count();
-  const auto mesh = read_surface_mesh(read_input_file(path), path, reader.faults());
-  if (!mesh || reader.faults().count() > before) return {};
-  return solver::mesh_surface(mesh->vertices_mm, mesh->triangles);
+  auto mesh = read_surface_mesh(read_input_file(path), path, reader.faults());
+  return reader.faults().count() > before ? std::nullopt : std::move(mesh);
 }
 
 Surface read_surface(ObjectReader& reader) {
@@ -185,7 +222,10 @@ Target read_target(const Json& value, const std::string& where, const solver::Cr
     if (value["surface"] == "mesh") {
       reader.find("surface");
       std::string path;
-      target.shape.surface = read_mesh(reader, directory, path);
+      if (auto mesh = read_mesh(reader, directory, path)) {
+        target.shape.surface = solver::mesh_surface(mesh->vertices_mm, mesh->triangles);
+        target.mesh = std::make_shared<const TriangleMesh>(std::move(*mesh));
+      }
       if (!path.empty()) target.json["file"] = path;
     } else {
       target.shape.surface = read_surface(reader);
@@ -197,6 +237,21 @@ Target read_target(const Json& value, const std::string& where, const solver::Cr
   }
   reader.refuse_unknown_keys();
   return target;
+}
+
+Json with_mesh_inside(const Target& target) {
+  assert(target.mesh);
+  Json inside = target.json, points = Json::array(), triangles = Json::array();
+  for (const auto& at : target.mesh->vertices_mm.colwise()) {
+    points.push_back({at.x(), at.y(), at.z()});
+  }
+  for (const auto& corners : target.mesh->triangles.colwise()) {
+    triangles.push_back({corners(0), corners(1), corners(2)});
+  }
+  inside.erase("file");
+  inside["points_mm"] = std::move(points);
+  inside["triangles"] = std::move(triangles);
+  return inside;
 }
 
 std::string target_words(const Target& target) {

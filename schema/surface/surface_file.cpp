@@ -9,7 +9,11 @@ std::optional<TriangleMesh> read_surface_mesh(std::string_view bytes, const std:
                                               InputFaults& faults) {
   const std::size_t before = faults.count();
   const PolygonList polygons = read_polygons(bytes, name, faults);
-  if (faults.count() > before) return std::nullopt;
+  return faults.count() > before ? std::nullopt : surface_mesh(polygons, faults);
+}
+
+std::optional<TriangleMesh> surface_mesh(const PolygonList& polygons, InputFaults& faults) {
+  const std::size_t before = faults.count();
   auto mesh = triangle_mesh(polygons, faults);
   if (mesh) find_sheet_faults(*mesh, faults);
   return faults.count() > before ? std::nullopt : std::move(mesh);

@@ -15,6 +15,9 @@ namespace misalign::schema {
 std::optional<TriangleMesh> read_surface_mesh(std::string_view bytes, const std::string& name,
                                               InputFaults& faults);
 
+/// The same of points and polygons that are known.
+std::optional<TriangleMesh> surface_mesh(const PolygonList& polygons, InputFaults& faults);
+
 /// Reads such a file; UserError (bad_input) if it is missing, unreadable or too large, or with
 /// every fault of its mesh. The surface is a solver::mesh_surface.
 TriangleMesh read_surface_mesh_file(const std::string& path, FileKind kind = FileKind::any);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "search/draws/draw.hpp"
+#include "search/sheets/copy_stops.hpp"
 #include "search/sheets/on_threads.hpp"
 
 namespace misalign::search {
@@ -124,13 +125,20 @@ solver::JointOffsets trial_offsets(const solver::Mechanism& mechanism, std::uint
 
 BacklashStudy::BacklashStudy(const schema::Campaign& campaign,
                              const std::vector<Eigen::Matrix2Xd>& shifts_mm,
-                             const solver::BacklashOptions& options)
+                             const solver::BacklashOptions& options,
+                             const std::optional<solver::Fill>& fill)
     : model_(campaign.pattern.base, campaign.path(), campaign.criterion()),
       seed_(campaign.seed),
       options_(options) {
+  solver::SheetSolver solver(model_);
   for (const Eigen::Matrix2Xd& shifts : shifts_mm) {
     sheets_.push_back(solver::prepare_backlash(
         model_, campaign.pattern.base.sheet.vertices_mm + shifts, options));
+    if (!fill) continue;
+    const solver::Sheet sheet(solver, shifts);
+    const solver::Filling filling = filling_made_for(sheet, *fill);
+    const auto stop = solver::stop_of(sheet.history(), filling, sheets_.back().own_deg, 0);
+    if (stop && stop->relaxed_deg > 0) sheets_.back().filling = filling;
   }
 }
 

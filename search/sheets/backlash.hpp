@@ -37,9 +37,12 @@ inline constexpr double kMostBacklash_creases = 0.1;
 
 class BacklashStudy {
  public:
-  /// Follows the paths of the campaign's sheets with these shifts (one column per vertex).
+  /// Follows the paths of the campaign's sheets with these shifts (one column per vertex). Trials
+  /// of a sheet that its filling stops short of flat have stops. UserError (bad_request) as from
+  /// filling_made_for.
   BacklashStudy(const schema::Campaign& campaign, const std::vector<Eigen::Matrix2Xd>& shifts_mm,
-                const solver::BacklashOptions& options);
+                const solver::BacklashOptions& options,
+                const std::optional<solver::Fill>& fill = {});
 
   /// The sheets themselves. D of each must be above from_deg before run() is called,
   const std::vector<solver::BacklashStart>& sheets() const { return sheets_; }

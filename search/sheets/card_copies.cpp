@@ -25,6 +25,7 @@ solver::Tolerance tolerance_of(const ChosenSheet& chosen, const solver::Sheet& s
   study.trials = copies.trials;
   study.jobs = copies.jobs;
   study.fill = design.fill(sheet.base());
+  study.friction_n_mm_per_mm = design.friction_n_mm_per_mm.value_or(0);
   study.set = solver::available_instruction_sets().back();
   // The first sample from the angle of use on: copies are judged at samples.
   const double sample_deg = chosen.sampling.sample_deg,
@@ -49,11 +50,33 @@ CardLine stop_line(const solver::Tolerance& tolerance) {
   if (const std::uint64_t others = stops.flat + stops.held; others > 0) {
     line.note = fmt::format("{} of {} copies do not stop", others, stops.trials());
   }
-  if (tolerance.own_stop_deg.value_or(0) == 0) {
+  const double own_deg = tolerance.own_stop ? tolerance.own_stop->relaxed_deg : 0;
+  if (own_deg == 0) {
     line.note = "the sheet itself does not stop";
-  } else if (!stops.stops_deg.empty()) {
-    line.found = std::max(std::abs(stops.quantile_deg(0.05) - *tolerance.own_stop_deg),
-                          std::abs(stops.quantile_deg(0.95) - *tolerance.own_stop_deg));
+  } else if (!stops.stops.empty()) {
+    const std::vector<double> at_deg = stops.sorted(&solver::Stop::relaxed_deg);
+    line.found = std::max(std::abs(solver::quantile(at_deg, 0.05) - own_deg),
+                          std::abs(solver::quantile(at_deg, 0.95) - own_deg));
+  }
+  return line;
+}
+
+// The largest distance of copies from the target where they stop.
+CardLine shape_line(const solver::Tolerance& tolerance) {
+  CardLine line{
+      "shape_error_mm",
+      fmt::format("Largest distance from the target at ±{:g} mm cutting error, 95 % of copies",
+                  tolerance.amplitude_mm),
+      "mm",
+      {},
+      {},
+      Bound::at_most,
+      ""};
+  const solver::MiscutStops& stops = tolerance.copies.stops;
+  if (stops.stops.empty()) {
+    line.note = "no copy stops";
+  } else {
+    line.found = solver::quantile(stops.sorted(&solver::Stop::shape_max_mm), 0.95);
   }
   return line;
 }
@@ -80,7 +103,10 @@ std::vector<CardLine> copy_lines(const ChosenSheet& chosen, const solver::Sheet&
           static_cast<double>(std::max<std::uint64_t>(1, tolerance.copies.decided()));
       lines.push_back({"yield", fmt::format("Yield at ±{:g} mm cutting error", *design.miscut_mm),
                        "", wanted, share, Bound::at_least, ""});
-      if (tolerance.copies.stops.trials() > 0) lines.push_back(stop_line(tolerance));
+      if (tolerance.copies.stops.trials() > 0) {
+        lines.push_back(stop_line(tolerance));
+        if (tolerance.has_target) lines.push_back(shape_line(tolerance));
+      }
     }
   }
   if (design.play_mm && is_overconstrained) {

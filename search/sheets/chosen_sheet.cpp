@@ -77,6 +77,7 @@ schema::Campaign ChosenSheet::as_campaign() const {
   campaign.end_deg = sampling.end_deg;
   campaign.between_samples = sampling.between_samples;
   if (sampling.energy_of) campaign.energy = schema::EnergyAcceptance{*sampling.energy_of};
+  if (target) campaign.target = std::make_shared<const schema::Target>(*target);
   return campaign;
 }
 

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <cassert>
+
 #include "schema/exchange/certify_json.hpp"
 #include "schema/exchange/contact_json.hpp"
 #include "schema/exchange/shape_json.hpp"
+#include "schema/exchange/target_view.hpp"
 #include "schema/files/json_values.hpp"
 #include "search/sheets/certify_text.hpp"
 #include "search/sheets/shaped.hpp"
@@ -117,6 +120,18 @@ std::string shape_text(const schema::PatternFile& file, const std::string& name,
                 : std::string("use        not proven from any angle beyond the shape's\n");
   }
   return text + limits_text(file, folded.sheet, shaped);
+}
+
+std::string shape_picture(const schema::PatternFile& file, const std::string& name,
+                          const ShapedSheet& shaped) {
+  Folded folded(file, shaped, name);
+  const double at_deg = shaped.options.at_deg;
+  const auto measure = solver::ShapeMeasure::of(folded.solver, file.target->shape, at_deg);
+  assert(measure && "it was shaped there");
+  return schema::shape_picture(
+      fmt::format("{} on {} at {:g}°", name, schema::target_words(*file.target), at_deg),
+      folded.sheet.panels(),
+      schema::target_view(folded.sheet.panels(), folded.sheet.at(at_deg).vertices_mm, *measure));
 }
 
 schema::Json shape_json(const schema::PatternFile& file, const ShapedSheet& shaped) {

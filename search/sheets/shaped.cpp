@@ -14,7 +14,7 @@ namespace misalign::search {
 namespace {
 
 // The angle of a shape whose file names none, and that from which it is deployed: beyond it.
-constexpr double kShape_deg = 90, kStowedBeyond_deg = 15;
+constexpr double kStowedBeyond_deg = 15;
 // A well this near the shape is the shape's.
 constexpr double kAtShape_deg = 0.1;
 
@@ -85,7 +85,7 @@ const schema::Target& target_of(const std::optional<schema::Target>& target,
 }
 
 double shape_deg(const schema::Target& target, const std::optional<double>& rest_deg) {
-  return target.at_deg.value_or(rest_deg.value_or(kShape_deg));
+  return target.at_deg.value_or(rest_deg.value_or(schema::kShape_deg));
 }
 
 ShapedSheet shaped(const schema::PatternFile& file, const std::string& name,

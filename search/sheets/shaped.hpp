@@ -45,6 +45,10 @@ ShapedSheet shaped(const schema::PatternFile& file, const std::string& name,
 /// The sheet as a pattern file, with its target and design.
 schema::Json shaped_pattern(const schema::PatternFile& file, const ShapedSheet& shaped);
 
+/// The sheet at its shape, on the target, as an SVG file.
+std::string shape_picture(const schema::PatternFile& file, const std::string& name,
+                          const ShapedSheet& shaped);
+
 /// The target, the distances, the springs that hold it, and what limits it.
 std::string shape_text(const schema::PatternFile& file, const std::string& name,
                        const ShapedSheet& shaped);

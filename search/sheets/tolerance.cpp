@@ -8,10 +8,9 @@
 #include "schema/campaign/share_interval.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/draws/draw.hpp"
+#include "search/sheets/copy_stops.hpp"
 #include "search/sheets/on_threads.hpp"
 #include "search/sheets/studies.hpp"
-#include "solver/motion/deploy.hpp"
-#include "solver/sheet/sheet_filling.hpp"
 #include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
@@ -35,7 +34,8 @@ class Study {
         shifts_mm_(shifts_mm),
         options_(options),
         model_(campaign.pattern.base, solver::all_vertices(campaign.pattern.base.sheet),
-               campaign.path(), campaign.threshold_sample(), campaign.criterion()) {
+               campaign.path(), campaign.threshold_sample(), campaign.criterion()),
+        stops_(campaign, model_, options.fill, options.friction_n_mm_per_mm) {
     const int vertices = model_.mechanism().vertices;
     for (std::size_t sheet = 0; sheet < shifts_mm.size(); ++sheet) {
       tolerances_.push_back({options.amplitude_mm,
@@ -46,6 +46,8 @@ class Study {
                              {},
                              {},
                              0,
+                             options.friction_n_mm_per_mm,
+                             campaign.target != nullptr,
                              {}});
       add_ranges(sheet, -1, options.trials);
       if (!options.vertices) continue;
@@ -58,12 +60,12 @@ class Study {
 
   std::vector<solver::Tolerance> run() {
     judge_the_sheets();
-    fill_the_sheets();
+    find_own_stops();
     on_threads(
         static_cast<std::size_t>(std::max(options_.jobs, 1)), ranges_.size(),
         [&](std::size_t) {
-          return [this, own_batch = batch()](std::size_t k) {
-            return try_copies(ranges_[k], *own_batch);
+          return [this, bench = std::make_shared<Bench>(*this)](std::size_t k) {
+            return try_copies(ranges_[k], *bench);
           };
         },
         [&](std::size_t k, const solver::MiscutCopies& copies) {
@@ -84,6 +86,14 @@ class Study {
 
   std::unique_ptr<solver::Batch> batch() const { return solver::make_batch(options_.set, model_); }
 
+  // The workspace of a thread.
+  struct Bench {
+    explicit Bench(const Study& study) : batch(study.batch()), solver(study.model_) {}
+
+    std::unique_ptr<solver::Batch> batch;
+    solver::SheetSolver solver;
+  };
+
   void judge_the_sheets() {
     const auto own_batch = batch();
     for (std::size_t first = 0; first < shifts_mm_.size(); first += kCopiesAtOnce) {
@@ -98,44 +108,13 @@ class Study {
     }
   }
 
-  // The stop of each sheet, for which its filling is made.
-  void fill_the_sheets() {
-    if (options_.trials == 0 || !options_.fill || solver::rest_deg(*options_.fill) == 0) return;
-    const double rest_deg = solver::rest_deg(*options_.fill);
-    if (const auto fault = solver::preload_fault(*options_.fill)) throw schema::UserError(*fault);
+  void find_own_stops() {
+    if (options_.trials == 0) return;
     solver::SheetSolver solver(model_);
     for (std::size_t k = 0; k < shifts_mm_.size(); ++k) {
-      const solver::Sheet sheet(solver, shifts_mm_[k]);
-      if (!sheet.way() || sheet.way()->end_deg() < rest_deg) {
-        throw schema::UserError(
-            solver::OptionFault{"rest_deg", schema::shown_number(rest_deg),
-                                fmt::format("lies beyond the end of a sheet's path, {:.6g} deg",
-                                            sheet.way() ? sheet.way()->end_deg() : 0),
-                                "name a smaller angle"});
-      }
-      fillings_.push_back(solver::filling_on(*sheet.way(), *options_.fill));
-      tolerances_[k].rest_deg = rest_deg;
-      tolerances_[k].own_stop_deg =
-          solver::stop_deg(sheet.history(), fillings_.back(), campaign_.threshold_deg);
+      tolerances_[k].rest_deg = options_.fill ? solver::rest_deg(*options_.fill) : 0;
+      tolerances_[k].own_stop = stops_.add(solver, shifts_mm_[k]);
     }
-  }
-
-  // Stops of copies that are let go at the angle of use.
-  solver::MiscutStops stops_of(const solver::ShiftBlock& copies, const solver::Filling& filling,
-                               solver::Batch& own_batch) const {
-    const solver::Mechanism& mechanism = model_.mechanism();
-    solver::MiscutStops stops;
-    const std::vector<solver::FoldingHistory>& histories = own_batch.record_lengths(copies);
-    for (int k = 0; k < copies.sheets; ++k) {
-      const Eigen::Matrix2Xd vertices_mm =
-          campaign_.pattern.base.sheet.vertices_mm +
-          Eigen::Map<const Eigen::Matrix2Xd>(copies.of(k), 2, mechanism.vertices);
-      const solver::Filling in_copy =
-          filling.in_holes(solver::diagonal_products_mm2(mechanism, vertices_mm));
-      stops.add(solver::stop_deg(histories[static_cast<std::size_t>(k)], in_copy,
-                                 campaign_.threshold_deg));
-    }
-    return stops;
   }
 
   static void append(const Eigen::Matrix2Xd& shifts_mm, solver::ShiftBlock& block) {
@@ -152,7 +131,7 @@ class Study {
     if (options_.progress) options_.progress(copies_);
   }
 
-  solver::MiscutCopies try_copies(const CopyRange& range, solver::Batch& own_batch) const {
+  solver::MiscutCopies try_copies(const CopyRange& range, Bench& bench) const {
     const Eigen::Matrix2Xd& shifts_mm = shifts_mm_[range.sheet];
     Eigen::Matrix2Xd errors_mm(2, shifts_mm.cols());
     solver::ShiftBlock block;
@@ -167,11 +146,12 @@ class Study {
       append(shifts_mm + errors_mm, block);
     }
     solver::MiscutCopies copies;
-    for (const solver::Verdict& verdict : own_batch.judge(block)) {
+    for (const solver::Verdict& verdict : bench.batch->judge(block)) {
       copies.add(verdict);
     }
-    if (range.vertex < 0 && !fillings_.empty()) {
-      copies.stops = stops_of(block, fillings_[range.sheet], own_batch);
+    if (range.vertex < 0 && stops_.has_some(range.sheet)) {
+      copies.stops =
+          stops_.of(range.sheet, block, bench.batch->record_lengths(block), bench.solver);
     }
     return copies;
   }
@@ -193,7 +173,7 @@ class Study {
   const solver::Model model_;
   std::vector<CopyRange> ranges_;
   std::vector<solver::Tolerance> tolerances_;
-  std::vector<solver::Filling> fillings_;  // one a sheet; none where sheets have no stop
+  CopyStops stops_;
   CopiesDone copies_{0, 0};
 };
 

@@ -26,9 +26,10 @@ struct ToleranceOptions {
   bool vertices = false;         ///< also copies with an error at one vertex
   int jobs = 1;                  ///< threads; the answer does not depend on them
   solver::InstructionSet set{};  ///< nor on this
-  /// Filling that is made for the sheet itself; where it is relaxed short of flat, copies are asked
-  /// for their stops too.
+  /// Filling that is made for the sheet itself; where it stops the sheet short of flat, copies are
+  /// asked for their stops too, and for their shapes there if the campaign has a target.
   std::optional<solver::Fill> fill{};
+  double friction_n_mm_per_mm = 0;                    ///< dry friction of the creases at stops
   std::function<void(const CopiesDone&)> progress{};  ///< called now and then, one call at a time
 };
 

@@ -32,18 +32,37 @@ std::string vertices_text(const solver::Tolerance& t) {
 // The stops of copies whose springs or plates are made for the sheet itself.
 std::string stops_text(const solver::Tolerance& t) {
   const solver::MiscutStops& stops = t.copies.stops;
-  const std::string own_stop = !t.own_stop_deg        ? "nowhere"
-                               : *t.own_stop_deg == 0 ? "flat"
-                                                      : fmt::format("{:.4g} deg", *t.own_stop_deg);
+  const bool has_friction = t.friction_n_mm_per_mm > 0;
+  const std::string own_stop =
+      !t.own_stop                    ? "nowhere"
+      : t.own_stop->held_to_deg == 0 ? "flat"
+      : !has_friction                ? fmt::format("{:.4g} deg", t.own_stop->relaxed_deg)
+                      : fmt::format("{:.4g} deg, held by friction from {:.4g} to {:.4g} deg",
+                                    t.own_stop->relaxed_deg, t.own_stop->held_from_deg,
+                                    t.own_stop->held_to_deg);
   std::string text = fmt::format("stops at          {}; of {} copies {} stop, {} unfold flat",
-                                 own_stop, stops.trials(), stops.stops_deg.size(), stops.flat);
+                                 own_stop, stops.trials(), stops.stops.size(), stops.flat);
   text += stops.held > 0 ? fmt::format(", {} are held\n", stops.held) : "\n";
-  if (stops.stops_deg.empty()) return text;
-  text += "stops of copies  ";
-  for (const double share : solver::kShownShares) {
-    text += fmt::format(" {:.2f} deg ({:g} %)", stops.quantile_deg(share), 100 * share);
+  if (stops.stops.empty()) return text;
+  const auto line = [&](const char* what, double solver::Stop::*value, const char* unit) {
+    text += fmt::format("{:<17}", what);
+    const std::vector<double> values = stops.sorted(value);
+    for (const double share : solver::kShownShares) {
+      text +=
+          fmt::format(" {:.2f} {} ({:g} %)", solver::quantile(values, share), unit, 100 * share);
+    }
+    text += "\n";
+  };
+  line("stops of copies", &solver::Stop::relaxed_deg, "deg");
+  if (has_friction) {
+    line("held from", &solver::Stop::held_from_deg, "deg");
+    line("held to", &solver::Stop::held_to_deg, "deg");
   }
-  return text + "\n";
+  if (t.has_target) {
+    line("off target, rms", &solver::Stop::shape_rms_mm, "mm");
+    line("off target, max", &solver::Stop::shape_max_mm, "mm");
+  }
+  return text;
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ void check_backlash(const ToleranceCall& call) {
 }
 
 void run_backlash(const ToleranceCall& call, const ToleranceTargets& sheets) {
-  const BacklashStudy study(sheets.campaign, sheets.shifts_mm, call.backlash);
+  const BacklashStudy study(sheets.campaign, sheets.shifts_mm, call.backlash,
+                            sheets.design.fill(sheets.campaign.pattern.base));
   refuse_backlash(call, sheets, study);
   const schema::Campaign used = campaign_of_use(call, sheets);
   std::vector<solver::Backlash> answers =

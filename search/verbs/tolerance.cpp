@@ -88,6 +88,7 @@ void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
   }
   call.study.progress = show_copies;
   call.study.fill = sheets.design.fill(sheets.campaign.pattern.base);
+  call.study.friction_n_mm_per_mm = sheets.design.friction_n_mm_per_mm.value_or(0);
   const schema::Campaign used = campaign_of_use(call, sheets);
   const std::vector<solver::Tolerance> tolerances =
       study_tolerance(used, sheets.shifts_mm, call.study);
@@ -153,7 +154,10 @@ void add_subject(CLI::App& verb, ToleranceCall& call) {
                        ->excludes(vertices);
   add_rest(verb, call.design.rest_deg);
   add_fill(verb, call.design);
-  for (const char* stop : {"--rest-deg", "--fill"}) backlash->excludes(verb.get_option(stop));
+  add_value(verb, "--friction", call.design.friction_n_mm_per_mm,
+            "dry friction of creases, N mm/mm: where it holds copies round their stops",
+            within("hinges.friction_n_mm_per_mm"), "N")
+      ->excludes(backlash);
   add_value(verb, "--backlash-from", call.backlash.from_deg,
             fmt::format("pilot angle above which a loose sheet must be monotone, degrees [{:g}]",
                         solver::BacklashOptions{}.from_deg),
@@ -181,12 +185,14 @@ Action tolerance_verb(CLI::App& verb) {
       "panels must close. Panels are placed by least squares of all gaps.\n\n"
       "A design, or --rest-deg, whose springs or plates are relaxed half open makes a stop. Those\n"
       "of a copy are made for the sheet itself: shown is where copies stop that are let go at\n"
-      "--from and move slowly.\n\n"
+      "--from and move slowly; with friction the range of angles in which it holds them, and\n"
+      "where they stop is its upper end; and their distances there from the pattern's target.\n\n"
       "With --backlash the sheet is cut well and its joints have play: in each trial both ends of\n"
       "every hinge and every ball joint are off by a point in a ball of that radius, and stay so.\n"
       "The result is the share of trials in which every diagonal is monotone from --backlash-from\n"
       "up to D, and the largest backlash with which 95 % are, by the same trials. Flat is no\n"
-      "state of a loose sheet: the angle where the way down is lost is shown. Nothing is kept.\n"
+      "state of a loose sheet: the angle where the way down is lost is shown, and where a sheet\n"
+      "with a stop stops. Nothing is kept.\n"
       "Examples:\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --vertices\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db --best 50 --by miscut_margin_mm \\\n"

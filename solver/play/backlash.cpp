@@ -70,17 +70,17 @@ std::vector<double> Backlash::one_way_to_deg() const {
   return known(trials, &BacklashTrial::one_way_to_deg);
 }
 
+std::vector<double> Backlash::stops_deg() const {
+  return sorted(trials, [](const BacklashTrial& trial) {
+    return trial.stop_deg > 0 ? trial.stop_deg : std::nullopt;
+  });
+}
+
 std::vector<double> Backlash::left_over() const {
   assert(backlash_mm > 0);
   return sorted(trials, [this](const BacklashTrial& trial) {
     return std::optional(trial.gap_widths * panel_width_mm / backlash_mm);
   });
-}
-
-double quantile(const std::vector<double>& values, double share) {
-  assert(!values.empty() && share >= 0 && share <= 1);
-  const auto count = std::max(1.0, std::ceil(share * static_cast<double>(values.size())));
-  return values[static_cast<std::size_t>(count) - 1];
 }
 
 }  // namespace misalign::solver

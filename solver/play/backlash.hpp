@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/play/backlash_follower.hpp"
+#include "solver/play/quantile.hpp"
 #include "solver/studies/wanted.hpp"
 
 namespace misalign::solver {
@@ -34,9 +35,8 @@ struct Backlash {
   std::vector<double> one_way_from_deg() const;
   std::vector<double> one_way_to_deg() const;
   std::vector<double> left_over() const;
+  /// Pilot angles where trials stop short of flat, above from_deg.
+  std::vector<double> stops_deg() const;
 };
-
-/// Quantile of values in ascending order, of which there is at least one.
-double quantile(const std::vector<double>& values, double share);
 
 }  // namespace misalign::solver

@@ -8,6 +8,7 @@
 #include "solver/continuation/path_follower.hpp"
 #include "solver/linear/dense_closure.hpp"
 #include "solver/linear/sparse_closure.hpp"
+#include "solver/play/miscut_stops.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -27,6 +28,16 @@ CloseSteps::Options step_options() {
   options.longest_start_share = kLongestLooseShare;
   options.arc.longest_step_rad = kLongestArc_rad;
   return options;
+}
+
+// Rates by differences of neighbouring energies.
+void find_rates(std::vector<DrivenStation>& stations) {
+  for (std::size_t k = 0; stations.size() > 1 && k < stations.size(); ++k) {
+    const DrivenStation& below = stations[k == 0 ? 0 : k - 1];
+    const DrivenStation& above = stations[std::min(k + 1, stations.size() - 1)];
+    stations[k].n_mm_per_deg =
+        (above.energy_n_mm - below.energy_n_mm) / (above.pilot_deg - below.pilot_deg);
+  }
 }
 
 }  // namespace
@@ -99,6 +110,7 @@ class BacklashFollower::Branch {
   void follow(Follower& follower) {
     state_ = [&]() -> const FoldState<double>& { return follower.last_state(0); };
     fault_ = Fault::none;
+    driven_.clear();
     stations_ = 0;
     one_way_deg_ = last_deg_ = follower_.sheet_.start_deg;
     flipped_deg_ = -1;
@@ -123,7 +135,7 @@ class BacklashFollower::Branch {
         fault_ = of_creases == Fault::none ? of_diagonals : of_creases;
         if (fault_ == Fault::none) one_way_deg_ = pilot_deg;
       }
-      if (!only_whether_) gap_ = std::max(gap_, vertex_gap(mechanism_, follower_.loose_, state_()));
+      if (!only_whether_) look(pilot_deg);
     }
     ++stations_;
     last_deg_ = pilot_deg;
@@ -141,6 +153,8 @@ class BacklashFollower::Branch {
   }
   double one_way_deg() const { return one_way_deg_; }
   double gap() const { return gap_; }
+  // Energies of the filling at all stations that count, without rates.
+  const std::vector<DrivenStation>& driven() const { return driven_; }
   const PathResult& path() const { return path_; }
   const FoldState<double>& first() const { return first_; }
   // End of the branch on the way down, and its angle.
@@ -209,6 +223,14 @@ class BacklashFollower::Branch {
     return Fault::none;
   }
 
+  void look(double pilot_deg) {
+    gap_ = std::max(gap_, vertex_gap(mechanism_, follower_.loose_, state_()));
+    if (!follower_.sheet_.filling) return;
+    const Eigen::VectorXd lengths_mm =
+        Eigen::VectorXd::Map(lengths_.data(), std::ssize(lengths_)) * mechanism_.panel_width_mm;
+    driven_.push_back({pilot_deg, follower_.sheet_.filling->energy_n_mm(lengths_mm), 0});
+  }
+
   const BacklashFollower& follower_;
   const Mechanism& mechanism_;
   const PathPlan& plan_;
@@ -218,6 +240,7 @@ class BacklashFollower::Branch {
   Fault fault_ = Fault::none;
   double one_way_deg_ = 0, last_deg_ = 0, flipped_deg_ = 0, gap_ = 0;
   std::vector<double> lengths_, last_lengths_, half_sines_;
+  std::vector<DrivenStation> driven_;
   FoldState<double> first_;
   PathResult path_{};
 };
@@ -289,6 +312,15 @@ BacklashTrial BacklashFollower::trial(const JointOffsets& offsets, double scale,
   trial.lost = down.branch_end();
   trial.lost_deg = down.branch_end_deg();
   trial.gap_widths = std::max(up.gap(), down.gap());
+  if (sheet_.filling && !only_whether) {
+    std::vector<DrivenStation> driven(down.driven().rbegin(), down.driven().rend());
+    // Both branches begin at the start.
+    if (!up.driven().empty()) {
+      driven.insert(driven.end(), up.driven().begin() + 1, up.driven().end());
+    }
+    find_rates(driven);
+    if (!driven.empty()) trial.stop_deg = stop_deg(driven, driven.back().pilot_deg);
+  }
   assert(trial.one_way_from_deg <= trial.one_way_to_deg);
   return trial;
 }

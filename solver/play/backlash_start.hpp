@@ -2,9 +2,11 @@
 // from_deg and D, and the stations from there up and down.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solver/continuation/path.hpp"
+#include "solver/fill/filling.hpp"
 #include "solver/model/model.hpp"
 
 namespace misalign::solver {
@@ -26,6 +28,7 @@ struct BacklashStart {
   FoldState<double> start;      ///< state at start_deg
   std::vector<int> directions;  ///< one per diagonal, from from_deg to D: +1 lengthens
   double shortest_crease_widths = 0;
+  std::optional<Filling> filling;  ///< made for it; trials look for their stops if it is given
 };
 
 /// Follows the path of the sheet without play.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <iterator>
 
 #include "solver/studies/angle_of_use.hpp"
 
@@ -11,20 +10,6 @@ namespace misalign::solver {
 namespace {
 
 using Eigen::Index;
-using Eigen::VectorXd;
-
-// The energy of a filling at one station, and its rate by the pilot angle.
-struct DrivenStation {
-  double pilot_deg, energy_n_mm, n_mm_per_deg;
-};
-
-DrivenStation station_at(const FoldingHistory& history, const Filling& filling, Index row) {
-  assert(row >= 0 && row < history.length_mm.rows());
-  const VectorXd lengths_mm = history.length_mm.row(row);
-  return {history.stations[static_cast<std::size_t>(row)].pilot_deg,
-          filling.energy_n_mm(lengths_mm),
-          filling.forces_n(lengths_mm).dot(history.slope_mm_per_deg.row(row))};
-}
 
 // The minimum of the cubic through both energies and rates: the energy falls at the lower station
 // and rises at the upper one, so that its rate, a parabola, has one root between them.
@@ -42,46 +27,75 @@ double minimum_deg(const DrivenStation& low, const DrivenStation& high) {
 
 }  // namespace
 
-void MiscutStops::add(const std::optional<double>& stop_deg) {
-  if (!stop_deg) {
+std::vector<DrivenStation> driven_stations(const FoldingHistory& history, const Filling& filling,
+                                           double friction_n_mm_per_mm) {
+  std::vector<DrivenStation> driven;
+  const std::size_t count = history.stations.size();
+  assert(history.length_mm.rows() == static_cast<Index>(count));
+  const auto degree = [&](std::size_t k) { return history.stations[k].pilot_deg; };
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto row = static_cast<Index>(k);
+    const Eigen::VectorXd lengths_mm = history.length_mm.row(row);
+    driven.push_back({degree(k), filling.energy_n_mm(lengths_mm),
+                      filling.forces_n(lengths_mm).dot(history.slope_mm_per_deg.row(row))});
+    if (friction_n_mm_per_mm == 0 || count < 2) continue;
+    const std::size_t below = k == 0 ? 0 : k - 1, above = std::min(k + 1, count - 1);
+    driven.back().energy_n_mm -= friction_n_mm_per_mm * history.turning_mm[k];
+    driven.back().n_mm_per_deg -= friction_n_mm_per_mm *
+                                  (history.turning_mm[above] - history.turning_mm[below]) /
+                                  (degree(above) - degree(below));
+  }
+  return driven;
+}
+
+std::optional<double> stop_deg(const std::vector<DrivenStation>& stations, double from_deg) {
+  const auto beyond = std::ranges::find_if(stations, [&](const DrivenStation& station) {
+    return station.pilot_deg > from_deg + kSameAngle_deg;
+  });
+  if (beyond == stations.begin()) return {};
+  auto high = beyond - 1;
+  if (high->pilot_deg < from_deg - kSameAngle_deg && beyond == stations.end()) return {};
+  if (!(high->n_mm_per_deg > 0)) return {};
+  for (; high != stations.begin(); --high) {
+    const DrivenStation& low = *(high - 1);
+    if (low.n_mm_per_deg <= 0) return minimum_deg(low, *high);
+  }
+  return 0;
+}
+
+std::optional<Stop> stop_of(const FoldingHistory& history, const Filling& filling, double from_deg,
+                            double friction_n_mm_per_mm) {
+  const auto with = [&](double friction) {
+    return stop_deg(driven_stations(history, filling, friction), from_deg);
+  };
+  const std::optional<double> to_deg = with(friction_n_mm_per_mm);
+  if (!to_deg || friction_n_mm_per_mm == 0) {
+    return to_deg ? std::optional(Stop{*to_deg, *to_deg, *to_deg}) : std::nullopt;
+  }
+  return Stop{with(0).value_or(0), with(-friction_n_mm_per_mm).value_or(0), *to_deg};
+}
+
+void MiscutStops::add(const std::optional<Stop>& stop) {
+  if (!stop) {
     ++held;
-  } else if (*stop_deg == 0) {
+  } else if (stop->held_to_deg == 0) {
     ++flat;
   } else {
-    stops_deg.insert(std::ranges::upper_bound(stops_deg, *stop_deg), *stop_deg);
+    stops.push_back(*stop);
   }
 }
 
 void MiscutStops::add(const MiscutStops& others) {
-  std::vector<double> merged;
-  std::ranges::merge(stops_deg, others.stops_deg, std::back_inserter(merged));
-  stops_deg = std::move(merged);
+  stops.insert(stops.end(), others.stops.begin(), others.stops.end());
   flat += others.flat;
   held += others.held;
 }
 
-double MiscutStops::quantile_deg(double share) const {
-  assert(share >= 0 && share <= 1 && !stops_deg.empty());
-  const double wanted = std::max(std::ceil(share * static_cast<double>(stops_deg.size())), 1.0);
-  return stops_deg[static_cast<std::size_t>(wanted) - 1];
-}
-
-std::optional<double> stop_deg(const FoldingHistory& history, const Filling& filling,
-                               double from_deg) {
-  const auto beyond = std::ranges::find_if(history.stations, [&](const Station& station) {
-    return station.pilot_deg > from_deg + kSameAngle_deg;
-  });
-  Index row = beyond - history.stations.begin() - 1;
-  if (row < 0) return {};
-  DrivenStation high = station_at(history, filling, row);
-  if (high.pilot_deg < from_deg - kSameAngle_deg && beyond == history.stations.end()) return {};
-  if (!(high.n_mm_per_deg > 0)) return {};
-  while (row > 0) {
-    const DrivenStation low = station_at(history, filling, --row);
-    if (low.n_mm_per_deg <= 0) return minimum_deg(low, high);
-    high = low;
-  }
-  return 0;
+std::vector<double> MiscutStops::sorted(double Stop::*value) const {
+  std::vector<double> values;
+  for (const Stop& stop : stops) values.push_back(stop.*value);
+  std::ranges::sort(values);
+  return values;
 }
 
 }  // namespace misalign::solver

@@ -7,6 +7,7 @@
 
 #include "solver/pattern/crease_pattern.hpp"
 #include "solver/play/miscut_stops.hpp"
+#include "solver/play/quantile.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {
@@ -40,9 +41,11 @@ struct Tolerance {
   int threshold_sample;
   int own_sample;  ///< D of the uncut sheet
   MiscutCopies copies;
-  std::vector<Vertex> vertices;        ///< the most harmful first; empty unless requested
-  double rest_deg = 0;                 ///< pilot angle of its filling's rest; 0: no stops
-  std::optional<double> own_stop_deg;  ///< stop_deg() of the sheet itself
+  std::vector<Vertex> vertices;     ///< the most harmful first; empty unless requested
+  double rest_deg = 0;              ///< pilot angle of its filling's rest; 0: relaxed flat
+  double friction_n_mm_per_mm = 0;  ///< dry friction of the creases at stops
+  bool has_target = false;          ///< stops have shapes
+  std::optional<Stop> own_stop;     ///< the sheet's, by which copies have stops, too
 
   /// Number of copies that deploy from the campaign's threshold.
   std::uint64_t survivors() const { return copies.from(threshold_sample); }
@@ -50,9 +53,6 @@ struct Tolerance {
     return (own_sample - some.mean_sample()) * sample_deg;
   }
 };
-
-/// Quantiles that studies show.
-inline constexpr double kShownShares[] = {0, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
 
 /// Errors must be smaller than this, mm: with larger ones a facet of the sheet with these shifts
 /// (one column per vertex) can lose its convexity.

@@ -38,6 +38,26 @@ done
 "$program" report dome.json --output page.html > out 2>&1 || fail "report: $(cat out)"
 "$program" card dome.json > out 2>&1 || [ $? = 1 ] || fail "card: $(cat out)"
 
+# The picture has a polygon for each part of the surface, each panel and each part of the bar of colours.
+python3 -c 'import sys, xml.dom.minidom as xml; print(len(xml.parse("dome.svg").getElementsByTagName("polygon")))' > out
+[ "$(cat out)" = $((16 * 16 + 28 + 24)) ] || fail "the picture: $(cat out) polygons"
+
+# Copies without errors stop where the sheet does, with its shape; friction holds them up to where slow motion stalls; with
+# play they stop nearby.
+"$program" tolerance dome.json --amplitude 1e-6 --trials 3 --json > stops.json 2> err || fail "stops: $(cat err)"
+for key in rms max; do
+  awk "BEGIN { off = $(field stops.json "stops.quantiles[3].shape_${key}_mm") / $(field shaped.json "${key}_mm");
+    exit !(off > 0.99 && off < 1.01) }" || fail "$key: $(field stops.json stops.quantiles)"
+done
+"$program" tolerance dome.json --amplitude 1e-6 --trials 3 --friction 0.002 --json > held.json 2> err || fail "held: $(cat err)"
+stalls=$("$program" deploy dome.json --friction 0.002 2> err | sed -n 's/^quasi-static motion would stall at \([0-9.]*\) deg/\1/p')
+awk "BEGIN { off = $(field held.json stops.own.held_to_deg) - ${stalls:-0}; exit !(off > -0.05 && off < 0.05) }" ||
+  fail "stalls at $stalls: $(field held.json stops.own)"
+awk "BEGIN { exit !($(field held.json stops.own.held_from_deg) < 89) }" || fail "held from: $(field held.json stops.own)"
+"$program" tolerance dome.json --backlash 0.002 --trials 10 --json > loose.json 2> err || fail "play: $(cat err)"
+awk "BEGIN { at = $(field loose.json 'stops.quantiles[3].stops_at_deg'); exit !(at > 85 && at < 95 && at != 90) }" ||
+  fail "play: $(field loose.json stops)"
+
 # Springs relaxed flat rest at the shape too.
 "$program" shape "$dome" --target '{"surface": "saddle", "radius_mm": 1440}' --kind bistable --from 99 --barrier 2.5 \
   --output saddle.json > out 2>&1 || fail "bistable: $(cat out)"

@@ -144,7 +144,7 @@ refused 2 "amplitude" a.db "$draw"
 refused 2 "no error is named" a.db "$draw"
 refused 2 "excludes" a.db "$draw" --backlash 0.01 --amplitude 0.05
 refused 2 "excludes" a.db "$draw" --backlash 0.01 --vertices
-refused 2 "excludes" a.db "$draw" --backlash 0.01 --rest-deg 20
+refused 2 "excludes" a.db "$draw" --backlash 0.01 --friction 0.01
 # A stop: what copies have in their holes is checked, and is that of the sheet itself.
 refused 3 "is no hole of this sheet" a.db "$draw" --amplitude 0.05 \
   --fill '{"kind": "plate", "rest_deg": 20, "cut_outs": [{"hole": [0, 0], "of_flat": [1, 1]}]}'

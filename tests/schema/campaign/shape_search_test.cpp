@@ -1,9 +1,13 @@
 // The search method "shape" and its target: keys, identity and faults.
 #include "schema/campaign/shape_search.hpp"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <map>
 
 #include "schema/pattern/target.hpp"
+#include "tests/folder.hpp"
 #include "tests/schema/campaign_faults.hpp"
 
 namespace misalign::schema {
@@ -57,6 +61,37 @@ TEST(ShapeSearch, IsPartOfTheIdentity) {
   EXPECT_EQ(identity(read(shaping(defaults))), identity(read(shaping())));
 }
 
+// A catalogue carries the mesh itself: the stored target reads as the file did, to the last bit.
+TEST(ShapeSearch, CarriesAMesh) {
+  const Folder folder("campaign_mesh");
+  std::string hull;
+  constexpr int kSide = 12;
+  for (int k = 0; k < kSide * kSide; ++k) {
+    const double x = 0.1 + 50 * (k % kSide) - 275, y = 50 * (k / kSide) - 275;
+    hull += fmt::format("v {} {} {}\n", x, y, 1e-4 * (x * x - y * y) / 3);
+  }
+  for (int k = 0; k + kSide < kSide * kSide; ++k) {
+    if ((k + 1) % kSide == 0) continue;
+    hull += fmt::format("f {} {} {} {}\n", k + 1, k + 2, k + kSide + 2, k + kSide + 1);
+  }
+  const std::string file = folder.file("hull.obj", hull);
+  const Json asked = shaping({}, {{"target", {{"surface", "mesh"}, {"file", file}}}});
+  const Campaign campaign = read(asked);
+  const Json stored = stored_configuration(campaign);
+  EXPECT_FALSE(stored["target"].contains("file"));
+  EXPECT_EQ(stored["target"]["points_mm"].size(), std::size_t{kSide * kSide});
+  std::filesystem::remove(file);
+  const Campaign again = read(Json::parse(stored.dump()));
+  EXPECT_EQ(identity(again), identity(campaign));
+  EXPECT_EQ(again.target->mesh->vertices_mm, campaign.target->mesh->vertices_mm);
+  EXPECT_EQ(again.target->mesh->triangles, campaign.target->mesh->triangles);
+  Json turned = stored;
+  turned["target"]["points_mm"][7][2] = 0.125;
+  EXPECT_NE(identity(read(turned)), identity(campaign));
+  turned["target"]["triangles"][0][0] = 1e4;
+  EXPECT_NE(faults_of(turned).at(0).find("triples of indices"), std::string::npos);
+}
+
 // Other campaigns keep their configuration and identity as they were.
 TEST(ShapeSearch, LeavesOthersAlone) {
   for (const Campaign& other : {default_campaign(), read(with(R"({"target": null})"))}) {
@@ -80,8 +115,6 @@ TEST(ShapeSearch, IsRefusedWithAllFaults) {
   };
   one(shaping({}, {{"target", nullptr}}), "target (is missing");
   one(with(R"({"target": {"surface": "plane"}})"), "search.method = \"shape\"");
-  one(shaping({}, {{"target", {{"surface", "mesh"}, {"file", "hull.obj"}}}}),
-      "no catalogue carries");
   one(with(R"({"search": {"shape_max_mm": 2}})"), "\"plain\"");
   one(shaping({{"maximise", "miscut_margin_mm"}}), "search.method = \"shape\"");
   one(shaping({}, {{"accept", {{"deploys_from_deg", 90}}}}), "target.at_deg = 90");

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "solver/play/backlash_follower.hpp"
-#include "solver/sheet/sheet.hpp"
+#include "solver/sheet/sheet_filling.hpp"
 #include "tests/solver/blocks.hpp"
 #include "tests/solver/play/panel_poses.hpp"
 
@@ -364,6 +364,42 @@ TEST(Backlash, NoneIsNone) {
     EXPECT_LE(trial.lost_deg, 0.1);
     EXPECT_LE(trial.gap_widths, 1e-12);
   }
+}
+
+// Springs made for the sheet stop it, with play, where the diagonals of panels that are joined have
+// the least energy: the parabola through energies 1 deg apart round the stop has its vertex there,
+// to the share of fourth derivatives, (1 deg in rad)^2.
+TEST(Backlash, StopsAreThoseOfPanels) {
+  constexpr double kRest_deg = 60;
+  Loose table(6, table1(), 5);
+  SheetSolver solver(table.model);
+  const Sheet designed(solver, table.vertices_mm - table.sheet.base.sheet.vertices_mm);
+  const Eigen::VectorXd free_mm = designed.at(kRest_deg).length_mm;
+  table.prepared.filling = filling_on(*designed.way(), Springs{.rest_deg = kRest_deg});
+  BacklashFollower follower(table.model, table.prepared, table.options);
+  std::mt19937_64 random(kSeed);
+  JointOffsets offsets = random_offsets(table.sheet.mechanism, random);
+  EXPECT_NEAR(*follower.trial(offsets, 0, false).stop_deg, kRest_deg, 1e-2);
+  double most_deg = 0;
+  for (int trial = 0; trial < 4; ++trial) {
+    const auto found_deg = follower.trial(offsets, 0.05 / kWidth_mm, false).stop_deg;
+    ASSERT_TRUE(found_deg);
+    PanelPoses poses(table.sheet.base, table.sheet.mechanism, table.vertices_mm, offsets, 0.05);
+    poses.start_from(table.shape_mm(table.prepared.start_deg));
+    ASSERT_TRUE(poses.solve(table.prepared.start_deg));
+    const auto energy_at = [&](double deg) {
+      EXPECT_TRUE(poses.solve(deg));
+      const std::vector<double> lengths_mm = table.lengths_mm(poses);
+      return (Eigen::VectorXd::Map(lengths_mm.data(), free_mm.size()) - free_mm).squaredNorm();
+    };
+    for (double deg = table.prepared.start_deg; deg > *found_deg + 2; deg -= 1) energy_at(deg);
+    const double above = energy_at(*found_deg + 1), at = energy_at(*found_deg),
+                 below = energy_at(*found_deg - 1);
+    EXPECT_NEAR((below - above) / (2 * (above + below - 2 * at)), 0, 1e-2) << "trial " << trial;
+    most_deg = std::max(most_deg, std::abs(*found_deg - kRest_deg));
+    offsets = random_offsets(table.sheet.mechanism, random);
+  }
+  EXPECT_GT(most_deg, 0.1);  // play matters
 }
 
 // Near flat the loops are even in the angles and the tilts of the axes are not, so that the angle

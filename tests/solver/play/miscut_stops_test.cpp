@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "solver/motion/energy_model.hpp"
+#include "solver/play/quantile.hpp"
 #include "solver/sheet/sheet_filling.hpp"
 #include "tests/solver/bending/bent.hpp"
 
@@ -22,12 +24,17 @@ class Stops : public Bent {
     return errors;
   }
   OwnSheet copy(unsigned seed) const { return {TestSheet(6, 6).base, shifts() + errors_mm(seed)}; }
-  std::optional<double> stop_of(const Sheet& copy, const Fill& fill, double from_deg) const {
+  std::optional<double> relaxed_stop(const Sheet& copy, const Fill& fill, double from_deg) const {
+    const auto stop = stop_with(copy, fill, from_deg, 0);
+    return stop ? std::optional(stop->relaxed_deg) : std::nullopt;
+  }
+  std::optional<Stop> stop_with(const Sheet& copy, const Fill& fill, double from_deg,
+                                double friction_n_mm_per_mm) const {
     const Filling own_filling = filling_on(*own.sheet.way(), fill);
-    return stop_deg(
+    return solver::stop_of(
         copy.history(),
-        own_filling.in_holes(diagonal_products_mm2(copy.mechanism(), copy.vertices_mm())),
-        from_deg);
+        own_filling.in_holes(diagonal_products_mm2(copy.mechanism(), copy.vertices_mm())), from_deg,
+        friction_n_mm_per_mm);
   }
 
   // Distances of the diagonals' ends.
@@ -66,7 +73,7 @@ TEST_F(Stops, AreWhereTheSpringsOfTheSheetHaveTheLeastEnergy) {
   double least = 180, most = 0;
   for (unsigned seed = 1; seed <= 8; ++seed) {
     const OwnSheet miscut = copy(seed);
-    const auto found_deg = stop_of(miscut.sheet, Springs{.rest_deg = kStop_deg}, kLetGo_deg);
+    const auto found_deg = relaxed_stop(miscut.sheet, Springs{.rest_deg = kStop_deg}, kLetGo_deg);
     ASSERT_TRUE(found_deg);
     EXPECT_NEAR(*found_deg, least_deg(miscut.sheet, free_mm, 30, 90), 1e-3);
     least = std::min(least, *found_deg);
@@ -80,35 +87,67 @@ TEST_F(Stops, AreWhereTheSpringsOfTheSheetHaveTheLeastEnergy) {
 // twentieth of the step between stations.
 TEST_F(Stops, AreTheRestOfTheSheetItself) {
   for (const double at_deg : {kStop_deg, kStop_deg + 0.5}) {
-    const auto of_springs = stop_of(own.sheet, Springs{.rest_deg = at_deg}, kLetGo_deg);
-    const auto of_plates = stop_of(own.sheet, RubberPlates{.rest_deg = at_deg}, kLetGo_deg);
+    const auto of_springs = relaxed_stop(own.sheet, Springs{.rest_deg = at_deg}, kLetGo_deg);
+    const auto of_plates = relaxed_stop(own.sheet, RubberPlates{.rest_deg = at_deg}, kLetGo_deg);
     ASSERT_TRUE(of_springs && of_plates);
     EXPECT_NEAR(*of_springs, at_deg, 1e-3);
     EXPECT_NEAR(*of_plates, at_deg, 0.05);
   }
 }
 
+// The springs' moment at both ends of the range that friction holds, of distances of vertices, is
+// that of the creases, of fold angles: each by central differences over 0.1 deg, whose error is
+// 1e-6 of the rates; that of rates between stations 1 deg apart is 1e-4 of the friction.
+TEST_F(Stops, AreHeldWhereFrictionEqualsTheMomentOfSprings) {
+  constexpr double kFriction_n = 0.05, kStep_deg = 0.1;
+  const Springs springs{.rest_deg = kStop_deg};
+  const OwnSheet miscut = copy(2);
+  const Eigen::VectorXd free_mm = lengths_mm(own.sheet, kStop_deg);
+  const auto energy = [&](double deg) {
+    return springs.stiffness_n_per_mm / 2 * (lengths_mm(miscut.sheet, deg) - free_mm).squaredNorm();
+  };
+  const auto turned = [&](double deg) -> double {
+    return crease_lengths_mm(*miscut.sheet.way()).dot(miscut.sheet.at(deg).fold_deg.cwiseAbs()) *
+           kRadPerDeg;
+  };
+  const auto excess = [&](double deg, int sense) {
+    const double up = deg + kStep_deg, down = deg - kStep_deg;
+    const double friction = kFriction_n * (turned(up) - turned(down));
+    return (sense * (energy(up) - energy(down)) - friction) / friction;
+  };
+  const auto stop = stop_with(miscut.sheet, springs, kLetGo_deg, kFriction_n);
+  ASSERT_TRUE(stop);
+  EXPECT_NEAR(excess(stop->held_to_deg, 1), 0, 2e-3);
+  EXPECT_NEAR(excess(stop->held_from_deg, -1), 0, 2e-3);
+  EXPECT_EQ(stop->relaxed_deg, *relaxed_stop(miscut.sheet, springs, kLetGo_deg));
+  EXPECT_LT(stop->held_from_deg, stop->relaxed_deg - 1);
+  EXPECT_GT(stop->held_to_deg, stop->relaxed_deg + 1);
+  // More friction than springs have moment at the start: it does not move.
+  EXPECT_FALSE(stop_with(miscut.sheet, springs, kLetGo_deg, 100));
+}
+
 TEST_F(Stops, AreFlatOrNone) {
-  EXPECT_EQ(stop_of(own.sheet, Springs{}, 36), 0);
+  EXPECT_EQ(relaxed_stop(own.sheet, Springs{}, 36), 0);
   const OwnSheet miscut = copy(3);
-  EXPECT_FALSE(stop_of(miscut.sheet, Springs{.rest_deg = kStop_deg}, 40));  // it folds on
-  EXPECT_FALSE(stop_of(miscut.sheet, Springs{.rest_deg = kStop_deg}, 185));
+  EXPECT_FALSE(relaxed_stop(miscut.sheet, Springs{.rest_deg = kStop_deg}, 40));  // it folds on
+  EXPECT_FALSE(relaxed_stop(miscut.sheet, Springs{.rest_deg = kStop_deg}, 185));
 }
 
 TEST(MiscutStops, CountAndSort) {
   MiscutStops stops, others;
-  for (const double deg : {61.0, 59.0, 60.0}) stops.add(deg);
-  stops.add(0.0);
-  others.add(58.0);
+  for (const double deg : {61.0, 59.0, 60.0}) stops.add(Stop{deg, deg - 1, deg + 1});
+  stops.add(Stop{0, 0, 0});
+  others.add(Stop{58, 57, 59});
   others.add(std::nullopt);
   stops.add(others);
-  EXPECT_EQ(stops.stops_deg, (std::vector<double>{58, 59, 60, 61}));
+  const std::vector<double> sorted = stops.sorted(&Stop::relaxed_deg);
+  EXPECT_EQ(sorted, (std::vector<double>{58, 59, 60, 61}));
   EXPECT_EQ(stops.flat, 1);
   EXPECT_EQ(stops.held, 1);
   EXPECT_EQ(stops.trials(), 6);
-  EXPECT_EQ(stops.quantile_deg(0), 58);
-  EXPECT_EQ(stops.quantile_deg(0.5), 59);
-  EXPECT_EQ(stops.quantile_deg(1), 61);
+  EXPECT_EQ(quantile(sorted, 0), 58);
+  EXPECT_EQ(quantile(sorted, 0.5), 59);
+  EXPECT_EQ(quantile(sorted, 1), 61);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Draws a picture of a kit's guide, as SVG within HTML.
+// Draws a picture of a sheet as SVG, for a page or a file of its own.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,24 @@
 namespace misalign::schema {
 
 /// A picture whose page fits its shapes, y up. Lengths in mm; styles are CSS.
-class GuidePicture {
+class SvgPicture {
  public:
   void polygon(const std::vector<Eigen::Vector2d>& corners, const std::string& style);
   void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const char* style);
   void dot(const Eigen::Vector2d& at, double radius);
   void text(const Eigen::Vector2d& at, const std::string& words, double size);
-  std::string svg(const std::string& caption, bool wide) const;
+  /// Corners of all shapes' bounds.
+  const Eigen::Vector2d& least() const { return least_; }
+  const Eigen::Vector2d& most() const { return most_; }
+  /// The picture within HTML.
+  std::string figure(const std::string& caption, bool wide) const;
+  /// The picture as a file.
+  std::string file(const std::string& title) const;
 
  private:
   std::string point(const Eigen::Vector2d& at);
   void see(const Eigen::Vector2d& at);
+  std::string view_box() const;
 
   Eigen::Vector2d least_ = Eigen::Vector2d::Constant(INFINITY), most_ = -least_;
   std::string shapes_;

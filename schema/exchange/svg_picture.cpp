@@ -1,4 +1,4 @@
-#include "schema/kit/guide_picture.hpp"
+#include "schema/exchange/svg_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -9,43 +9,54 @@ namespace misalign::schema {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-void GuidePicture::polygon(const std::vector<Vector2d>& corners, const std::string& style) {
+void SvgPicture::polygon(const std::vector<Vector2d>& corners, const std::string& style) {
   std::string points;
   for (const Vector2d& at : corners) points += point(at);
   shapes_ += fmt::format("<polygon points=\"{}\" style=\"{}\"/>", points, style);
 }
 
-void GuidePicture::line(const Vector2d& from, const Vector2d& to, const char* style) {
+void SvgPicture::line(const Vector2d& from, const Vector2d& to, const char* style) {
   shapes_ += fmt::format("<polyline points=\"{}{}\" style=\"{}\"/>", point(from), point(to), style);
 }
 
-void GuidePicture::dot(const Vector2d& at, double radius) {
+void SvgPicture::dot(const Vector2d& at, double radius) {
   see(at);
   shapes_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" style=\"fill:#c60\"/>",
                          at.x(), -at.y(), radius);
 }
 
-void GuidePicture::text(const Vector2d& at, const std::string& words, double size) {
+void SvgPicture::text(const Vector2d& at, const std::string& words, double size) {
+  see(at);
   shapes_ += fmt::format(
       "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" text-anchor=\"middle\">{}</text>",
       at.x(), -at.y(), size, xml_text(words));
 }
 
-std::string GuidePicture::svg(const std::string& caption, bool wide) const {
+std::string SvgPicture::view_box() const {
   const Vector2d size = most_ - least_, edge = Vector2d::Constant(0.03 * size.maxCoeff());
-  return fmt::format(
-      "<figure{}><svg viewBox=\"{:.2f} {:.2f} {:.2f} {:.2f}\">{}</svg><figcaption>{}</figcaption>"
-      "</figure>\n",
-      wide ? " class=\"wide\"" : "", least_.x() - edge.x(), -most_.y() - edge.y(),
-      size.x() + 2 * edge.x(), size.y() + 2 * edge.y(), shapes_, xml_text(caption));
+  return fmt::format("{:.2f} {:.2f} {:.2f} {:.2f}", least_.x() - edge.x(), -most_.y() - edge.y(),
+                     size.x() + 2 * edge.x(), size.y() + 2 * edge.y());
 }
 
-std::string GuidePicture::point(const Vector2d& at) {
+std::string SvgPicture::figure(const std::string& caption, bool wide) const {
+  return fmt::format("<figure{}><svg viewBox=\"{}\">{}</svg><figcaption>{}</figcaption></figure>\n",
+                     wide ? " class=\"wide\"" : "", view_box(), shapes_, xml_text(caption));
+}
+
+std::string SvgPicture::file(const std::string& title) const {
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{}\" font-family=\"sans-serif\">\n"
+      "<title>{}</title>\n{}</svg>\n",
+      view_box(), xml_text(title), shapes_);
+}
+
+std::string SvgPicture::point(const Vector2d& at) {
   see(at);
   return fmt::format("{:.2f},{:.2f} ", at.x(), -at.y());
 }
 
-void GuidePicture::see(const Vector2d& at) {
+void SvgPicture::see(const Vector2d& at) {
   least_ = least_.cwiseMin(at);
   most_ = most_.cwiseMax(at);
 }
