@@ -199,11 +199,14 @@ const names_of = (report, list) =>
 
 const bold = (words, ...rest) => h("span", {}, h("strong", {}, words), ...rest);
 
-function weakest_words({ weakest }) {
+// The least angle at which the moment counts: at a stop it is none.
+const counts_from_deg = ({ rest_deg = 0 }) => (rest_deg ? Math.max(5, rest_deg + 1) : 5);
+
+function weakest_words({ weakest }, { actuators }) {
   if (!weakest) return null;
   return bold(
     "Weakest point: ",
-    `least moment between 5° and D: ${number(weakest.moment_n_mm)} N mm at a pilot angle of ${degrees(weakest.pilot_deg)}. ` +
+    `least moment between ${degrees(counts_from_deg(actuators))} and D: ${number(weakest.moment_n_mm)} N mm at a pilot angle of ${degrees(weakest.pilot_deg)}. ` +
       "Moments of friction and crease stiffness must stay below it.",
   );
 }
@@ -211,7 +214,7 @@ function weakest_words({ weakest }) {
 function fewest_words({ few, weakest }, report) {
   if (!few)
     return weakest && report.actuators.equal_springs
-      ? "No set of fewest springs: the moment is not positive at all angles from 5° to D."
+      ? `No set of fewest springs: the moment is not positive at all angles from ${degrees(counts_from_deg(report.actuators))} to D.`
       : null;
   const { diagonals, share, proven } = few;
   return bold(
@@ -248,7 +251,7 @@ export function show_actuation_words(box, report, detail, decoded) {
       (equal_springs
         ? `${plural(report.diagonals.length, "spring")} of ${number(stiffness_n_per_mm)} N/mm, one on each diagonal.`
         : `${words}.`),
-    weakest_words(detail),
+    weakest_words(detail, report),
     fewest_words(detail, report),
     stroke_words(detail, report),
     Number.isFinite(at_D) ? `Mechanical advantage at D: ${fixed(at_D, 3)} N/N.` : null,

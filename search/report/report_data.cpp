@@ -12,7 +12,6 @@
 #include "schema/catalogue/status_json.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/actuators_json.hpp"
-#include "schema/exchange/target_view.hpp"
 #include "schema/files/json_values.hpp"
 #include "schema/files/suggestion.hpp"
 #include "schema/pattern/fill_json.hpp"
@@ -21,7 +20,6 @@
 #include "search/draws/draw.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/shaped.hpp"
 #include "search/sheets/study_functions.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/long_work.hpp"
@@ -281,7 +279,7 @@ Json report_of_catalogue(const ReportCall& call) {
   campaign.design = call.design.merged_over(campaign.design);
   FoldingModel model(campaign);
   add_study_functions(*database, campaign);
-  const ReportDetails details(model, call.detail);
+  const ReportDetails details(model, call.detail, campaign.target.get());
   const std::vector<std::uint64_t> stressed = details.draws_with_stress(campaign);
   DetailedDraws detailed;
   const Json catalogue = catalogue_json(*database, campaign, call, detailed);
@@ -303,7 +301,7 @@ Json report_of_catalogue(const ReportCall& call) {
 Json report_of_pattern(const ReportCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.path);
   FoldingModel model(chosen.base, chosen.sampling, call.design.merged_over(chosen.design));
-  const ReportDetails details(model, call.detail);
+  const ReportDetails details(model, call.detail, chosen.target ? &*chosen.target : nullptr);
   details.check_stress(call.path, chosen.whose()["sheet"]);
   Json data = origin_json(call);
   data["pattern"] = {{"name", chosen.pattern},
@@ -311,14 +309,7 @@ Json report_of_pattern(const ReportCall& call) {
   data["candidates"] = {{"total", 0}, {"shown", 0}, {"columns", Json::object()}};
   data.update(folding_json(model));
   const solver::Sheet sheet = model.sheet(chosen.shifts_mm);
-  Json detail = details.of_pattern(sheet, chosen.pattern);
-  if (chosen.target) {
-    solver::SheetSolver solver(sheet.model());
-    const auto measure = solver::ShapeMeasure::of(
-        solver, chosen.target->shape, shape_deg(*chosen.target, model.design().rest_deg));
-    if (measure) detail["target"] = schema::target_shown_json(sheet, *measure);
-  }
-  data["details"] = Json::array({std::move(detail)});
+  data["details"] = Json::array({details.of_pattern(sheet, chosen.pattern)});
   return data;
 }
 

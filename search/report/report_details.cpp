@@ -4,8 +4,10 @@
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/contact_json.hpp"
+#include "schema/exchange/target_view.hpp"
 #include "schema/report/report.hpp"
 #include "search/sheets/deploy_input.hpp"
+#include "search/sheets/shaped.hpp"
 #include "search/sheets/studies.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/motion/actuation.hpp"
@@ -35,8 +37,12 @@ UserError of_another(const schema::StressResult& result, const std::string& show
 
 }  // namespace
 
-ReportDetails::ReportDetails(const FoldingModel& model, const DetailOptions& options)
+ReportDetails::ReportDetails(FoldingModel& model, const DetailOptions& options,
+                             const schema::Target* target)
     : model_(model), with_contact_(options.contact) {
+  if (target) {
+    measure_ = model.measure(target->shape, shape_deg(*target, model.design().rest_deg));
+  }
   for (const std::string& path : options.stress_files) {
     stress_.push_back(schema::read_stress_result(path));
   }
@@ -102,6 +108,7 @@ Json ReportDetails::detail(const solver::Sheet& sheet, std::uint64_t draw, bool 
                                   solver::actuate(sheet, actuators, from_deg));
   json["let_go"] = deployment(sheet);
   if (with_contact_) json["contact"] = contact(sheet);
+  if (measure_) json["target"] = schema::target_shown_json(sheet, *measure_);
   return json;
 }
 

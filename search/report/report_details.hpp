@@ -17,8 +17,9 @@ struct DetailOptions {
 
 class ReportDetails {
  public:
-  /// Reads the files of `options`; UserError (bad_input). `model` must outlive this object.
-  ReportDetails(const FoldingModel& model, const DetailOptions& options);
+  /// Reads the files of `options`; UserError (bad_input). `model` must outlive this object. Sheets
+  /// are shown on the target, unless it is null.
+  ReportDetails(FoldingModel& model, const DetailOptions& options, const schema::Target* target);
 
   /// Returns the details of a campaign's draw.
   schema::Json of_draw(const solver::Sheet& sheet, std::uint64_t draw, bool accepted) const;
@@ -40,6 +41,7 @@ class ReportDetails {
   const FoldingModel& model_;
   const bool with_contact_;
   std::vector<schema::StressResult> stress_;
+  std::optional<solver::ShapeMeasure> measure_;  // of the target
 };
 
 }  // namespace misalign::search

@@ -123,13 +123,15 @@ ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::s
 
 ChosenSheet sheet_of_draw(schema::Campaign campaign, std::uint64_t draw,
                           Eigen::Matrix2Xd shifts_mm) {
+  auto target = campaign.target ? std::optional(*campaign.target) : std::nullopt;
   return {campaign.pattern,
           campaign.sampling(),
           campaign.design,
           std::move(shifts_mm),
           ChosenSheet::Drawn{std::move(campaign), draw},
           "",
-          {}};
+          {},
+          std::move(target)};
 }
 
 Subject::Subject(ChosenSheet what, const schema::Design& options)

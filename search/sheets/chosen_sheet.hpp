@@ -35,7 +35,7 @@ struct ChosenSheet {
   std::optional<Drawn> drawn;
   std::string pattern;    ///< the key's
   schema::Json exported;  ///< an exported candidate's file; null otherwise
-  std::optional<schema::Target> target = std::nullopt;  ///< a pattern file's
+  std::optional<schema::Target> target = std::nullopt;  ///< a pattern file's, or the campaign's
 
   /// Makes a campaign of the sheet alone, with the first sample as threshold and the default seed:
   /// an exported candidate does not say its campaign's.

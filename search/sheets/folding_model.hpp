@@ -7,6 +7,7 @@
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/models.hpp"
 #include "solver/motion/actuation.hpp"
+#include "solver/target/shape_measure.hpp"
 
 namespace misalign::search {
 
@@ -22,6 +23,11 @@ class FoldingModel {
   /// The sheet with these shifts, one column per vertex; it refers to this object.
   solver::Sheet sheet(const Eigen::Matrix2Xd& shifts_mm, const std::string& name = "the sheet") {
     return {solver_, shifts_mm, name};
+  }
+
+  /// The distances of its sheets from a wanted shape; none where the base does not fold to it.
+  std::optional<solver::ShapeMeasure> measure(const solver::WantedShape& shape, double at_deg) {
+    return solver::ShapeMeasure::of(solver_, shape, at_deg);
   }
 
   const schema::Pattern& base() const { return base_; }

@@ -15,6 +15,8 @@ namespace {
 
 using Eigen::Index;
 
+// Distance from a stop at which its filling must drive the sheet.
+constexpr double kBesideStop_deg = 1;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Returns the row of the actuation at the angle of use.
@@ -37,7 +39,8 @@ bool is_used(const FoldingHistory& history, const Actuation& actuation, std::siz
 std::vector<Index> judged_rows(const FoldingHistory& history, const Actuation& actuation) {
   std::vector<Index> rows;
   for (std::size_t i = 0; i < history.stations.size(); ++i) {
-    if (is_used(history, actuation, i) && history.stations[i].pilot_deg >= kSlopeFrom_deg) {
+    if (is_used(history, actuation, i) &&
+        history.stations[i].pilot_deg >= actuation.counts_from_deg - kSameAngle_deg) {
       rows.push_back(static_cast<Index>(i) + 1);
     }
   }
@@ -108,9 +111,13 @@ Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<
                       .energy_n_mm = {},
                       .moment_n_mm = {0},
                       .mechanical_advantage = {kNone},
+                      .counts_from_deg = kSlopeFrom_deg,
                       .weakest = {},
                       .few = {},
                       .over_stroke = {}};
+  if (const double stop_deg = rest_deg(actuators.fill); stop_deg > 0) {
+    actuation.counts_from_deg = std::max(kSlopeFrom_deg, stop_deg + kBesideStop_deg);
+  }
   actuation.force_n.setZero(stations + 1, diagonals);
   assert(actuation.from_row <= stations);
   actuation.moment_by_n_mm.setZero(stations + 1, diagonals);

@@ -7,6 +7,7 @@
 
 #include "solver/motion/actuators.hpp"
 #include "solver/motion/few_diagonals.hpp"
+#include "solver/records/metrics.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
@@ -36,8 +37,10 @@ struct Actuation {
   struct Weakest {
     double pilot_deg, moment_n_mm;
   };
-  /// The least |moment| at the samples from 5 degrees (kSlopeFrom_deg) to the angle of use; none if
-  /// that angle is smaller.
+  /// The least pilot angle at which the moment counts: 5 degrees (kSlopeFrom_deg), or one degree
+  /// beyond the angle where the filling is relaxed.
+  double counts_from_deg = kSlopeFrom_deg;
+  /// The least |moment| at the samples from there to the angle of use; none if that is smaller.
   std::optional<Weakest> weakest;
   /// The fewest diagonals that keep half of that, no two of which touch; none also where the moment
   /// changes sign, or no such set is found.

@@ -175,6 +175,19 @@ TEST_F(Table1, WeakestPointAndFewDiagonals) {
   EXPECT_GE(actuation.few->share, kShareOfFew);
 }
 
+// The moment passes zero at a stop, from which it pulls back on either side.
+TEST_F(Table1, TheMomentCountsBeyondAStop) {
+  const OwnSheet own = path();
+  const Actuation stopped = actuate(own.sheet, {Springs{.rest_deg = 60}});
+  EXPECT_LT(stopped.moment_n_mm[59], 0);
+  EXPECT_NEAR(stopped.moment_n_mm[60], 0, 1e-6);
+  ASSERT_TRUE(stopped.weakest && stopped.few);
+  EXPECT_GT(stopped.weakest->moment_n_mm, 0);
+  for (int row = 61; row <= own.sheet.history().verdict.deploys_from_sample; ++row) {
+    EXPECT_GE(stopped.moment_n_mm[row], stopped.weakest->moment_n_mm) << row;
+  }
+}
+
 TEST_F(Table1, StrokeLimitIsReachedWhereLengthsSay) {
   const OwnSheet own = path();
   const Sheet& folded = own.sheet;
