@@ -30,13 +30,13 @@ schema::Candidate* Ascents::look() {
     ascent_->advance();
   }
   if (!ascent_->finished()) return nullptr;
-  if (!is_kept(candidate.draw)) {
+  candidate = ascent_->take();
+  const bool has_kept_it = is_kept(candidate.draw);
+  ascent_.reset();
+  if (!has_kept_it) {
     block_->candidates.erase(block_->candidates.begin() + static_cast<std::ptrdiff_t>(next_));
-    ascent_.reset();
     return nullptr;
   }
-  candidate = ascent_->take();
-  ascent_.reset();
   ++next_;
   return &candidate;
 }
