@@ -25,7 +25,7 @@ constexpr double kPerDegree = 6e-4;
 // Growth of the fold limit between stages.
 constexpr double kLimitStep_deg = 8;
 // Diagonals keep their directions, and the energy falls, from this far beyond the stowed angle.
-constexpr double kPast_deg = 0.2;
+constexpr double kPast_deg = 0.3;
 // Angle by whose lengths directions are chosen; angles of directions; distance of more from one
 // where a diagonal turns back; rounds of these.
 constexpr double kSigns_deg = 60, kDirections_deg = 6, kAround_deg = 1.5;
@@ -176,10 +176,12 @@ class Shaping {
     set_angles();
   }
 
+  // The last two lie close together, so that directions turn beyond the stowed angle.
   void set_angles() {
     wanted().angles_deg.clear();
-    const int count = static_cast<int>(std::ceil(top_deg() / kDirections_deg));
-    for (int k = 1; k <= count; ++k) wanted().angles_deg.push_back(top_deg() * k / count);
+    const int count = static_cast<int>(std::ceil(options_.from_deg / kDirections_deg));
+    for (int k = 1; k <= count; ++k) wanted().angles_deg.push_back(options_.from_deg * k / count);
+    wanted().angles_deg.push_back(top_deg());
   }
 
   // Improves by the rows that are wanted, and by more of them where they were too far apart.

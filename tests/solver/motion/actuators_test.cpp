@@ -178,7 +178,8 @@ TEST_F(Table1, WeakestPointAndFewDiagonals) {
 // The moment passes zero at a stop, from which it pulls back on either side.
 TEST_F(Table1, TheMomentCountsBeyondAStop) {
   const OwnSheet own = path();
-  const Actuation stopped = actuate(own.sheet, {Springs{.rest_deg = 60}});
+  const Actuation stopped =
+      actuate(own.sheet, {.fill = Springs{.rest_deg = 60}, .stroke_limit = {}});
   EXPECT_LT(stopped.moment_n_mm[59], 0);
   EXPECT_NEAR(stopped.moment_n_mm[60], 0, 1e-6);
   ASSERT_TRUE(stopped.weakest && stopped.few);
