@@ -31,6 +31,9 @@ Json limits_json(const solver::Actuation& actuation) {
   if (actuation.weakest) {
     json["weakest"] = {{"pilot_deg", actuation.weakest->pilot_deg},
                        {"moment_n_mm", actuation.weakest->moment_n_mm}};
+    if (actuation.counts_from_deg > solver::kSlopeFrom_deg) {
+      json["weakest"]["from_deg"] = actuation.counts_from_deg;
+    }
   }
   if (actuation.few) {
     json["few"] = {{"diagonals", actuation.few->diagonals},

@@ -15,12 +15,11 @@ Json share_json(std::uint64_t hits, const solver::MiscutCopies& copies) {
 
 Json stops_json(const solver::Tolerance& t) {
   using Value = std::pair<const char*, double solver::Stop::*>;
-  std::vector<Value> values = {{"stops_at_deg", &solver::Stop::relaxed_deg}};
+  std::vector<Value> values = {{"stops_at_deg", &solver::Stop::at_deg}};
   if (t.friction_n_mm_per_mm > 0) {
     values.emplace_back("held_from_deg", &solver::Stop::held_from_deg);
-    values.emplace_back("held_to_deg", &solver::Stop::held_to_deg);
   }
-  if (t.has_target) {
+  if (t.has_shapes) {
     values.emplace_back("shape_rms_mm", &solver::Stop::shape_rms_mm);
     values.emplace_back("shape_max_mm", &solver::Stop::shape_max_mm);
   }
@@ -37,7 +36,7 @@ Json stops_json(const solver::Tolerance& t) {
   }
   return {{"rest_deg", t.rest_deg},
           {"friction_n_mm_per_mm", t.friction_n_mm_per_mm},
-          {"stops_at_deg", t.own_stop ? Json(t.own_stop->relaxed_deg) : Json()},
+          {"stops_at_deg", t.own_stop ? Json(t.own_stop->at_deg) : Json()},
           {"own", designed},
           {"stopped", stops.stops.size()},
           {"flat", stops.flat},

@@ -131,10 +131,21 @@ std::optional<TriangleMesh> read_mesh(ObjectReader& reader, const std::filesyste
   if (points && triangles && !reader.find("file")) {
     return read_mesh_inside(reader, *points, *triangles);
   }
+  if (points || triangles) {
+    reader.faults().add(reader.name(points ? "points_mm" : "triangles"),
+                        reader.find("file") ? "is given beside a file" : "is half of a mesh",
+                        "write points_mm and triangles, or a file");
+    return {};
+  }
   std::string name;
   reader.require("file", kFileForm);
   reader.text("file", name, kFileForm);
-  if (name.empty()) return {};
+  if (name.empty()) {
+    if (reader.find("file") && reader.find("file")->is_string()) {
+      reader.faults().add(reader.name("file"), "is no file name", kFileForm);
+    }
+    return {};
+  }
   path = std::filesystem::absolute(directory / name).lexically_normal().string();
   const std::size_t before = reader.faults().count();
   auto mesh = read_surface_mesh(read_input_file(path), path, reader.faults());

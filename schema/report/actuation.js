@@ -200,13 +200,13 @@ const names_of = (report, list) =>
 const bold = (words, ...rest) => h("span", {}, h("strong", {}, words), ...rest);
 
 // The least angle at which the moment counts: at a stop it is none.
-const counts_from_deg = ({ rest_deg = 0 }) => (rest_deg ? Math.max(5, rest_deg + 1) : 5);
+const counts_from = ({ from_deg = 5 }) => degrees(from_deg);
 
-function weakest_words({ weakest }, { actuators }) {
+function weakest_words({ weakest }) {
   if (!weakest) return null;
   return bold(
     "Weakest point: ",
-    `least moment between ${degrees(counts_from_deg(actuators))} and D: ${number(weakest.moment_n_mm)} N mm at a pilot angle of ${degrees(weakest.pilot_deg)}. ` +
+    `least moment between ${counts_from(weakest)} and D: ${number(weakest.moment_n_mm)} N mm at a pilot angle of ${degrees(weakest.pilot_deg)}. ` +
       "Moments of friction and crease stiffness must stay below it.",
   );
 }
@@ -214,7 +214,7 @@ function weakest_words({ weakest }, { actuators }) {
 function fewest_words({ few, weakest }, report) {
   if (!few)
     return weakest && report.actuators.equal_springs
-      ? `No set of fewest springs: the moment is not positive at all angles from ${degrees(counts_from_deg(report.actuators))} to D.`
+      ? `No set of fewest springs: the moment is not positive at all angles from ${counts_from(weakest)} to D.`
       : null;
   const { diagonals, share, proven } = few;
   return bold(
@@ -251,7 +251,7 @@ export function show_actuation_words(box, report, detail, decoded) {
       (equal_springs
         ? `${plural(report.diagonals.length, "spring")} of ${number(stiffness_n_per_mm)} N/mm, one on each diagonal.`
         : `${words}.`),
-    weakest_words(detail, report),
+    weakest_words(detail),
     fewest_words(detail, report),
     stroke_words(detail, report),
     Number.isFinite(at_D) ? `Mechanical advantage at D: ${fixed(at_D, 3)} N/N.` : null,

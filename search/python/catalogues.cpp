@@ -125,7 +125,7 @@ class Catalogue {
     schema::check_design("amplitude_mm", "miscut_mm", amplitude_mm);
     if (from_deg) schema::check_design("from_deg", "from_deg", *from_deg);
     options.amplitude_mm = amplitude_mm;
-    options.fill = source_->campaign->design.fill(source_->sheet.base.base);
+    options.filled = filled_by(source_->campaign->design, source_->sheet.base.base);
     return unlocked([&] {
       const std::vector<Eigen::Matrix2Xd> shifts_mm = shifts_of({draw});
       check_miscut(amplitude_mm, source_->pattern(), shifts_mm.front(),

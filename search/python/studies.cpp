@@ -188,7 +188,7 @@ std::string tolerance(const PatternSource& source, const std::string& design_tex
     }
     options.amplitude_mm = *design.miscut_mm;
     schema::check_fill(design, source.sheet.base.base);
-    options.fill = design.fill(source.sheet.base.base);
+    options.filled = filled_by(design, source.sheet.base.base);
     check_miscut(options.amplitude_mm, source.pattern(), source.sheet.shifts_mm,
                  source.sheet.pattern);
     return schema::tolerance_json(study_sheet(source.sheet, design.from_deg, options)).dump();

@@ -24,9 +24,10 @@ std::string springs_summary(const solver::Mechanism& mechanism, const Actuation&
                                         schema::kDegreeWord),
                   limit ? fmt::format("; stroke limit {:.10g} %", 100 * *limit) : "");
   if (actuation.weakest) {
-    text += fmt::format("weakest{} at {:g} deg: {:.4g} N mm about the pilot crease\n",
-                        solver::rest_deg(actuation.actuators.fill) > 0 ? " beyond the stop" : "",
-                        actuation.weakest->pilot_deg, actuation.weakest->moment_n_mm);
+    text +=
+        fmt::format("weakest{} at {:g} deg: {:.4g} N mm about the pilot crease\n",
+                    actuation.counts_from_deg > solver::kSlopeFrom_deg ? " beyond the stop" : "",
+                    actuation.weakest->pilot_deg, actuation.weakest->moment_n_mm);
   } else {
     text += (actuation.from_deg ? "used" : "deploys") +
             fmt::format(" from less than {:g} deg: no weakest point\n", actuation.counts_from_deg);

@@ -136,9 +136,10 @@ BacklashStudy::BacklashStudy(const schema::Campaign& campaign,
         model_, campaign.pattern.base.sheet.vertices_mm + shifts, options));
     if (!fill) continue;
     const solver::Sheet sheet(solver, shifts);
-    const solver::Filling filling = filling_made_for(sheet, *fill);
-    const auto stop = solver::stop_of(sheet.history(), filling, sheets_.back().own_deg, 0);
-    if (stop && stop->relaxed_deg > 0) sheets_.back().filling = filling;
+    const auto filling = filling_made_for(sheet, *fill);
+    if (!filling) continue;
+    const auto stop = solver::stop_of(sheet.history(), *filling, sheets_.back().own_deg, 0);
+    if (stop && stop->at_deg > 0) sheets_.back().filling = filling;
   }
 }
 

@@ -61,7 +61,9 @@ std::string backlash_text(const NamedBacklash& named) {
       "{:<18} {:.3g} clearances, at most {:.3g}: play at whole vertices must close it\n",
       "residual gap", solver::quantile(left, 0.5), left.back());
   if (const std::vector<double> stops_deg = backlash.stops_deg(); !stops_deg.empty()) {
-    text += quantiles_line(fmt::format("stops of {}", stops_deg.size()).c_str(), stops_deg);
+    text += quantiles_line(
+        fmt::format("stops, {} of {}", stops_deg.size(), backlash.trials.size()).c_str(),
+        stops_deg);
   }
   text += faults_line(backlash);
   if (backlash.undecided() > 0) {

@@ -24,8 +24,7 @@ solver::Tolerance tolerance_of(const ChosenSheet& chosen, const solver::Sheet& s
   study.amplitude_mm = miscut_mm;
   study.trials = copies.trials;
   study.jobs = copies.jobs;
-  study.fill = design.fill(sheet.base());
-  study.friction_n_mm_per_mm = design.friction_n_mm_per_mm.value_or(0);
+  study.filled = filled_by(design, sheet.base());
   study.set = solver::available_instruction_sets().back();
   // The first sample from the angle of use on: copies are judged at samples.
   const double sample_deg = chosen.sampling.sample_deg,
@@ -36,7 +35,7 @@ solver::Tolerance tolerance_of(const ChosenSheet& chosen, const solver::Sheet& s
   return study_tolerance(used, shifts_mm, study).front();
 }
 
-// The largest distance of the stops of 90 of 100 copies from the sheet's own.
+// The largest distance of the stops of 90 of 100 copies, with friction, from the wanted stop.
 CardLine stop_line(const solver::Tolerance& tolerance) {
   const solver::MiscutStops& stops = tolerance.copies.stops;
   CardLine line{"stop_error_deg",
@@ -50,13 +49,14 @@ CardLine stop_line(const solver::Tolerance& tolerance) {
   if (const std::uint64_t others = stops.flat + stops.held; others > 0) {
     line.note = fmt::format("{} of {} copies do not stop", others, stops.trials());
   }
-  const double own_deg = tolerance.own_stop ? tolerance.own_stop->relaxed_deg : 0;
+  const double own_deg = tolerance.own_stop ? tolerance.own_stop->at_deg : 0;
+  const double wanted_deg = tolerance.rest_deg > 0 ? tolerance.rest_deg : own_deg;
   if (own_deg == 0) {
     line.note = "the sheet itself does not stop";
   } else if (!stops.stops.empty()) {
-    const std::vector<double> at_deg = stops.sorted(&solver::Stop::relaxed_deg);
-    line.found = std::max(std::abs(solver::quantile(at_deg, 0.05) - own_deg),
-                          std::abs(solver::quantile(at_deg, 0.95) - own_deg));
+    const std::vector<double> at_deg = stops.sorted(&solver::Stop::at_deg);
+    line.found = std::max(std::abs(solver::quantile(at_deg, 0.05) - wanted_deg),
+                          std::abs(solver::quantile(at_deg, 0.95) - wanted_deg));
   }
   return line;
 }
@@ -105,7 +105,7 @@ std::vector<CardLine> copy_lines(const ChosenSheet& chosen, const solver::Sheet&
                        "", wanted, share, Bound::at_least, ""});
       if (tolerance.copies.stops.trials() > 0) {
         lines.push_back(stop_line(tolerance));
-        if (tolerance.has_target) lines.push_back(shape_line(tolerance));
+        if (tolerance.has_shapes) lines.push_back(shape_line(tolerance));
       }
     }
   }

@@ -13,7 +13,7 @@
 namespace misalign::search {
 namespace {
 
-// The angle of a shape whose file names none, and that from which it is deployed: beyond it.
+// The stowed angle of a file that names none, beyond its shape.
 constexpr double kStowedBeyond_deg = 15;
 // A well this near the shape is the shape's.
 constexpr double kAtShape_deg = 0.1;
@@ -29,6 +29,13 @@ void refuse_ceilings(const schema::OptimiseBounds& bounds) {
                                               : "";
   for (const auto& [goal, least] : bounds.floors) {
     if (goal->is_to_be_small) name = goal->name;
+  }
+  for (const auto& [goal, least] : bounds.floors) {
+    if (!goal->needs_threshold && !goal->needs_copies && !goal->is_proven_angle) continue;
+    throw UserError(OptionFault{"subject_to", std::string(goal->name),
+                                "is a number of miscut copies or of a proof, and a shape keeps "
+                                "those of one folded sheet alone",
+                                "take it out, and call `misalign optimise` for the shaped sheet"});
   }
   if (name.empty()) return;
   throw UserError(OptionFault{"subject_to", name,

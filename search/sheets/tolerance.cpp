@@ -8,7 +8,6 @@
 #include "schema/campaign/share_interval.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/draws/draw.hpp"
-#include "search/sheets/copy_stops.hpp"
 #include "search/sheets/on_threads.hpp"
 #include "search/sheets/studies.hpp"
 #include "solver/studies/angle_of_use.hpp"
@@ -35,7 +34,7 @@ class Study {
         options_(options),
         model_(campaign.pattern.base, solver::all_vertices(campaign.pattern.base.sheet),
                campaign.path(), campaign.threshold_sample(), campaign.criterion()),
-        stops_(campaign, model_, options.fill, options.friction_n_mm_per_mm) {
+        stops_(campaign, model_, options.filled) {
     const int vertices = model_.mechanism().vertices;
     for (std::size_t sheet = 0; sheet < shifts_mm.size(); ++sheet) {
       tolerances_.push_back({options.amplitude_mm,
@@ -46,8 +45,8 @@ class Study {
                              {},
                              {},
                              0,
-                             options.friction_n_mm_per_mm,
-                             campaign.target != nullptr,
+                             0,
+                             false,
                              {}});
       add_ranges(sheet, -1, options.trials);
       if (!options.vertices) continue;
@@ -112,8 +111,7 @@ class Study {
     if (options_.trials == 0) return;
     solver::SheetSolver solver(model_);
     for (std::size_t k = 0; k < shifts_mm_.size(); ++k) {
-      tolerances_[k].rest_deg = options_.fill ? solver::rest_deg(*options_.fill) : 0;
-      tolerances_[k].own_stop = stops_.add(solver, shifts_mm_[k]);
+      stops_.add(solver, shifts_mm_[k], tolerances_[k]);
     }
   }
 

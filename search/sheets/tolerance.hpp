@@ -5,6 +5,7 @@
 
 #include "search/draws/draw_evaluator.hpp"
 #include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/copy_stops.hpp"
 #include "solver/play/tolerance.hpp"
 
 namespace misalign::search {
@@ -26,10 +27,9 @@ struct ToleranceOptions {
   bool vertices = false;         ///< also copies with an error at one vertex
   int jobs = 1;                  ///< threads; the answer does not depend on them
   solver::InstructionSet set{};  ///< nor on this
-  /// Filling that is made for the sheet itself; where it stops the sheet short of flat, copies are
-  /// asked for their stops too, and for their shapes there if the campaign has a target.
-  std::optional<solver::Fill> fill{};
-  double friction_n_mm_per_mm = 0;                    ///< dry friction of the creases at stops
+  /// Copies are asked for their stops where it stops the sheet short of flat, and for their shapes
+  /// there if the campaign has a target.
+  ToleranceFilling filled{};
   std::function<void(const CopiesDone&)> progress{};  ///< called now and then, one call at a time
 };
 

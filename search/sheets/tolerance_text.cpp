@@ -33,15 +33,16 @@ std::string vertices_text(const solver::Tolerance& t) {
 std::string stops_text(const solver::Tolerance& t) {
   const solver::MiscutStops& stops = t.copies.stops;
   const bool has_friction = t.friction_n_mm_per_mm > 0;
-  const std::string own_stop =
-      !t.own_stop                    ? "nowhere"
-      : t.own_stop->held_to_deg == 0 ? "flat"
-      : !has_friction                ? fmt::format("{:.4g} deg", t.own_stop->relaxed_deg)
-                      : fmt::format("{:.4g} deg, held by friction from {:.4g} to {:.4g} deg",
-                                    t.own_stop->relaxed_deg, t.own_stop->held_from_deg,
-                                    t.own_stop->held_to_deg);
-  std::string text = fmt::format("stops at          {}; of {} copies {} stop, {} unfold flat",
-                                 own_stop, stops.trials(), stops.stops.size(), stops.flat);
+  const std::string own_stop = !t.own_stop ? "nowhere"
+                               : t.own_stop->at_deg == 0
+                                   ? "flat"
+                                   : fmt::format("{:.4g} deg", t.own_stop->at_deg);
+  std::string text = "stops at          " + own_stop;
+  if (has_friction && t.own_stop) {
+    text += fmt::format(", held by friction down to {:.4g} deg", t.own_stop->held_from_deg);
+  }
+  text += fmt::format("; of {} copies {} stop, {} unfold flat", stops.trials(), stops.stops.size(),
+                      stops.flat);
   text += stops.held > 0 ? fmt::format(", {} are held\n", stops.held) : "\n";
   if (stops.stops.empty()) return text;
   const auto line = [&](const char* what, double solver::Stop::*value, const char* unit) {
@@ -53,12 +54,9 @@ std::string stops_text(const solver::Tolerance& t) {
     }
     text += "\n";
   };
-  line("stops of copies", &solver::Stop::relaxed_deg, "deg");
-  if (has_friction) {
-    line("held from", &solver::Stop::held_from_deg, "deg");
-    line("held to", &solver::Stop::held_to_deg, "deg");
-  }
-  if (t.has_target) {
+  line("stops of copies", &solver::Stop::at_deg, "deg");
+  if (has_friction) line("held, lowest", &solver::Stop::held_from_deg, "deg");
+  if (t.has_shapes) {
     line("off target, rms", &solver::Stop::shape_rms_mm, "mm");
     line("off target, max", &solver::Stop::shape_max_mm, "mm");
   }

@@ -39,10 +39,11 @@ void shape_sheet(ShapeCall& call) {
   const ShapedSheet made = shaped(file, call.path, call.input);
   if (!call.output.empty()) {
     schema::write_text_file(call.output, shaped_pattern(file, made).dump(1) + "\n");
-    const std::filesystem::path picture =
-        std::filesystem::path(call.output).replace_extension("svg");
-    if (picture != call.output) {
-      schema::write_text_file(picture, shape_picture(file, picture.stem().string(), made));
+    const std::filesystem::path output = call.output;
+    if (output.extension() == ".json") {
+      const std::string name = output.stem().string();
+      schema::write_text_file(output.parent_path() / (name + "-shape.svg"),
+                              shape_picture(file, name, made));
     }
   }
   if (call.json) return put_json(shape_json(file, made));
@@ -111,9 +112,9 @@ Action shape_verb(CLI::App& verb) {
   add_limits(verb, *call);
   add_stiffness(verb, call->design.stiffness_n_per_mm);
   add_thickness(verb, call->design.thickness_mm);
-  verb.add_option(
-          "--output", call->output,
-          "write the sheet to this pattern file, and a picture of it to an SVG file beside it")
+  verb.add_option("--output", call->output,
+                  "write the sheet to this pattern file, and a picture of it beside that "
+                  "(NAME-shape.svg of NAME.json)")
       ->type_name("FILE");
   verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");
   return showing(call, shape_sheet);

@@ -87,8 +87,7 @@ void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
                  sheets.key(k).name());
   }
   call.study.progress = show_copies;
-  call.study.fill = sheets.design.fill(sheets.campaign.pattern.base);
-  call.study.friction_n_mm_per_mm = sheets.design.friction_n_mm_per_mm.value_or(0);
+  call.study.filled = filled_by(sheets.design, sheets.campaign.pattern.base);
   const schema::Campaign used = campaign_of_use(call, sheets);
   const std::vector<solver::Tolerance> tolerances =
       study_tolerance(used, sheets.shifts_mm, call.study);

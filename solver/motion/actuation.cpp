@@ -115,9 +115,6 @@ Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<
                       .weakest = {},
                       .few = {},
                       .over_stroke = {}};
-  if (const double stop_deg = rest_deg(actuators.fill); stop_deg > 0) {
-    actuation.counts_from_deg = std::max(kSlopeFrom_deg, stop_deg + kBesideStop_deg);
-  }
   actuation.force_n.setZero(stations + 1, diagonals);
   assert(actuation.from_row <= stations);
   actuation.moment_by_n_mm.setZero(stations + 1, diagonals);
@@ -134,6 +131,13 @@ Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<
     actuation.moment_n_mm.push_back(actuation.moment_by_n_mm.row(row + 1).sum());
     actuation.mechanical_advantage.push_back(
         advantage(history, row, sheet.span_slope_mm_per_deg()[static_cast<std::size_t>(row)]));
+  }
+  // A filling that is relaxed there, and pulls back below, stops the sheet.
+  const double stop_deg = rest_deg(actuators.fill);
+  for (std::size_t row = 1; row < actuation.pilot_deg.size(); ++row) {
+    if (actuation.pilot_deg[row] >= stop_deg - kSameAngle_deg) break;
+    if (actuation.moment_n_mm[row] >= 0) continue;
+    actuation.counts_from_deg = std::max(kSlopeFrom_deg, stop_deg + kBesideStop_deg);
   }
   find_weakest(history, actuation);
   find_over_stroke(history, actuation);

@@ -38,7 +38,7 @@ struct Actuation {
     double pilot_deg, moment_n_mm;
   };
   /// The least pilot angle at which the moment counts: 5 degrees (kSlopeFrom_deg), or one degree
-  /// beyond the angle where the filling is relaxed.
+  /// beyond the stop of a filling.
   double counts_from_deg = kSlopeFrom_deg;
   /// The least |moment| at the samples from there to the angle of use; none if that is smaller.
   std::optional<Weakest> weakest;

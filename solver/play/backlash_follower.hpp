@@ -34,8 +34,9 @@ struct BacklashTrial {
   double lost_deg = 0;  ///< end of the branch on the way down; only if requested
   BranchEnd lost = BranchEnd::not_known;
   double gap_widths = 0;  ///< the largest vertex_gap at its samples; only if requested
-  /// Pilot angle where its filling stops it, let go at D; 0: not above from_deg. None: it is held,
-  /// or the sheet has no filling, or it is not requested. Error: some hundredths of a degree.
+  /// Pilot angle where its filling stops it, let go where its way up ends, at D or a fault; 0: not
+  /// above from_deg, or the way down ends before. None: it is held, or the sheet has no filling, or
+  /// it is not requested. Error: some hundredths of a degree.
   std::optional<double> stop_deg;
 
   bool moves_one_way() const { return is_known && fault == Fault::none; }

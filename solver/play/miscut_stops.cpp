@@ -68,17 +68,16 @@ std::optional<Stop> stop_of(const FoldingHistory& history, const Filling& fillin
   const auto with = [&](double friction) {
     return stop_deg(driven_stations(history, filling, friction), from_deg);
   };
-  const std::optional<double> to_deg = with(friction_n_mm_per_mm);
-  if (!to_deg || friction_n_mm_per_mm == 0) {
-    return to_deg ? std::optional(Stop{*to_deg, *to_deg, *to_deg}) : std::nullopt;
-  }
-  return Stop{with(0).value_or(0), with(-friction_n_mm_per_mm).value_or(0), *to_deg};
+  const std::optional<double> at_deg = with(friction_n_mm_per_mm);
+  if (!at_deg) return {};
+  if (friction_n_mm_per_mm == 0) return Stop{*at_deg, *at_deg};
+  return Stop{*at_deg, with(-friction_n_mm_per_mm).value_or(0)};
 }
 
 void MiscutStops::add(const std::optional<Stop>& stop) {
   if (!stop) {
     ++held;
-  } else if (stop->held_to_deg == 0) {
+  } else if (stop->at_deg == 0) {
     ++flat;
   } else {
     stops.push_back(*stop);

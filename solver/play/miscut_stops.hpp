@@ -29,10 +29,9 @@ std::optional<double> stop_deg(const std::vector<DrivenStation>& stations, doubl
 
 /// The stop of a copy, in degrees of its pilot.
 struct Stop {
-  double relaxed_deg;  ///< the least energy of its filling, where it stops without friction
-  /// Dry friction holds it between both; let go, it stops at the second.
-  double held_from_deg, held_to_deg;
-  double shape_rms_mm = 0, shape_max_mm = 0;  ///< distances from a target there, if there is one
+  double at_deg;         ///< the copy stops there; without friction its filling's least energy
+  double held_from_deg;  ///< dry friction holds it between this angle and that
+  double shape_rms_mm = 0, shape_max_mm = 0;  ///< distances from a target there, if it is measured
 };
 
 /// The stop of a sheet that is let go at `from_deg`, as above, without its shape.

@@ -43,8 +43,8 @@ struct Tolerance {
   MiscutCopies copies;
   std::vector<Vertex> vertices;     ///< the most harmful first; empty unless requested
   double rest_deg = 0;              ///< pilot angle of its filling's rest; 0: relaxed flat
-  double friction_n_mm_per_mm = 0;  ///< dry friction of the creases at stops
-  bool has_target = false;          ///< stops have shapes
+  double friction_n_mm_per_mm = 0;  ///< dry friction of the sheet's creases
+  bool has_shapes = false;          ///< stops have distances from a target
   std::optional<Stop> own_stop;     ///< the sheet's, by which copies have stops, too
 
   /// Number of copies that deploy from the campaign's threshold.

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
 #include "solver/shape/well_rows.hpp"
 
@@ -30,7 +31,7 @@ constexpr double kPast_deg = 0.3;
 // where a diagonal turns back; rounds of these.
 constexpr double kSigns_deg = 60, kDirections_deg = 6, kAround_deg = 1.5;
 constexpr int kRounds = 4;
-// Levels of floors; the largest growth from one to the next, and the least.
+// Levels of floors; the largest growth from one to the next, and that which is not lowered again.
 constexpr int kMostLevels = 24;
 constexpr double kRaise = 2, kLeastRaise = 1.1;
 
@@ -57,7 +58,7 @@ class Shaping {
     }
     descent_.move_to(std::move(best_->state));
     descent_.wanted() = best_->wanted;
-    keep_floors();
+    if (auto fault = keep_floors()) return *fault;
     return result();
   }
 
@@ -194,28 +195,46 @@ class Shaping {
   }
 
   // Floors rise by levels, from what the sheet has to what is asked for. A level whose sheet leaves
-  // its surface is repeated from the one before it, and is lower.
-  void keep_floors() {
+  // its surface is repeated from the one before it, and is lower; the last that keeps it is the
+  // end. A fault where a goal has no value.
+  std::optional<OptionFault> keep_floors() {
     const auto& floors = options_.keeping.floors;
+    if (floors.empty()) return {};
     double raise = kRaise;
-    for (int level = 0; level < kMostLevels && !floors.empty(); ++level) {
+    for (int level = 0; level < kMostLevels; ++level) {
       auto levels = floor_levels(*now().sheet, options_, raise);
-      if (!levels) return;
+      if (!levels) break;
       const Matrix2Xd before_mm = now().sheet->shifts_mm();
       const ShapePose before = now().pose;
       const bool was_poor = is_poor();
       wanted().floors = *std::move(levels);
       refine();
-      if (is_poor() && !was_poor && raise > kLeastRaise) {
-        raise = std::sqrt(raise);
+      if (is_poor() && !was_poor) {
         descent_.move_to(before_mm, before);
+        if (raise < kLeastRaise) break;
+        raise = std::sqrt(raise);
         continue;
       }
       const auto is_there = [](const WantedRows::Level& now, const OptimiseFloor& asked) {
         return now.least == asked.least;
       };
-      if (std::ranges::equal(wanted().floors, floors, is_there)) return;
+      if (std::ranges::equal(wanted().floors, floors, is_there)) return {};
     }
+    if (wanted().floors.empty()) return no_value(floors);
+    for (std::size_t k = 0; k < floors.size(); ++k) wanted().floors[k].least = floors[k].least;
+    descent_.refresh();
+    return {};
+  }
+
+  std::optional<OptionFault> no_value(const std::vector<OptimiseFloor>& floors) const {
+    const auto has_none = [&](const OptimiseFloor& floor) {
+      return !value_of(*floor.goal, *now().sheet, options_.keeping);
+    };
+    const auto first = std::ranges::find_if(floors, has_none);
+    const Goal& goal = *(first == floors.end() ? floors.front() : *first).goal;
+    return OptionFault{"subject_to", std::string(goal.name),
+                       "has no value, or no gradient, at the shape without it",
+                       "take it out, and call `misalign optimise` for the shaped sheet"};
   }
 
   // Angles where a diagonal, or the energy, turns back.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace misalign::solver {
 namespace {
@@ -219,7 +220,9 @@ std::vector<ShapeLimit> ShapeDescent::limits() const {
   }
   const double price = price_of_amplitude(inside, best) / merit;
   if (price > kLeastPrice) limits.push_back({ShapeRow::Kind::amplitude, -1, 0, 0, price});
-  std::ranges::sort(limits, std::greater(), &ShapeLimit::price);
+  std::ranges::sort(limits, std::greater(), [](const ShapeLimit& limit) {
+    return std::pair(limit.missing > 0, limit.price);
+  });
   if (limits.size() > kMostLimits) limits.resize(kMostLimits);
   return limits;
 }

@@ -60,7 +60,7 @@ class ShapeDescent {
   double width_mm() const { return width_mm_; }  ///< a panel's
   int steps() const { return steps_; }
   int evaluations() const { return evaluations_; }
-  /// The limits with the largest prices, and those that are violated.
+  /// The limits that are violated, and those with the largest prices.
   std::vector<ShapeLimit> limits() const;
 
  private:

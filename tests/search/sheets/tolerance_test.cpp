@@ -148,13 +148,13 @@ TEST_F(ToleranceTest, TrialsAreTheReferencesSlow) {
 TEST_F(ToleranceTest, StopsAreThoseOfTheTrials) {
   ToleranceOptions asked = options(1e-9, 8);
   asked.vertices = false;
-  asked.fill = solver::Springs{.rest_deg = 60};
+  asked.filled.fill = solver::Springs{.rest_deg = 60};
   const Tolerance exact = study(asked);
   EXPECT_EQ(exact.rest_deg, 60);
   const auto stops_deg = [](const solver::MiscutStops& stops) {
-    return stops.sorted(&solver::Stop::relaxed_deg);
+    return stops.sorted(&solver::Stop::at_deg);
   };
-  EXPECT_NEAR(exact.own_stop->relaxed_deg, 60, 1e-3);
+  EXPECT_NEAR(exact.own_stop->at_deg, 60, 1e-3);
   ASSERT_EQ(exact.copies.stops.stops.size(), 8u);
   for (const double at_deg : stops_deg(exact.copies.stops)) EXPECT_NEAR(at_deg, 60, 1e-3);
 
@@ -172,17 +172,41 @@ TEST_F(ToleranceTest, StopsAreThoseOfTheTrials) {
   EXPECT_EQ(tolerance_json(study(asked))["stops"]["quantiles"].size(),
             std::size(solver::kShownShares));
 
+  // Threads change no value of stops with friction and a target, a plane here.
+  schema::Campaign shaped = campaign_;
+  solver::WantedShape plane;
+  plane.surface = solver::plane();
+  shaped.target = std::make_shared<const schema::Target>(
+      schema::Target{.shape = plane, .at_deg = 60, .json = {}, .mesh = nullptr});
+  asked.filled.friction = [](const solver::Sheet&) { return 0.01; };
+  asked.trials = 300;
+  const auto values_with = [&](int jobs) {
+    asked.jobs = jobs;
+    const Tolerance found = study_tolerance(shaped, {shifts_mm(draw_)}, asked).front();
+    EXPECT_TRUE(found.has_shapes);
+    std::vector<std::vector<double>> values;
+    for (const auto value : {&solver::Stop::at_deg, &solver::Stop::held_from_deg,
+                             &solver::Stop::shape_rms_mm, &solver::Stop::shape_max_mm}) {
+      values.push_back(found.copies.stops.sorted(value));
+      EXPECT_LT(values.back().front(), values.back().back());
+    }
+    return values;
+  };
+  EXPECT_EQ(values_with(1), values_with(3));
+  asked.filled.friction = nullptr;
+  asked.trials = 8;
+
   // Pre-stretched plates drive it flat, whatever their rest.
-  asked.fill = solver::RubberPlates{.prestretch = 1.2, .rest_deg = 60};
+  asked.filled.fill = solver::RubberPlates{.prestretch = 1.2, .rest_deg = 60};
   asked.amplitude_mm = 1e-9;
-  EXPECT_EQ(study(asked).own_stop->relaxed_deg, 0);
+  EXPECT_EQ(study(asked).own_stop->at_deg, 0);
   EXPECT_EQ(study(asked).copies.stops.flat, 8u);
-  asked.fill = solver::Springs{.rest_deg = 60, .preload = {.each_n = 1}};
+  asked.filled.fill = solver::Springs{.rest_deg = 60, .preload = {.each_n = 1}};
   EXPECT_THROW(study(asked), schema::UserError);
 
-  asked.fill = solver::Springs{};
+  asked.filled.fill = solver::Springs{};
   EXPECT_EQ(study(asked).copies.stops.trials(), 0u);
-  asked.fill = solver::Springs{.rest_deg = 179.9};
+  asked.filled.fill = solver::Springs{.rest_deg = 179.9};
   EXPECT_THROW(study(asked), schema::UserError);
 }
 

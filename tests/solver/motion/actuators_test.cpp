@@ -189,6 +189,16 @@ TEST_F(Table1, TheMomentCountsBeyondAStop) {
   }
 }
 
+// Stretched plates drive it through the angle where they would rest otherwise.
+TEST_F(Table1, TheMomentOfStretchedPlatesCountsFromNearFlat) {
+  const OwnSheet own = path();
+  const Actuation stretched = actuate(
+      own.sheet, {.fill = RubberPlates{.prestretch = 1.2, .rest_deg = 60}, .stroke_limit = {}});
+  ASSERT_TRUE(stretched.weakest);
+  EXPECT_EQ(stretched.counts_from_deg, 5);
+  EXPECT_LT(stretched.weakest->pilot_deg, 60);
+}
+
 TEST_F(Table1, StrokeLimitIsReachedWhereLengthsSay) {
   const OwnSheet own = path();
   const Sheet& folded = own.sheet;

@@ -26,7 +26,7 @@ class Stops : public Bent {
   OwnSheet copy(unsigned seed) const { return {TestSheet(6, 6).base, shifts() + errors_mm(seed)}; }
   std::optional<double> relaxed_stop(const Sheet& copy, const Fill& fill, double from_deg) const {
     const auto stop = stop_with(copy, fill, from_deg, 0);
-    return stop ? std::optional(stop->relaxed_deg) : std::nullopt;
+    return stop ? std::optional(stop->at_deg) : std::nullopt;
   }
   std::optional<Stop> stop_with(const Sheet& copy, const Fill& fill, double from_deg,
                                 double friction_n_mm_per_mm) const {
@@ -117,11 +117,11 @@ TEST_F(Stops, AreHeldWhereFrictionEqualsTheMomentOfSprings) {
   };
   const auto stop = stop_with(miscut.sheet, springs, kLetGo_deg, kFriction_n);
   ASSERT_TRUE(stop);
-  EXPECT_NEAR(excess(stop->held_to_deg, 1), 0, 2e-3);
+  EXPECT_NEAR(excess(stop->at_deg, 1), 0, 2e-3);
   EXPECT_NEAR(excess(stop->held_from_deg, -1), 0, 2e-3);
-  EXPECT_EQ(stop->relaxed_deg, *relaxed_stop(miscut.sheet, springs, kLetGo_deg));
-  EXPECT_LT(stop->held_from_deg, stop->relaxed_deg - 1);
-  EXPECT_GT(stop->held_to_deg, stop->relaxed_deg + 1);
+  const double relaxed_deg = *relaxed_stop(miscut.sheet, springs, kLetGo_deg);
+  EXPECT_LT(stop->held_from_deg, relaxed_deg - 1);
+  EXPECT_GT(stop->at_deg, relaxed_deg + 1);
   // More friction than springs have moment at the start: it does not move.
   EXPECT_FALSE(stop_with(miscut.sheet, springs, kLetGo_deg, 100));
 }
@@ -135,12 +135,12 @@ TEST_F(Stops, AreFlatOrNone) {
 
 TEST(MiscutStops, CountAndSort) {
   MiscutStops stops, others;
-  for (const double deg : {61.0, 59.0, 60.0}) stops.add(Stop{deg, deg - 1, deg + 1});
-  stops.add(Stop{0, 0, 0});
-  others.add(Stop{58, 57, 59});
+  for (const double deg : {61.0, 59.0, 60.0}) stops.add(Stop{deg, deg - 1});
+  stops.add(Stop{0, 0});
+  others.add(Stop{58, 57});
   others.add(std::nullopt);
   stops.add(others);
-  const std::vector<double> sorted = stops.sorted(&Stop::relaxed_deg);
+  const std::vector<double> sorted = stops.sorted(&Stop::at_deg);
   EXPECT_EQ(sorted, (std::vector<double>{58, 59, 60, 61}));
   EXPECT_EQ(stops.flat, 1);
   EXPECT_EQ(stops.held, 1);
