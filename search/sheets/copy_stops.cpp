@@ -47,12 +47,15 @@ void CopyStops::add(solver::SheetSolver& solver, const Eigen::Matrix2Xd& shifts_
   const double friction = filled_.friction ? filled_.friction(sheet) : 0;
   sheets_.push_back({filling.value_or(solver::Filling()), friction, false});
   if (!filling) return;
-  const auto stop = stop_of(solver, shifts_mm, sheet.history(), *filling, friction);
-  sheets_.back().stops = rest_deg > 0 || (stop && stop->at_deg > 0);
+  // Friction alone, short of flat, is no stop.
+  const auto relaxed_deg =
+      solver::stop_deg(solver::driven_stations(sheet.history(), *filling), campaign_.threshold_deg);
+  sheets_.back().stops = rest_deg > 0 || relaxed_deg.value_or(0) > 0;
+  if (!sheets_.back().stops) return;
   tolerance.rest_deg = rest_deg;
   tolerance.friction_n_mm_per_mm = friction;
   tolerance.has_shapes = measure_.has_value();
-  tolerance.own_stop = stop;
+  tolerance.own_stop = stop_of(solver, shifts_mm, sheet.history(), *filling, friction);
 }
 
 std::optional<solver::Stop> CopyStops::stop_of(solver::SheetSolver& solver,
