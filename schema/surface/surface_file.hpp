@@ -1,11 +1,10 @@
-// Reads a target surface from a file: a triangle mesh in OBJ, STL or PLY.
+// Reads the triangle mesh of a target surface: OBJ, STL or PLY.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
 
 #include "schema/surface/triangle_mesh.hpp"
-#include "solver/target/target_surface.hpp"
 
 namespace misalign::schema {
 
@@ -17,11 +16,5 @@ std::optional<TriangleMesh> read_surface_mesh(std::string_view bytes, const std:
 
 /// The same of points and polygons that are known.
 std::optional<TriangleMesh> surface_mesh(const PolygonList& polygons, InputFaults& faults);
-
-/// Reads such a file; UserError (bad_input) if it is missing, unreadable or too large, or with
-/// every fault of its mesh. The surface is a solver::mesh_surface.
-TriangleMesh read_surface_mesh_file(const std::string& path, FileKind kind = FileKind::any);
-std::shared_ptr<const solver::TargetSurface> read_surface_file(const std::string& path,
-                                                               FileKind kind = FileKind::any);
 
 }  // namespace misalign::schema

@@ -22,15 +22,13 @@ using schema::UserError;
 using solver::OptionFault;
 using solver::ShapeKind;
 
-// Upper bounds have no price in a shape.
-void refuse_ceilings(const schema::OptimiseBounds& bounds) {
+// Upper bounds have no price in a shape, numbers of miscut copies and of proofs no gradient.
+void refuse_bounds(const schema::OptimiseBounds& bounds) {
   std::string name = bounds.stroke_max        ? "stroke_max"
                      : bounds.largest_force_n ? "largest_force_n"
                                               : "";
   for (const auto& [goal, least] : bounds.floors) {
     if (goal->is_to_be_small) name = goal->name;
-  }
-  for (const auto& [goal, least] : bounds.floors) {
     if (!goal->needs_threshold && !goal->needs_copies && !goal->is_proven_angle) continue;
     throw UserError(OptionFault{"subject_to", std::string(goal->name),
                                 "is a number of miscut copies or of a proof, and a shape keeps "
@@ -68,7 +66,7 @@ solver::ShapeOptions options_of(const schema::PatternFile& file, const ShapeInpu
   options.at_deg = input.at_deg.value_or(shape_deg(*file.target, design.rest_deg));
   options.from_deg = design.from_deg.value_or(options.at_deg + kStowedBeyond_deg);
   check_angles(file.pattern, options);
-  refuse_ceilings(input.bounds);
+  refuse_bounds(input.bounds);
   design.from_deg = options.from_deg;
   design.rest_deg = std::nullopt;
   if (options.kind == ShapeKind::rest || options.kind == ShapeKind::rest_by_energy) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "solver/target/mesh_surface.hpp"
 #include "tests/folder.hpp"
 #include "tests/schema/surface/written_surface.hpp"
 
@@ -28,6 +29,14 @@ void expect_fault(const WrittenSurface& surface, const std::string& sentence) {
       << "expected: " << sentence << "\nfound: " << faults_of(surface.obj());
 }
 
+// The mesh of a file, or UserError with every fault.
+TriangleMesh mesh_of_file(const std::string& path) {
+  InputFaults faults;
+  auto mesh = read_surface_mesh(read_input_file(path), path, faults);
+  faults.refuse(path);
+  return std::move(*mesh);
+}
+
 WrittenSurface flat(int cells = 8) {
   return WrittenSurface::square(cells, [](double, double) { return 0; });
 }
@@ -43,10 +52,10 @@ TEST(SurfaceFile, IsTheSameSurfaceInAllFormats) {
                                folder.file("b.ply", bowl.ply(Form::little)),
                                folder.file("c.ply", bowl.ply(Form::big))};
   for (const std::string& file : files) {
-    const TriangleMesh mesh = read_surface_mesh_file(file);
+    const TriangleMesh mesh = mesh_of_file(file);
     EXPECT_EQ(mesh.vertices_mm.cols(), 17 * 17) << file;
     EXPECT_EQ(mesh.triangles.cols(), 2 * 16 * 16) << file;
-    const auto surface = read_surface_file(file);
+    const auto surface = solver::mesh_surface(mesh.vertices_mm, mesh.triangles);
     // Heights are written in 64ths of a millimetre, and quadrics fitted to them.
     for (const double x : {-60.0, 3.0, 71.0}) {
       const Eigen::Vector3d above(x, x / 2, 1.25 * x * x / 1024);
@@ -85,14 +94,14 @@ TEST(SurfaceFile, TakesTrianglesOfAnyTurnAndSlivers) {
 TEST(SurfaceFile, NamesFilesThatAreNone) {
   const Folder folder("surface_file");
   try {
-    read_surface_file(folder.file("missing.obj"));
+    mesh_of_file(folder.file("missing.obj"));
     ADD_FAILURE();
   } catch (const UserError& error) {
     EXPECT_EQ(error.cause(), Cause::bad_input);
     EXPECT_NE(std::string(error.what()).find("missing.obj: cannot be opened"), std::string::npos);
   }
   try {
-    read_surface_file(folder.file("empty.obj", ""));
+    mesh_of_file(folder.file("empty.obj", ""));
     ADD_FAILURE();
   } catch (const UserError& error) {
     EXPECT_EQ(error.what(), folder.file("empty.obj") +
