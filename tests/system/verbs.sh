@@ -8,8 +8,7 @@ grep -q "1200 draws" summary || fail "the summary"
 [ "$(wc -l < summary)" = 1 ] || fail "more than the summary on stdout"
 
 "$program" --help | grep -q replay || fail "--help"
-for verb in search status fold perforations construct replay query export report watch actuators deploy optimise stress verify certify tolerance \
-  merge config doctor bench completion; do
+for verb in $("$program" --help | sed -n 's/^  \([a-z]*\)  .*/\1/p'); do
   "$program" $verb --help | grep -q Example || fail "$verb --help has no example"
 done
 "$program" --version | grep -q "^compiler" || fail "--version"
@@ -142,6 +141,7 @@ contact $file $draw
 deploy $source_dir/search/patterns/table1.json --from 156.3
 card $file $draw --from 60
 report $source_dir/search/patterns/table1.json
+shape $source_dir/search/patterns/dome-6x6.json
 bench --agree 5
 END
 for verb in $("$program" --help | sed -n 's/^  \([a-z]*\)  .*/\1/p'); do
