@@ -65,7 +65,7 @@ Json backlash_json(const solver::Backlash& backlash, std::optional<double> thres
                {"undecided", backlash.undecided()},
                {"from_deg", backlash.from_deg},
                {"deploys_from_deg", backlash.own_deg},
-               {"one_way", one_way_json(backlash, backlash.own_deg)},
+               {"one_way", one_way_json(backlash, backlash.to_deg)},
                {"largest", largest},
                {"faults", ends_json(backlash)},
                {"branch_ends", ends},

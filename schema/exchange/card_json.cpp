@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/design_json.hpp"
 
 namespace misalign::schema {
 namespace {
+
+// Margins from which they are given as ratios.
+constexpr double kMostPercent = 9;
 
 std::string with_unit(const std::string& number, const std::string& unit) {
   if (unit.empty()) return number;
@@ -31,6 +35,13 @@ std::optional<double> CardLine::margin() const {
   return more / less - 1;
 }
 
+std::string CardLine::margin_text() const {
+  const std::optional<double> share = margin();
+  if (!share) return "";
+  return *share < kMostPercent ? fmt::format("{:+.3g} %", 100 * *share)
+                               : fmt::format("{:.3g} times", *share + 1);
+}
+
 std::string CardLine::wanted_text() const {
   if (!wanted) return "";
   return (bound == Bound::at_least ? "≥ " : "≤ ") +
@@ -39,6 +50,12 @@ std::string CardLine::wanted_text() const {
 
 std::string CardLine::found_text() const {
   return found ? with_unit(fmt::format("{:.4g}", *found), unit) : "";
+}
+
+const CardLine* line_of(const std::vector<CardLine>& lines, std::string_view key) {
+  const auto line = std::ranges::find_if(
+      lines, [&](const CardLine& other) { return std::string_view(other.key) == key; });
+  return line == lines.end() ? nullptr : &*line;
 }
 
 int Card::asked() const {
@@ -50,9 +67,47 @@ int Card::passed() const {
       lines, [](const CardLine& line) { return line.is_asked() && line.passes(); }));
 }
 
+bool Card::passes_if_held() const {
+  return !passes() && std::ranges::all_of(lines, [](const CardLine& line) {
+    return !line.is_asked() || line.passes() || std::string_view(line.key) == kUnstableAtFlat;
+  });
+}
+
 std::string Card::verdict() const {
-  return passes() ? fmt::format("all of {} requirements are met", asked())
-                  : fmt::format("{} of {} requirements are met", passed(), asked());
+  if (!passes() && !passes_if_held()) {
+    return fmt::format("fails {} of {} requirements", asked() - passed(), asked());
+  }
+  return fmt::format("meets all {} requirements", asked()) +
+         (passes() ? "" : " if a stop, latch or frame holds it flat");
+}
+
+std::vector<std::string> Card::remedy_texts(std::string_view key) const {
+  std::vector<std::string> texts;
+  if (!remedies) return texts;
+  for (const Remedy& remedy : *remedies) {
+    if (remedy.key != key) continue;
+    std::string text = fmt::format("{} ({})", remedy.what, remedy.typed);
+    for (const Remedy::Price& price : remedy.prices) {
+      text += fmt::format("; {}: {}, then {}", price.what, price.before, price.after);
+    }
+    texts.push_back(text + (remedy.meets_all ? "; then all requirements are met" : ""));
+  }
+  return texts;
+}
+
+Json remedy_json(const Remedy& remedy) {
+  return {
+      {"for", remedy.key},
+      {"what", remedy.what},
+      {"typed", remedy.typed},
+      {"prices",
+       json_list(
+           remedy.prices,
+           [](const Remedy::Price& price) {
+             return Json{{"what", price.what}, {"before", price.before}, {"after", price.after}};
+           })},
+      {"meets_all", remedy.meets_all},
+      {"pattern", remedy.pattern}};
 }
 
 Json card_json(const Card& card) {
@@ -69,12 +124,15 @@ Json card_json(const Card& card) {
     if (!line.note.empty()) json["note"] = line.note;
     lines.push_back(std::move(json));
   }
-  return {{"passes", card.passes()},
-          {"asked", card.asked()},
-          {"passed", card.passed()},
-          {"from_deg", card.from_deg},
-          {"design", explicit_design_json(card.design)},
-          {"lines", lines}};
+  Json json = {{"passes", card.passes()},
+               {"passes_if_held_flat", card.passes() || card.passes_if_held()},
+               {"asked", card.asked()},
+               {"passed", card.passed()},
+               {"from_deg", card.from_deg},
+               {"design", explicit_design_json(card.design)},
+               {"lines", lines}};
+  if (card.remedies) json["remedies"] = json_list(*card.remedies, remedy_json);
+  return json;
 }
 
 }  // namespace misalign::schema

@@ -3,11 +3,15 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "schema/pattern/design.hpp"
 
 namespace misalign::schema {
+
+/// Key of the requirement that a stop, latch or frame meets in place of the sheet.
+inline constexpr char kUnstableAtFlat[] = "unstable_modes_at_flat";
 
 /// A requirement, or a fact without one.
 struct CardLine {
@@ -22,9 +26,28 @@ struct CardLine {
   bool passes() const;
   /// The ratio of actual to required value, less one; none where either is not positive.
   std::optional<double> margin() const;
+  /// "+20 %", or "30 times" of large ratios.
+  std::string margin_text() const;
   /// "≥ 140°" and "156°"; empty where there is no such number.
   std::string wanted_text() const;
   std::string found_text() const;
+};
+
+/// Returns the line of that key; null if there is none.
+const CardLine* line_of(const std::vector<CardLine>& lines, std::string_view key);
+
+/// A single change that meets a requirement and breaks no other, checked by a card of its own.
+struct Remedy {
+  std::string key;   ///< the requirement's
+  std::string what;  ///< "panels of 2.2 mm"
+  /// The command that makes the changed sheet, or keys of its "design": "thickness_mm": 2.2.
+  std::string typed;
+  struct Price {
+    std::string what, before, after;
+  };
+  std::vector<Price> prices;  ///< values that get worse
+  bool meets_all = false;     ///< true: no requirement is left that fails
+  Json pattern;               ///< the pattern file with the change
 };
 
 struct Card {
@@ -32,11 +55,18 @@ struct Card {
   double from_deg;   ///< the angle of use
   Design design;
   std::vector<CardLine> lines;
+  /// Remedies of its requirements in turn, the smallest change first; none: not sought.
+  std::optional<std::vector<Remedy>> remedies;
 
   int asked() const;
   int passed() const;
   bool passes() const { return passed() == asked(); }
+  /// Returns whether a stop, latch or frame at flat is all that it lacks.
+  bool passes_if_held() const;
   std::string verdict() const;  ///< a sentence without its full stop
+  /// "panels of 2.2 mm ("thickness_mm": 2.2); Panel mass 1 kg, then 1.1 kg" for each remedy of a
+  /// requirement.
+  std::vector<std::string> remedy_texts(std::string_view key) const;
 };
 
 Json card_json(const Card& card);

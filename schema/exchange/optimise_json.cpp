@@ -2,6 +2,8 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/files/json_values.hpp"
+#include "solver/records/strokes.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::schema {
 
@@ -68,7 +70,9 @@ Json optimise_json(const solver::Sheet& sheet, const solver::Optimised& found,
       {"asked_deg", sheet.sample_deg(options.deploys_from_sample)},
       {"deploys_from_deg", sheet.deploys_from_deg()},
       {"certified_deg", or_null(certified_deg)},
-      {"stroke", sheet.metrics()->stroke_max},
+      {"used_from_deg", solver::angle_of_use(sheet, options.used_from_deg)},
+      {"stroke",
+       solver::largest_stroke(sheet.history(), solver::rows_of_use(sheet, options.used_from_deg))},
       {"limits", nullptr},
       {"pattern", pattern}};
   if (found.limits) json["limits"] = limits_json(sheet.mechanism(), options, *found.limits);

@@ -16,20 +16,26 @@ constexpr const char* kCardStyle =
     "h1{font-size:12pt;margin:0}h2{font-size:9pt;margin:.3em 0}p{margin:.2em 0}"
     "table{margin:.2em 0}td,th{padding:0 .4em}svg{max-height:17em}}</style>\n";
 
-std::string percent(const std::optional<double>& share) {
-  return share ? fmt::format("{:+.3g} %", 100 * *share) : "";
-}
-
 std::string requirements(const Card& card) {
   std::string text = "<h2>Requirements</h2>\n<table>\n" +
                      table_row({"", "quantity", "required", "actual", "margin"}, 2, "th");
   for (const CardLine& line : card.lines) {
     if (!line.is_asked()) continue;
-    const std::string row =
-        table_row({line.passes() ? "pass" : "FAIL", line.what, line.wanted_text(),
-                   line.found_text(), percent(line.margin())},
-                  2);
+    const std::string row = table_row({line.passes() ? "pass" : "FAIL", line.what,
+                                       line.wanted_text(), line.found_text(), line.margin_text()},
+                                      2);
     text += line.passes() ? row : "<tr class=\"bad\">" + row.substr(std::string("<tr>").size());
+  }
+  return text + "</table>\n";
+}
+
+std::string remedies(const Card& card) {
+  if (!card.remedies || card.remedies->empty()) return "";
+  std::string text = "<h2>Remedies</h2>\n<table>\n";
+  for (const CardLine& line : card.lines) {
+    for (const std::string& words : card.remedy_texts(line.key)) {
+      text += table_row({line.what, words}, 2);
+    }
   }
   return text + "</table>\n";
 }
@@ -51,7 +57,7 @@ std::string card_page(const Card& card, const solver::Sheet& sheet,
       page_begin("Card of " + card.name) + kCardStyle +
       fmt::format("<p class=\"{}\">Used between {:.10g}° and flat: {}.</p>\n",
                   card.passes() ? "" : "warning", card.from_deg, xml_text(card.verdict())) +
-      requirements(card) + facts(card) + "<div class=\"pair\">" +
+      requirements(card) + remedies(card) + facts(card) + "<div class=\"pair\">" +
       assembled_picture(sheet, card.design.diagonals_name());
   if (actuation.from_row > 0) {
     const auto row = static_cast<std::size_t>(actuation.from_row);

@@ -99,6 +99,7 @@ Design Design::merged_over(Design other) const {
   take(&Design::film);
   take(&Design::material);
   take(&Design::hold);
+  take(&Design::hold_flat);
   take(&Design::gravity);
   return other;
 }
@@ -124,6 +125,12 @@ solver::Plates Design::plates() const {
 }
 
 std::span<const DesignNumber> design_numbers() { return kNumbers; }
+
+std::string key_of(const DesignNumber& row, const Design& design) {
+  std::string block(row.block == "springs" ? design.fill_key() : row.block);
+  if (!block.empty()) block += ".";
+  return "design." + block + std::string(row.key);
+}
 
 DesignLimits design_limits(std::string_view key) {
   const auto* const entry = std::ranges::find_if(kNumbers, [&](const DesignNumber& row) {

@@ -45,7 +45,8 @@ struct Design : DesignFill {
   std::optional<Material> material;    ///< material of the panels
   std::optional<double> miscut_mm;     ///< largest cutting error of vertices
   std::optional<double> play_mm;  ///< radius of the ball in which each joint settles (backlash)
-  std::optional<std::array<int, 2>> hold;        ///< row and column of the held panel
+  std::optional<std::array<int, 2>> hold;  ///< row and column of the held panel
+  std::optional<bool> hold_flat;           ///< true: a stop, latch or frame holds the sheet at flat
   std::optional<std::array<double, 3>> gravity;  ///< x, y, z in standard gravities
   /// "wanted" of a card: margins of moment and energy over friction, the angle down to which; yield
   /// of miscut copies; landing rate.
@@ -81,5 +82,7 @@ struct DesignNumber {
   const char* suggestion;
 };
 std::span<const DesignNumber> design_numbers();
+/// Returns a number's place in a file: "design.springs.preload_n".
+std::string key_of(const DesignNumber& row, const Design& design);
 
 }  // namespace misalign::schema

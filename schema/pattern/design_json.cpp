@@ -98,6 +98,10 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
   }
   read_array(reader, "hold", design.hold, is_place, "is no panel, row and column counted from 0",
              "write [0, 0], or null for a sheet that is free in space");
+  if (reader.find("hold_flat")) {
+    reader.boolean("hold_flat", design.hold_flat.emplace(),
+                   "write true where a stop, latch or frame holds the sheet at flat, or false");
+  }
   read_array(reader, "gravity", design.gravity, is_gravity,
              "must be three numbers of standard gravities, from -1000 to 1000",
              "write [0, 0, -1], or null for no weight");
@@ -133,6 +137,7 @@ Json design_json(const Design& design) {
   json["hinges"]["film"] = design.film ? film_json(*design.film) : Json();
   json["material"] = design.material ? material_json(*design.material) : Json();
   json["hold"] = or_null(design.hold);
+  json["hold_flat"] = design.hold_flat.value_or(false);
   json["gravity"] = or_null(design.gravity);
   return json;
 }

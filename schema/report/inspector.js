@@ -135,7 +135,10 @@ export class Inspector {
     // The pilot angle stays, so that two draws can be compared.
     state.set(
       "sample",
-      last_sample_up_to(decoded.pilot_deg, state.get("pilot_deg") ?? kFirstPilot_deg),
+      last_sample_up_to(
+        decoded.pilot_deg,
+        state.get("pilot_deg") ?? detail.from_deg ?? kFirstPilot_deg,
+      ),
     );
     state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]);
     const { pilot, folding, crease } = this.#shared_views();

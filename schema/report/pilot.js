@@ -61,6 +61,8 @@ class Pilot {
     this.#marks.replaceChildren();
     add(0, "flat", "flat");
     add(D, `D ${degrees(D)}`, "depth");
+    if (detail.from_deg && detail.from_deg < D)
+      add(detail.from_deg, `used from ${degrees(detail.from_deg)}`, "used");
     if (limit_deg && limit_deg < 180) add(limit_deg, `fold limit ${degrees(limit_deg)}`, "limit");
     const contact_deg = detail.contact?.first_contact?.pilot_deg;
     if (contact_deg) add(contact_deg, `contact ${degrees(contact_deg)}`, "contact");
@@ -69,20 +71,22 @@ class Pilot {
     this.move();
   }
 
-  /** Moves the words of the first contact to the right until they overlap no others. */
+  /** Moves the words of the angle of use, and of the first contact, right of those that they overlap. */
   #part_words() {
-    const words = this.#marks.querySelector(".contact b");
-    if (!words) return;
-    words.style.left = "0";
-    const { left, width } = words.getBoundingClientRect(),
-      frames = [...this.#marks.querySelectorAll(".mark:not(.contact) b")]
-        .map((other) => other.getBoundingClientRect())
-        .sort((a, b) => a.left - b.left);
-    let at = left;
-    for (const frame of frames)
-      if (at < frame.right + kApart_px && at + width + kApart_px > frame.left)
-        at = frame.right + kApart_px;
-    words.style.left = `${at - left}px`;
+    const moved = [".used b", ".contact b"],
+      frames = [...this.#marks.querySelectorAll(".mark:not(.used, .contact) b")].map((words) =>
+        words.getBoundingClientRect(),
+      );
+    for (const words of moved.flatMap((which) => [...this.#marks.querySelectorAll(which)])) {
+      words.style.left = "0";
+      const { left, width } = words.getBoundingClientRect();
+      let at = left;
+      for (const frame of frames.sort((a, b) => a.left - b.left))
+        if (at < frame.right + kApart_px && at + width + kApart_px > frame.left)
+          at = frame.right + kApart_px;
+      words.style.left = `${at - left}px`;
+      frames.push(words.getBoundingClientRect());
+    }
   }
 
   move() {

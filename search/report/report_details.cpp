@@ -5,6 +5,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/contact_json.hpp"
 #include "schema/exchange/target_view.hpp"
+#include "schema/files/json_values.hpp"
 #include "schema/report/report.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/shaped.hpp"
@@ -106,6 +107,7 @@ Json ReportDetails::detail(const solver::Sheet& sheet, std::uint64_t draw, bool 
   const solver::Actuators actuators = actuators_on(sheet, model_.design(), from_deg);
   Json json = schema::detail_json({model_.base(), sheet}, draw, accepted,
                                   solver::actuate(sheet, actuators, from_deg));
+  json["from_deg"] = schema::or_null(from_of(sheet));
   json["let_go"] = deployment(sheet);
   if (with_contact_) json["contact"] = contact(sheet);
   if (measure_) json["target"] = schema::target_shown_json(sheet, *measure_);

@@ -138,7 +138,7 @@ BacklashStudy::BacklashStudy(const schema::Campaign& campaign,
     const solver::Sheet sheet(solver, shifts);
     const auto filling = filling_made_for(sheet, *fill);
     if (!filling) continue;
-    const auto stop = solver::stop_of(sheet.history(), *filling, sheets_.back().own_deg, 0);
+    const auto stop = solver::stop_of(sheet.history(), *filling, sheets_.back().to_deg, 0);
     if (stop && stop->at_deg > 0) sheets_.back().filling = filling;
   }
 }
@@ -159,8 +159,9 @@ std::vector<solver::Backlash> BacklashStudy::run(const BacklashStudyOptions& opt
   std::vector<solver::Backlash> answers;
   for (std::size_t k = 0; k < sheets_.size(); ++k) {
     Trials trials(model_, sheets_[k], options_, seed_, options, copies);
-    answers.push_back({options.backlash_mm, options_.from_deg, sheets_[k].own_deg,
-                       trials.all(options.backlash_mm), width_mm, 0, least_mm, most_mm(k), 0});
+    answers.push_back({options.backlash_mm, options_.from_deg, sheets_[k].to_deg,
+                       sheets_[k].own_deg, trials.all(options.backlash_mm), width_mm, 0, least_mm,
+                       most_mm(k), 0});
     find_largest(trials, options.trials, answers.back());
   }
   return answers;

@@ -69,13 +69,14 @@ std::string backlash_text(const NamedBacklash& named) {
   if (backlash.undecided() > 0) {
     text += fmt::format("undecided          {}: the intervals allow both\n", backlash.undecided());
   }
-  text += share_line(backlash, backlash.own_deg);
+  text += share_line(backlash, backlash.to_deg);
   if (named.threshold_deg &&
-      *named.threshold_deg<backlash.own_deg&& * named.threshold_deg> backlash.from_deg) {
+      *named.threshold_deg<backlash.to_deg&& * named.threshold_deg> backlash.from_deg) {
     text += share_line(backlash, *named.threshold_deg);
   }
-  return text + fmt::format("{:g} % clearance     {}\n", 100 * solver::kWantedShare,
-                            largest_words(backlash));
+  return text + fmt::format("{:g} % clearance     {}, from {:g} to {:g} deg\n",
+                            100 * solver::kWantedShare, largest_words(backlash), backlash.from_deg,
+                            backlash.to_deg);
 }
 
 std::string backlashes_text(std::vector<NamedBacklash> several) {
@@ -90,7 +91,7 @@ std::string backlashes_text(std::vector<NamedBacklash> several) {
       first.trials.size(), first.backlash_mm, "", first.from_deg, 100 * solver::kWantedShare);
   for (const NamedBacklash& named : several) {
     const solver::Backlash& backlash = named.backlash;
-    const schema::ShareOfTrials share = schema::one_way_share(backlash, backlash.own_deg);
+    const schema::ShareOfTrials share = schema::one_way_share(backlash, backlash.to_deg);
     const std::vector<double> lost = backlash.lost_deg();
     text += fmt::format("{:<24}  {:>12g}  {:>18.4g} % {:<16} {:>10} deg  {}\n", named.name,
                         backlash.own_deg, 100 * share.share,

@@ -183,6 +183,21 @@ std::shared_ptr<const solver::ShapeMeasure> target_measure(const Subject& subjec
   return std::make_shared<const solver::ShapeMeasure>(*std::move(measure));
 }
 
+// Adds the limits of an optimisation that a card requires, too.
+schema::Design with_limits(schema::Design design, const solver::OptimiseOptions& options) {
+  if (options.stroke_limit) design.stroke_limit = options.stroke_limit;
+  if (options.largest_force_n) design.largest_force_n = options.largest_force_n;
+  for (const auto& [goal, least] : options.floors) {
+    for (const auto& [name, number] : {std::pair("thickness_mm", &schema::Design::thickness_mm),
+                                       std::pair("yield", &schema::Design::yield)}) {
+      if (goal->name == std::string_view(name)) {
+        design.*number = std::max((design.*number).value_or(least), least);
+      }
+    }
+  }
+  return design;
+}
+
 }  // namespace
 
 solver::OptimiseOptions options_of(const schema::OptimiseRequest& request) {
@@ -212,12 +227,14 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   options.slope_at_every_angle = true;
   options.shifted = solver::interior_vertices(sheet.base().sheet);
   options.amplitude_mm = input.amplitude_mm.value_or(sheet.shifts_mm().cwiseAbs().maxCoeff());
-  double deploys_from_deg = input.deploys_from_deg.value_or(sheet.deploys_from_deg());
+  const std::optional<double> named_deg =
+      input.deploys_from_deg ? input.deploys_from_deg : design.from_deg;
+  double deploys_from_deg = named_deg.value_or(sheet.deploys_from_deg());
   if (chosen.drawn) {
     const schema::Campaign& campaign = chosen.drawn->campaign;
     options.shifted = campaign.misalignment.vertices;
     options.amplitude_mm = input.amplitude_mm.value_or(campaign.misalignment.amplitude_mm);
-    deploys_from_deg = input.deploys_from_deg.value_or(campaign.threshold_deg);
+    deploys_from_deg = named_deg.value_or(campaign.threshold_deg);
   }
   if (input.with_rim) options.shifted = solver::all_vertices(sheet.base().sheet);
   if (input.within_family) {
@@ -251,7 +268,7 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
 schema::Json better_pattern(const Subject& subject, const ProvenBetter& better) {
   const FoldingModel& model = subject.model;
   const solver::Optimised& found = better.found;
-  schema::Design design = model.design();
+  schema::Design design = with_limits(model.design(), found.options);
   if (found.options.stiffness_n_per_mm) design.stiffness_n_per_mm = found.best().stiffness_n_per_mm;
   if (found.options.preload_n) design.preload_n = found.best().preload_n;
   if (const double at_deg = found.options.deploying.sheet.springs().rest_deg; at_deg != 0) {

@@ -11,10 +11,11 @@ namespace misalign::search {
 
 /// The request for a better sheet, as typed: shifts of its start are rounded to a grid.
 struct OptimiseInput : schema::OptimiseRequest {
-  std::optional<double> amplitude_mm;      ///< none: the campaign's, or the largest of its shifts
-  std::optional<double> deploys_from_deg;  ///< none: the campaign's, or its own D
-  bool with_rim = false;                   ///< vertices of the rim are shifted, too
-  bool within_family = false;              ///< only among members of the base's parallel family
+  std::optional<double> amplitude_mm;  ///< none: the campaign's, or the largest of its shifts
+  std::optional<double>
+      deploys_from_deg;        ///< none: the design's angle of use, the campaign's, or D
+  bool with_rim = false;       ///< vertices of the rim are shifted, too
+  bool within_family = false;  ///< only among members of the base's parallel family
   /// Bounds of the springs' rate and preload; empty: the design's values.
   std::vector<double> stiffness_n_per_mm = {}, preload_n = {};
   std::optional<double> rest_deg = {};  ///< pilot angle of relaxed springs; none: the design's

@@ -9,7 +9,6 @@ namespace misalign::search {
 namespace {
 
 using schema::CardLine;
-using Bound = CardLine::Bound;
 
 // Springs without a diameter are judged by a usual one, where they are not too short for it.
 solver::ContactStudy contact_with_springs(const solver::Sheet& sheet, schema::Design design) {
@@ -24,31 +23,30 @@ solver::ContactStudy contact_with_springs(const solver::Sheet& sheet, schema::De
 
 }  // namespace
 
-std::vector<CardLine> contact_lines(const ChosenSheet& chosen, const solver::Sheet& sheet,
-                                    const schema::Design& design, double used_deg) {
-  schema::Design used = design;
-  used.from_deg = used_deg;
-  const solver::ContactStudy contact = contact_with_springs(sheet, used);
+std::vector<CardLine> contact_lines(const CardSheet& on) {
+  schema::Design used = on.design;
+  used.from_deg = on.used_deg;
+  const solver::ContactStudy contact = contact_with_springs(on.sheet, used);
   const double first_deg = contact.first ? contact.first->pilot_deg : contact.known_until_deg;
   const bool is_reached = contact.reach_deg >= contact.used_from_deg;
   std::optional<double> thickness_mm;
   if (contact.thickness) thickness_mm = is_reached ? contact.thickness->thickness_mm : 0;
-  std::vector<CardLine> lines = {
-      {"first_contact_deg", "First panel contact", "deg", used_deg, first_deg, Bound::at_least, ""},
-      {"thickness_mm",
-       fmt::format("Maximum panel thickness, tapered, corners trimmed by {:g} mm", contact.trim_mm),
-       "mm", design.thickness_mm, thickness_mm, Bound::at_least, ""}};
+  CardLines lines;
+  lines.ask("first_contact_deg", "First panel contact", "deg", on.used_deg, first_deg);
+  lines.ask(
+      "thickness_mm",
+      fmt::format("Maximum panel thickness, tapered, corners trimmed by {:g} mm", contact.trim_mm),
+      "mm", on.design.thickness_mm, thickness_mm);
   const solver::SpringMeeting* const met =
       contact.springs ? closest_meeting(*contact.springs) : nullptr;
-  if (met == nullptr) return lines;
-  std::optional<double> least_mm;
-  if (design.diameter_mm) least_mm = 0;
-  lines.push_back(
-      {"spring_clearance_mm",
-       fmt::format("Spring clearance, springs of {:g} mm", contact.springs->bodies.diameter_mm),
-       "mm", least_mm, met->clear_mm, Bound::at_least,
-       spring_clearance_note(chosen.base, sheet.panels(), *contact.springs)});
-  return lines;
+  if (met != nullptr) {
+    lines.ask(
+        "spring_clearance_mm",
+        fmt::format("Spring clearance, springs of {:g} mm", contact.springs->bodies.diameter_mm),
+        "mm", 0, met->clear_mm, CardLine::Bound::at_least,
+        spring_clearance_note(on.chosen.base, on.sheet.panels(), *contact.springs));
+  }
+  return lines.take();
 }
 
 }  // namespace misalign::search

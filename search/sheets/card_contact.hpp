@@ -3,14 +3,12 @@
 
 #include <vector>
 
-#include "schema/exchange/card_json.hpp"
-#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/card_lines.hpp"
 
 namespace misalign::search {
 
-/// First contact, panel thickness, and clearance of the springs: required where the design gives
-/// their diameter. The sheet is used from `used_deg` on.
-std::vector<schema::CardLine> contact_lines(const ChosenSheet& chosen, const solver::Sheet& sheet,
-                                            const schema::Design& design, double used_deg);
+/// First contact, panel thickness, and clearance of the springs, which have the design's diameter
+/// or kSpringDiameter_mm.
+std::vector<schema::CardLine> contact_lines(const CardSheet& on);
 
 }  // namespace misalign::search

@@ -15,9 +15,9 @@ namespace {
 using schema::CardLine;
 using Bound = CardLine::Bound;
 
-solver::Tolerance tolerance_of(const ChosenSheet& chosen, const solver::Sheet& sheet,
-                               const schema::Campaign& campaign, const schema::Design& design,
-                               double used_deg, const CopyTrials& copies) {
+solver::Tolerance tolerance_of(const CardSheet& on, const schema::Campaign& campaign,
+                               const CopyTrials& copies) {
+  const auto& [chosen, sheet, design, used_deg] = on;
   const double miscut_mm = *design.miscut_mm;
   check_miscut(miscut_mm, sheet.base().sheet, chosen.shifts_mm, sheet.name());
   ToleranceOptions study;
@@ -83,9 +83,8 @@ CardLine shape_line(const solver::Tolerance& tolerance) {
 
 }  // namespace
 
-std::vector<CardLine> copy_lines(const ChosenSheet& chosen, const solver::Sheet& sheet,
-                                 const schema::Design& design, double used_deg,
-                                 const CopyTrials& copies) {
+std::vector<CardLine> copy_lines(const CardSheet& on, const CopyTrials& copies) {
+  const auto& [chosen, sheet, design, used_deg] = on;
   std::vector<CardLine> lines;
   const schema::Campaign campaign = chosen.drawn ? chosen.drawn->campaign : chosen.as_campaign();
   const bool is_overconstrained = schema::is_overconstrained(sheet.base());
@@ -96,8 +95,7 @@ std::vector<CardLine> copy_lines(const ChosenSheet& chosen, const solver::Sheet&
                        "no miscut copy of an overconstrained sheet folds; `misalign tolerance` "
                        "gives its joint gaps"});
     } else {
-      const solver::Tolerance tolerance =
-          tolerance_of(chosen, sheet, campaign, design, used_deg, copies);
+      const solver::Tolerance tolerance = tolerance_of(on, campaign, copies);
       const double share =
           static_cast<double>(tolerance.survivors()) /
           static_cast<double>(std::max<std::uint64_t>(1, tolerance.copies.decided()));
@@ -119,11 +117,12 @@ std::vector<CardLine> copy_lines(const ChosenSheet& chosen, const solver::Sheet&
                      "the joints of an overconstrained sheet allow none"});
   } else if (design.play_mm) {
     const std::vector<Eigen::Matrix2Xd> shifts_mm = {chosen.shifts_mm};
-    const BacklashStudy study(campaign, shifts_mm, {});
+    const BacklashStudy study(campaign, shifts_mm, {.used_from_deg = used_deg});
     const auto loose = study.run({*design.play_mm, copies.trials, copies.jobs}).front();
-    lines.push_back({"play_mm",
-                     fmt::format("Largest joint clearance, from {:g}° to D", loose.from_deg), "mm",
-                     design.play_mm, loose.largest_mm, Bound::at_least, ""});
+    lines.push_back(
+        {"play_mm",
+         fmt::format("Largest joint clearance, from {:g}° to {:g}°", loose.from_deg, loose.to_deg),
+         "mm", design.play_mm, loose.largest_mm, Bound::at_least, ""});
   }
   return lines;
 }

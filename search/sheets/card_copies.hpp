@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "schema/exchange/card_json.hpp"
-#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/card_lines.hpp"
 
 namespace misalign::search {
 
@@ -16,9 +15,7 @@ struct CopyTrials {
 };
 
 /// Yield at the design's cutting error, and the largest clearance of its joints: only what the
-/// design names. The sheet is used from `used_deg` on.
-std::vector<schema::CardLine> copy_lines(const ChosenSheet& chosen, const solver::Sheet& sheet,
-                                         const schema::Design& design, double used_deg,
-                                         const CopyTrials& copies);
+/// design names.
+std::vector<schema::CardLine> copy_lines(const CardSheet& on, const CopyTrials& copies);
 
 }  // namespace misalign::search

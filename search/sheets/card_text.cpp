@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string_view>
-
 #include "schema/files/text_table.hpp"
 
 namespace misalign::search {
@@ -13,9 +10,8 @@ std::string card_text(const schema::Card& card) {
   std::vector<schema::Row> asked = {{"", "requirement", "required", "found", "margin"}}, facts;
   for (const schema::CardLine& line : card.lines) {
     if (line.is_asked()) {
-      const auto margin = line.margin();
       asked.push_back({line.passes() ? "pass" : "FAIL", line.what, line.wanted_text(),
-                       line.found_text(), margin ? fmt::format("{:+.3g} %", 100 * *margin) : ""});
+                       line.found_text(), line.margin_text()});
       if (!line.note.empty()) facts.push_back({line.what, line.note});
     } else {
       const std::string found = line.found_text();
@@ -23,9 +19,18 @@ std::string card_text(const schema::Card& card) {
           {line.what, found + (found.empty() || line.note.empty() ? "" : "; ") + line.note});
     }
   }
-  return fmt::format("{}, used between {:.10g}° and flat: {}\n\n{}\n{}", card.name, card.from_deg,
+  std::string remedies;
+  for (const schema::CardLine& line : card.lines) {
+    const std::vector<std::string> texts = card.remedy_texts(line.key);
+    if (line.passes() || !card.remedies) continue;
+    remedies += fmt::format("\n{}: {}\n", line.what,
+                            texts.empty() ? "no single change that was tried meets this requirement"
+                                          : "met with one of these changes");
+    for (const std::string& text : texts) remedies += fmt::format("  {}\n", text);
+  }
+  return fmt::format("{}, used between {:.10g}° and flat: {}\n\n{}{}\n{}", card.name, card.from_deg,
                      card.verdict(), schema::aligned(asked, {false, false, true, true, true}),
-                     schema::aligned(facts, {false, false}));
+                     remedies, schema::aligned(facts, {false, false}));
 }
 
 std::string cards_text(const schema::Card& before, const schema::Card& after) {
@@ -35,10 +40,8 @@ std::string cards_text(const schema::Card& before, const schema::Card& after) {
   };
   std::vector<schema::Row> rows = {{"", "requirement", "required", "before", "after"}};
   for (const schema::CardLine& line : after.lines) {
-    const auto earlier = std::ranges::find_if(before.lines, [&](const schema::CardLine& other) {
-      return std::string_view(other.key) == line.key;
-    });
-    const std::string was = earlier == before.lines.end() ? "" : shown(*earlier);
+    const schema::CardLine* const earlier = schema::line_of(before.lines, line.key);
+    const std::string was = earlier == nullptr ? "" : shown(*earlier);
     const char* const passes = !line.is_asked() ? "" : line.passes() ? "pass" : "FAIL";
     rows.push_back({passes, line.what, line.wanted_text(), was, shown(line)});
   }

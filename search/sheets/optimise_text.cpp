@@ -7,6 +7,8 @@
 #include "search/sheets/study_texts.hpp"
 #include "search/terminal/count_text.hpp"
 #include "solver/optimise/low_slopes.hpp"
+#include "solver/records/strokes.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
 namespace {
@@ -94,11 +96,13 @@ std::string optimise_text(const Subject& subject, const solver::Sheet& sheet,
       count_text(static_cast<std::uint64_t>(found.steps()), "step"),
       count_text(static_cast<std::uint64_t>(found.evaluations), "sheet"),
       found.stop_reason == solver::Optimised::StopReason::most_steps ? ", not converged" : "");
-  text +=
-      fmt::format("deploys from {:g} deg{}; largest stroke {:.3g} %, shifts up to {:.4g} mm\n",
-                  sheet.deploys_from_deg(),
-                  certified_deg ? fmt::format(", proven up to {:g}", *certified_deg) : "",
-                  100 * sheet.metrics()->stroke_max, found.best().shifts_mm.cwiseAbs().maxCoeff());
+  const std::optional<double>& used_deg = found.options.used_from_deg;
+  text += fmt::format(
+      "deploys from {:g} deg{}; largest stroke {:.3g} % from {:g} deg, shifts up to {:.4g} mm\n",
+      sheet.deploys_from_deg(),
+      certified_deg ? fmt::format(", proven up to {:g}", *certified_deg) : "",
+      100 * solver::largest_stroke(sheet.history(), solver::rows_of_use(sheet, used_deg)),
+      solver::angle_of_use(sheet, used_deg), found.best().shifts_mm.cwiseAbs().maxCoeff());
   text += springs_text(found) + slope_text(sheet, found);
   if (found.limits) text += limits_text(sheet.mechanism(), found);
   return text;

@@ -200,7 +200,7 @@ std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
 }
 
 schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& deploying,
-                             const schema::Design& design) {
+                             const schema::Design& design, Advice asked) {
   need_energy(sheet, deploying.sheet.fill, "its panels are not bent");
   solver::BentPanels panels = value_or_throw(solver::bend_panels(sheet, deploying, bending(design)),
                                              sheet.name(), "its panels cannot be bent");
@@ -211,7 +211,8 @@ schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::ReleaseOp
                              "its preload cannot be studied");
   }
   const double wanted = design.static_margin.value_or(solver::kWantedMargin);
-  solver::BentAdvice advice = advise(sheet, deploying, panels, wanted);
+  auto advice = asked == Advice::with ? advise(sheet, deploying, panels, wanted)
+                                      : solver::BentAdvice{{}, wanted, {}};
   if (!springs) advice.useful_stiffness_n_per_mm.reset();
   solver::BucklingStudy buckling = solver::find_buckling(sheet, deploying.sheet, panels);
   return {design.material.value_or(schema::Material{}), std::move(panels), advice,

@@ -83,9 +83,10 @@ std::optional<solver::PinStudy> pins_of(const solver::Sheet& sheet,
                                         const solver::ReleaseOptions& deploying,
                                         const schema::Design& design);
 
-/// The study of its bent panels, with advice.
+enum class Advice { none, with };  ///< advice costs several times the bending itself
+/// The study of its bent panels.
 schema::BentSheet bent_sheet(const solver::Sheet& sheet, const solver::ReleaseOptions& deploying,
-                             const schema::Design& design);
+                             const schema::Design& design, Advice advice = Advice::with);
 
 /// Results of `misalign deploy`.
 struct ReleasedSheet {

@@ -18,13 +18,13 @@ void refuse_backlash(const ToleranceCall& call, const ToleranceTargets& sheets,
                      const BacklashStudy& study) {
   for (std::size_t k = 0; k < study.sheets().size(); ++k) {
     const std::string name = sheets.key(k).name();
-    if (call.backlash.from_deg >= study.sheets()[k].own_deg) {
+    if (call.backlash.from_deg >= study.sheets()[k].to_deg) {
       throw UserError(schema::Cause::bad_request,
-                      fmt::format("--backlash-from {}: must be below {} deg (D of {}, where the "
-                                  "range of angles ends); try {}",
+                      fmt::format("--backlash-from {}: must be below {} deg (where the range "
+                                  "of angles of {} ends); try {}",
                                   schema::shown_number(call.backlash.from_deg),
-                                  schema::shown_number(study.sheets()[k].own_deg), name,
-                                  fmt::format("{:.2g}", 0.1 * study.sheets()[k].own_deg)));
+                                  schema::shown_number(study.sheets()[k].to_deg), name,
+                                  fmt::format("{:.2g}", 0.1 * study.sheets()[k].to_deg)));
     }
     if (*call.backlash_mm >= study.most_mm(k)) {
       throw UserError(
@@ -49,7 +49,9 @@ void check_backlash(const ToleranceCall& call) {
 }
 
 void run_backlash(const ToleranceCall& call, const ToleranceTargets& sheets) {
-  const BacklashStudy study(sheets.campaign, sheets.shifts_mm, call.backlash,
+  solver::BacklashOptions options = call.backlash;
+  options.used_from_deg = call.from_deg ? call.from_deg : sheets.design.from_deg;
+  const BacklashStudy study(sheets.campaign, sheets.shifts_mm, options,
                             sheets.design.fill(sheets.campaign.pattern.base));
   refuse_backlash(call, sheets, study);
   const schema::Campaign used = campaign_of_use(call, sheets);

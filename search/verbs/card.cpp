@@ -7,10 +7,12 @@
 #include "schema/files/output_file.hpp"
 #include "schema/kit/card_page.hpp"
 #include "search/sheets/backlash.hpp"
+#include "search/sheets/card_remedies.hpp"
 #include "search/sheets/card_text.hpp"
 #include "search/sheets/study_json.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/terminal/usable_threads.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -22,18 +24,27 @@ struct CardCall : SheetCall {
   std::string material_file, output;
   CardOptions options;
   std::optional<int> jobs;
+  bool without_remedies = false;
 };
 
-void show_card(CardCall call) {
+int show_card(CardCall call) {
   read_material(call.material_file, call.design);
   call.options.jobs = call.jobs.value_or(usable_threads());
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
-  const auto [card, springs] = card_of(subject, call.options);
-  if (!call.output.empty()) {
-    schema::write_text_file(call.output, schema::card_page(card, subject.sheet, springs));
+  StudiedCard studied = card_of(subject, call.options);
+  schema::Card& card = studied.card;
+  if (!call.without_remedies && !card.passes()) {
+    card.remedies = remedies_of(subject, studied, call.options, call.path);
   }
-  if (!call.json) return put(card_text(card));
-  put_json(study_json(subject, card));
+  if (!call.output.empty()) {
+    schema::write_text_file(call.output, schema::card_page(card, subject.sheet, studied.filling));
+  }
+  if (call.json) {
+    put_json(study_json(subject, card));
+  } else {
+    put(card_text(card));
+  }
+  return card.passes() ? 0 : exit_code_of(schema::Cause::check_failed);
 }
 
 }  // namespace
@@ -41,11 +52,18 @@ void show_card(CardCall call) {
 Action card_verb(CLI::App& verb) {
   verb.description(schema::study_named("card").about);
   verb.footer(
-      "Compares each requirement of the design with what the sheet reaches: D, a certificate and\n"
-      "contact up to the angle of use (the design's from_deg, or D), panel thickness, energy and\n"
-      "static margins, pin friction, strokes and forces of springs, panel stress, landing speed,\n"
-      "yield of miscut copies, joint clearance. Only what the design names is required: a\n"
-      "thickness, friction, a stroke limit, a cutting error ...; \"wanted\" sets the margins.\n"
+      "Compares each requirement with what the sheet reaches. Required of every sheet, up to the\n"
+      "angle of use (the design's from_deg, or D): that it deploys, a certificate, no contact of\n"
+      "panels, springs that do not touch, strokes above the cutting error, panels that do not\n"
+      "buckle, and a preload that does not push it out of flat, unless \"hold_flat\" says that a\n"
+      "stop, latch or frame holds it there. Required where the design names them: thickness,\n"
+      "margins over friction, pins that do not lock, strokes and forces of springs, stress, "
+      "landing\n"
+      "speed, yield, joint clearance; \"wanted\" sets the margins.\n"
+      "Exit code 6: a requirement is not met. Below it stand up to three single changes that "
+      "would\n"
+      "meet it and break no other, the smallest first, each checked by a card of its own; --json\n"
+      "has their pattern files.\n"
       "--output also writes a page to print, with a drawing, the springs to buy and the hinges.\n"
       "Examples:\n  misalign card mine.db 1234 --output card.html\n"
       "  misalign card search/patterns/table1.json --from 90 --thickness 1 --friction 0.0001");
@@ -74,9 +92,14 @@ Action card_verb(CLI::App& verb) {
               counted("card", "trials"), "N");
   add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
             counted("", "jobs"), "N");
+  verb.add_flag_callback(
+      "--hold-flat", [&design] { design.hold_flat = true; },
+      "a stop, latch or frame holds the sheet at flat [the design's]");
+  verb.add_flag("--no-remedies", call->without_remedies,
+                "seek no change that would meet a requirement which fails");
   verb.add_option("--output", call->output, "HTML file to write")->type_name("FILE");
   verb.add_flag("--json", call->json, "as JSON");
-  return showing(call, show_card);
+  return [call] { return show_card(*call); };
 }
 
 }  // namespace misalign::search

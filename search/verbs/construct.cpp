@@ -1,6 +1,8 @@
 // `misalign construct`: a sheet whose diagonals are monotone to 180 degrees, without a search.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "schema/exchange/construct_json.hpp"
 #include "schema/files/output_file.hpp"
 #include "schema/pattern/design_json.hpp"
@@ -14,11 +16,14 @@
 namespace misalign::search {
 namespace {
 
+constexpr double kLeastAt_deg = 1;  // pilot angle of strokes
+
 struct ConstructCall {
   std::string pattern_path;  // its displacements are ignored
   std::string output_path;   // empty: no file
   solver::ConstructOptions options;
-  std::string signs;  // as typed: '+' and '-'
+  std::optional<double> at_deg;  // none: the design's angle of use
+  std::string signs;             // as typed: '+' and '-'
   bool rim = false, json = false;
 };
 
@@ -34,6 +39,11 @@ void construct_sheet(ConstructCall& call) {
   const schema::Pattern& base = read.pattern;
   say_reading(call.pattern_path, base);
   call.options.signs = signs_of(call.signs);
+  if (call.at_deg) {
+    call.options.at_deg = *call.at_deg;
+  } else if (read.design.from_deg) {
+    call.options.at_deg = std::clamp(*read.design.from_deg, kLeastAt_deg, call.options.at_deg);
+  }
   const solver::ConstructStudy study = constructed(base, call.pattern_path, call.rim, call.options);
   if (!call.output_path.empty()) {
     schema::Json made = schema::pattern_json(base, study.shifts_mm);
@@ -82,8 +92,9 @@ Action construct_verb(CLI::App& verb) {
   add_value(verb, "--stroke", call->options.stroke,
             "smallest stroke of any diagonal, a share of its length [the largest possible]",
             a_share(1e-6, 1), "SHARE");
-  add_value(verb, "--at", call->options.at_deg, "pilot angle of the stroke, degrees [179]",
-            within(1, 180), "DEG");
+  add_value(verb, "--at", call->at_deg,
+            "pilot angle of the stroke, degrees [the design's angle of use, or 179]",
+            within(kLeastAt_deg, 180), "DEG");
   verb.add_option("--signs", call->signs,
                   "sign of each hole's change, row by row [several are tried]")
       ->check(plus_or_minus());

@@ -77,7 +77,7 @@ void add_goal_and_limits(CLI::App& verb, OptimiseCall& call) {
                   "\"shape_max_mm <= 0.5\"")
       ->type_name("LIMIT");
   add_value(verb, "--deploys-from", input.deploys_from_deg,
-            "pilot angle from which it must still deploy [the campaign's, or its D]",
+            "pilot angle from which it must still deploy [the design's, the campaign's, or its D]",
             within("optimise", "deploys_from_deg"), "DEG");
   add_default(verb, "--least-slope", input.least_slope_mm_per_deg,
               "smallest slope of a diagonal with free shifts, mm/deg at 90 deg and times the sine "

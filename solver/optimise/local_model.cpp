@@ -10,6 +10,7 @@
 
 #include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -170,9 +171,10 @@ class Builder {
     }
   }
 
-  // Rows are for the angle where a diagonal is farthest from flat: D if it is monotone.
+  // Rows are for the angle where a diagonal is farthest from flat: that of use if it is monotone.
   void add_strokes(double limit) {
-    const std::vector<double> angles_deg = angles_of_directions(sheet_.deploys_from_deg());
+    const std::vector<double> angles_deg =
+        angles_of_directions(angle_of_use(sheet_, options_.used_from_deg));
     VectorXd most_mm = VectorXd::Zero(flat_.length_mm.size()), lengths_mm, rates;
     std::vector<std::size_t> most_at(static_cast<std::size_t>(most_mm.size()));
     for (std::size_t k = 0; k < angles_deg.size(); ++k) {

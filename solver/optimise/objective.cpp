@@ -5,6 +5,7 @@
 
 #include "solver/optimise/goal_functions.hpp"
 #include "solver/optimise/low_slopes.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -12,9 +13,22 @@ namespace {
 // Least distance of creases from folded flat: more than rounding, less than what steps leave.
 constexpr double kFromFlat_deg = 1e-4;
 
-// Stroke as in catalogues.
-double stroke(const Sheet& sheet) {
-  return measure(sheet.model(), sheet.vertices_mm(), sheet.record()).stroke_max;
+// Stroke up to the angle of use, by samples and that angle; up to D as in catalogues.
+double stroke(const Sheet& sheet, const OptimiseOptions& options) {
+  if (!options.used_from_deg) {
+    return measure(sheet.model(), sheet.vertices_mm(), sheet.record()).stroke_max;
+  }
+  const FoldingWay& way = *sheet.way();
+  const double used_deg = std::min(angle_of_use(sheet, options.used_from_deg), way.end_deg());
+  Eigen::VectorXd lengths_mm, rates_mm;
+  double largest = 0;
+  for (int sample = 1;; ++sample) {
+    const double pilot_deg = std::min(sheet.sample_deg(sample), used_deg);
+    way.find_lengths(way.x_of(pilot_deg), lengths_mm, rates_mm);
+    const auto shares = lengths_mm.array() / way.flat_mm().array() - 1;
+    largest = std::max(largest, shares.abs().maxCoeff());
+    if (pilot_deg == used_deg) return largest;
+  }
 }
 
 double force_n(const Sheet& sheet, const ReleaseOptions& deploying) {
@@ -43,7 +57,7 @@ bool is_strong_enough(const Sheet& sheet, const OptimiseOptions& options) {
 bool fits(const Sheet& sheet, const OptimiseOptions& options) {
   return sheet.verdict().deploys_from_sample >= options.deploys_from_sample && sheet.way() &&
          sheet.way()->end_deg() > *options.deploying.from_deg &&
-         (!options.stroke_limit || stroke(sheet) <= *options.stroke_limit) &&
+         (!options.stroke_limit || stroke(sheet, options) <= *options.stroke_limit) &&
          is_strong_enough(sheet, options);
 }
 

@@ -35,13 +35,13 @@ struct OptimiseOptions {
     double least, most;
   };
   std::optional<Range> stiffness_n_per_mm, preload_n;
-  /// Angle of use of plates, as in `contact`; none: D.
+  /// Angle of use of plates and strokes, as in `contact`; none: D.
   std::optional<double> used_from_deg;
   /// Share of a sheet's miscut copies that deploy, for its goal.
   std::function<std::optional<double>(const Sheet&)> yield;
   std::shared_ptr<const ShapeMeasure> shape;  ///< target of goals of shapes; null: none
   int deploys_from_sample = 1;                ///< least D
-  std::optional<double> stroke_limit;         ///< |L - L0| / L0 of every diagonal, up to D
+  std::optional<double> stroke_limit;         ///< |L - L0| / L0, up to the angle of use
   std::optional<double> largest_force_n;      ///< spring force at the angle of use, panels rigid
   std::vector<OptimiseFloor> floors;
   /// Least slope of every diagonal with free shifts, over the sine of the pilot's angle, mm per

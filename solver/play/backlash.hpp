@@ -17,7 +17,8 @@ const char* name_of(BacklashTrial::BranchEnd end);
 /// Backlash of one sheet.
 struct Backlash {
   double backlash_mm;
-  double from_deg, own_deg;           ///< range of angles studied: own_deg is D
+  double from_deg, to_deg;            ///< range of angles studied: to_deg is that of use, or D
+  double own_deg;                     ///< D
   std::vector<BacklashTrial> trials;  ///< trials with this backlash, in order
   double panel_width_mm;
   /// The largest backlash with which at least kWantedShare of the same trials move one way, scaled;

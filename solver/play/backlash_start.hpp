@@ -1,5 +1,5 @@
 // Finds the start of all trials of a sheet with play: the state without play half way between
-// from_deg and D, and the stations from there up and down.
+// from_deg and the angle of use, and the stations from there up and down.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,9 @@
 namespace misalign::solver {
 
 struct BacklashOptions {
-  /// Least pilot angle that counts; the largest is D. Below, springs that are relaxed when flat
+  /// Angle of use, the largest pilot angle that counts; none: D.
+  std::optional<double> used_from_deg{};
+  /// Least pilot angle that counts. Below, springs that are relaxed when flat
   /// hardly pull: their moment falls with the cube of the angle, to 1/370 of that at 36 degrees.
   double from_deg = 5;
   /// The step between the angles below `from_deg` at which the assignment is checked.
@@ -22,11 +24,13 @@ struct BacklashOptions {
 /// The sheet without play, with which trials start and are compared.
 struct BacklashStart {
   SheetGeometry<double> geometry;
-  int own_sample = 0;  ///< D; all that follows needs D above from_deg
-  double own_deg = 0;
-  double start_deg = 0;         ///< a sample, about half way from from_deg to D
+  double own_deg = 0;  ///< D
+  /// The first sample from the angle of use on, at most D; all below needs it above from_deg.
+  int to_sample = 0;
+  double to_deg = 0;
+  double start_deg = 0;         ///< a sample, about half way from from_deg to to_deg
   FoldState<double> start;      ///< state at start_deg
-  std::vector<int> directions;  ///< one per diagonal, from from_deg to D: +1 lengthens
+  std::vector<int> directions;  ///< one per diagonal, from from_deg to to_deg: +1 lengthens
   double shortest_crease_widths = 0;
   std::optional<Filling> filling;  ///< made for it; trials look for their stops if it is given
 };
@@ -35,7 +39,7 @@ struct BacklashStart {
 BacklashStart prepare_backlash(const Model& model, const FlatVertices& vertices_mm,
                                const BacklashOptions& options);
 
-/// Plans samples from the start up to D.
+/// Plans samples from the start up to the angle of use.
 PathPlan plan_up(const BacklashStart& sheet, double sample_deg);
 /// Plans samples from the start down to `from_deg` and to flat, as angles below the start.
 PathPlan plan_down(const BacklashStart& sheet, double sample_deg, const BacklashOptions& options);

@@ -1,6 +1,9 @@
 // Finds the strokes of diagonals.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "solver/records/history.hpp"
 
 namespace misalign::solver {
@@ -17,6 +20,16 @@ inline std::vector<double> strokes_mm(const FoldingHistory& history, Eigen::Inde
     strokes_mm.push_back(rows == 0 ? 0 : (lengths_mm - history.flat_mm[d]).abs().maxCoeff());
   }
   return strokes_mm;
+}
+
+/// Largest elongation of a diagonal, a share of its flat length, in the first `rows` rows.
+inline double largest_stroke(const FoldingHistory& history, Eigen::Index rows) {
+  const std::vector<double> strokes = strokes_mm(history, rows);
+  double largest = 0;
+  for (std::size_t d = 0; d < strokes.size(); ++d) {
+    largest = std::max(largest, strokes[d] / history.flat_mm[d]);
+  }
+  return largest;
 }
 
 }  // namespace misalign::solver

@@ -2,11 +2,29 @@
 // flat.
 #pragma once
 
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
 #include "solver/continuation/path.hpp"
 #include "solver/sheet/sheet.hpp"
 #include "solver/studies/option_fault.hpp"
 
 namespace misalign::solver {
+
+/// Returns the angle of use in degrees: `from_deg`, at most D; none: D.
+inline double angle_of_use(const Sheet& sheet, const std::optional<double>& from_deg) {
+  const double d_deg = sheet.deploys_from_deg();
+  return std::min(from_deg.value_or(d_deg), d_deg);
+}
+
+/// Number of the history's rows up to the angle of use, of which the history must have a station.
+inline Eigen::Index rows_of_use(const Sheet& sheet, const std::optional<double>& from_deg) {
+  if (!from_deg || *from_deg >= sheet.deploys_from_deg()) return sheet.rows_up_to_d();
+  const std::optional<Eigen::Index> row = sheet.row_at(*from_deg);
+  assert(row);
+  return *row + 1;
+}
 
 /// Fault of an angle of use beyond D.
 inline OptionFault beyond_d_fault(const std::string& name, double from_deg, double d_deg) {

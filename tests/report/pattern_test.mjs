@@ -50,6 +50,13 @@ for (const report of reports) {
     }
     assert.equal((await state(page)).picked, data.pattern.name);
   });
+  await check("the folding opens at the angle of use, which is marked", async () => {
+    const { from_deg } = detail;
+    if (from_deg !== null) assert.equal((await state(page)).pilot_deg, from_deg);
+    const marks = await page.locator(".mark.used").allTextContents();
+    const is_marked = from_deg !== null && from_deg < detail.verdict.deploys_from_deg;
+    assert.deepEqual(marks, is_marked ? [`used from ${from_deg}°`] : []);
+  });
   await check("commands are about the file", async () => {
     const commands = await by(page, "commands").locator("code").allTextContents();
     const has = (verb) => commands.some((command) => command.includes(` ${verb} `));

@@ -129,7 +129,8 @@ for option in "--draw 5" "--best 3" "--rows 5" "--details 2"; do
 done
 "$program" report plain.json --output plain.json > /dev/null 2> err
 [ $? = 2 ] || fail "report over the pattern itself: $(cat err)"
-node "$web/pattern_test.mjs" table1.html plain.html || fail "the pages of patterns in a browser"
+"$program" report "$source_dir/search/patterns/table1.json" --from 120 --output used.html > /dev/null || fail "report from 120 deg"
+node "$web/pattern_test.mjs" table1.html plain.html used.html || fail "the pages of patterns in a browser"
 
 "$program" report few.db --output nowhere/few.html > /dev/null 2> err
 [ $? = 1 ] || fail "report into a directory that is not there"

@@ -15,6 +15,7 @@ type_it() {
   printf '$ %s\n' "${1%%$'\n'*}"
   eval "$1"
   code=$?
+  case $code:$1 in 6:"misalign card "*) code=0 ;; esac  # a requirement is not met, which the page says
   [ $code = 0 ] || printf 'LINE FAILED: exit %s: %s\n' "$code" "$1"
 }"""
 

@@ -290,7 +290,7 @@ TEST_F(ToleranceTest, BacklashIsThatOfItsTrials) {
     }
     return count;
   };
-  EXPECT_EQ(backlash.one_way_to(backlash.own_deg), one_way(0.02));
+  EXPECT_EQ(backlash.one_way_to(backlash.to_deg), one_way(0.02));
   EXPECT_GE(one_way(backlash.largest_mm), 19u);
   EXPECT_EQ(one_way(backlash.largest_mm), backlash.with_largest);
   EXPECT_LT(one_way(backlash.largest_mm * kRadiusRatio), 19u);

@@ -260,7 +260,7 @@ class OnPanels {
     start_.start_from(sheet.shape_mm(sheet.prepared.start_deg));
     EXPECT_TRUE(start_.solve(sheet.prepared.start_deg));
   }
-  double one_way_to() const { return one_way(1, sheet_.prepared.own_deg); }
+  double one_way_to() const { return one_way(1, sheet_.prepared.to_deg); }
   double one_way_from() const { return one_way(-1, sheet_.options.from_deg); }
 
   // In steps that shrink where no solution follows, to a millionth of a degree; or where a crease
@@ -353,7 +353,7 @@ TEST(Backlash, StretchesAndLostBranchesAreThoseOfPanels) {
 TEST(Backlash, NoneIsNone) {
   for (const double from_deg : {5.0, 100.0}) {
     const Loose table(6, table1(), from_deg);
-    EXPECT_EQ(table.prepared.own_sample, 156);
+    EXPECT_EQ(table.prepared.to_sample, 156);
     BacklashFollower follower(table.model, table.prepared, table.options);
     std::mt19937_64 random(kSeed);
     const BacklashTrial trial =
