@@ -125,6 +125,7 @@ doctor               doctor
 merge                merge joined.db part-1.db part-2.db
 config               config --default
 config-keys          config --keys
+config-materials     config --materials
 config-wrong         config --check wrong.json
 stress               stress patterns/table1.json --time-limit 0.002 --output stress
 """

@@ -1,5 +1,8 @@
 #include "schema/files/suggestion.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -37,6 +40,13 @@ bool is_part(const std::string& typed, const std::string& word) {
   return at == 0 || (divides(at - 1) && (end == word.size() || divides(end)));
 }
 
+std::string in_small_letters(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& known) {
@@ -49,6 +59,24 @@ std::string nearest_word(const std::string& typed, const std::vector<std::string
     nearest = word;
   }
   return nearest;
+}
+
+std::string meant_names(const std::string& typed, const std::vector<std::string>& names) {
+  constexpr std::size_t kMostMeant = 3, kLeastLetters = 3;
+  const std::string small = in_small_letters(typed);
+  std::vector<std::string> meant, small_names;
+  for (const std::string& name : names) {
+    small_names.push_back(in_small_letters(name));
+    const bool holds =
+        small.size() >= kLeastLetters && small_names.back().find(small) != std::string::npos;
+    if (holds && meant.size() < kMostMeant) meant.push_back(name);
+  }
+  if (meant.empty()) {
+    const auto nearest = std::ranges::find(small_names, nearest_word(small, small_names));
+    if (nearest == small_names.end()) return "";
+    meant.push_back(names[static_cast<std::size_t>(nearest - small_names.begin())]);
+  }
+  return fmt::format("; did you mean {}?", fmt::join(meant, " or "));
 }
 
 std::string unknown_word(const std::string& typed, const std::string& kind,

@@ -68,10 +68,19 @@ void check_are_springs(std::string_view key, const std::optional<std::string>& v
       "leave it out, or give springs by " + parameter("fill", R"({"kind": "springs"})")});
 }
 
+void clear_hinges(Design& design) {
+  for (const DesignNumber& row : kNumbers) {
+    if (row.block == "hinges") (design.*row.number).reset();
+  }
+  design.film.reset();
+  design.hinge_kind.reset();
+}
+
 }  // namespace
 
 Design Design::merged_over(Design other) const {
   if (fill_kind) static_cast<DesignFill&>(other) = DesignFill{};
+  if (hinge_name) clear_hinges(other);
   const auto take = [&](auto member) {
     if (this->*member) other.*member = this->*member;
   };
@@ -96,6 +105,7 @@ Design Design::merged_over(Design other) const {
   if (!single_springs.empty()) other.single_springs = single_springs;
   if (!cut_outs.empty()) other.cut_outs = cut_outs;
   take(&Design::hinge_kind);
+  take(&Design::hinge_name);
   take(&Design::film);
   take(&Design::material);
   take(&Design::hold);
@@ -104,12 +114,29 @@ Design Design::merged_over(Design other) const {
   return other;
 }
 
+void Design::take_hinge(const HingeRow& row) {
+  const auto take = [](auto& value, const auto& given) {
+    if (!value) value = given;
+  };
+  hinge_name = std::string(row.name);
+  take(film, row.film);
+  take(friction_n_mm_per_mm, row.friction_n_mm_per_mm);
+  take(pin_friction_mm, row.pin_friction_mm);
+  take(play_mm, row.play_mm);
+  take(hinge_kind, std::optional(row.crease));
+}
+
 void Design::relax_at(const std::optional<FoldedTarget>& target) {
   if (target && !rest_deg && fill_kind != FillKind::none) rest_deg = target->pilot_deg;
 }
 
 solver::Actuators Design::actuators(const solver::PerforatedSheet& base) const {
   return {fill(base), stroke_limit};
+}
+
+CreaseCut Design::crease_or(CreaseCut standard) const {
+  if (hinge_kind) return *hinge_kind;
+  return material ? material->crease.value_or(standard) : standard;
 }
 
 double Design::hinge_elastic_n_mm_per_mm() const {

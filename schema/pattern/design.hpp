@@ -5,10 +5,13 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "schema/pattern/crease_cut.hpp"
 #include "schema/pattern/design_fill.hpp"
+#include "schema/pattern/hinge_table.hpp"
 #include "schema/pattern/material.hpp"
 #include "schema/pattern/pattern.hpp"
 #include "solver/motion/actuators.hpp"
@@ -16,19 +19,6 @@
 #include "solver/motion/plates.hpp"
 
 namespace misalign::schema {
-
-/// Making of a crease in a kit.
-enum class CreaseCut {
-  cut,    ///< every panel is a separate part, hinged by tape or textile
-  score,  ///< a line
-  dash,   ///< a perforation: cuts with bridges between
-};
-struct CreaseCutName {
-  const char* name;
-  CreaseCut cut;
-};
-inline constexpr CreaseCutName kCreaseCuts[] = {
-    {"cut", CreaseCut::cut}, {"score", CreaseCut::score}, {"dash", CreaseCut::dash}};
 
 /// A design, outside the identity of a campaign: it changes no draw and no verdict. Studies have
 /// their own defaults for absent values. Options of a command form a design, too, which overrides a
@@ -41,9 +31,10 @@ struct Design : DesignFill {
   std::optional<double> pin_friction_mm;  ///< mu r of hinges' pins and ball joints
   std::optional<solver::FilmHinge> film;  ///< gives stiffness and friction where they are not given
   std::optional<CreaseCut> hinge_kind;
-  std::optional<double> thickness_mm;  ///< panel thickness
-  std::optional<Material> material;    ///< material of the panels
-  std::optional<double> miscut_mm;     ///< largest cutting error of vertices
+  std::optional<std::string> hinge_name;  ///< hinges that the values are of
+  std::optional<double> thickness_mm;     ///< panel thickness
+  std::optional<Material> material;       ///< material of the panels
+  std::optional<double> miscut_mm;        ///< largest cutting error of vertices
   std::optional<double> play_mm;  ///< radius of the ball in which each joint settles (backlash)
   std::optional<std::array<int, 2>> hold;  ///< row and column of the held panel
   std::optional<bool> hold_flat;           ///< true: a stop, latch or frame holds the sheet at flat
@@ -52,15 +43,21 @@ struct Design : DesignFill {
   /// of miscut copies; landing rate.
   std::optional<double> static_margin, margin_to_deg, energy_margin, yield, landing_deg_per_s;
 
-  /// Returns this design, completed by `other`: a filling with a kind replaces the other's.
+  /// Returns this design, completed by `other`: a filling with a kind replaces the other's, and
+  /// hinges with a name the other's, but for their play where these have none.
   /// UserError (bad_request) where this has values of springs, and the other another filling;
   /// `rest_deg` is of every filling.
   Design merged_over(Design other) const;
+
+  /// Takes from a row of the hinge table what this design does not say.
+  void take_hinge(const HingeRow& row);
 
   /// Relaxes springs or plates at the target, unless the design says where.
   void relax_at(const std::optional<FoldedTarget>& target);
 
   solver::Actuators actuators(const solver::PerforatedSheet& base) const;
+  /// Returns the hinges' kind, otherwise the material's, otherwise `standard`.
+  CreaseCut crease_or(CreaseCut standard) const;
   /// Returns the hinges' stiffness, otherwise that of the film.
   double hinge_elastic_n_mm_per_mm() const;
   solver::Plates plates() const;

@@ -26,22 +26,29 @@ const Json& part_of(ObjectReader& reader, const char* key) {
   return found ? *found : kEmpty;
 }
 
-void read_hinge_kind(ObjectReader& reader, std::optional<CreaseCut>& kind) {
-  if (!reader.said("kind")) return;
-  const auto* const named =
-      read_name(reader, "kind", kCreaseCuts, "is no way to make a crease",
-                "write \"cut\", \"score\" or \"dash\", or null for a kit's default");
-  if (named) kind = named->cut;
+// Returns the row of the hinge table that "like" names; null, also with a fault, if it names none.
+const HingeRow* read_like(ObjectReader& reader) {
+  const Json* like = reader.said("like");
+  if (!like) return nullptr;
+  const std::string typed = like->is_string() ? like->get<std::string>() : "";
+  const HingeRow* row = find_hinge(typed);
+  if (!row) {
+    const solver::OptionFault fault = unknown_hinge(typed);
+    reader.faults().add(reader.shown("like"), fault.why, fault.suggestion);
+  }
+  return row;
 }
 
-void read_film(ObjectReader& reader, std::optional<solver::FilmHinge>& film) {
+// Reads a film; `like` has the values that it does not say.
+void read_film(ObjectReader& reader, const std::optional<solver::FilmHinge>& like,
+               std::optional<solver::FilmHinge>& film) {
   constexpr double kMost = 1e6;
   const Json* value = reader.said("film");
   if (!value) return;
-  solver::FilmHinge read{0, 0, 0};
+  solver::FilmHinge read = like.value_or(solver::FilmHinge{0, 0, 0});
   ObjectReader part(*value, reader.name("film"), reader.faults());
   for (const char* key : {"thickness_mm", "e_gpa", "length_mm"}) {
-    part.require(key, R"(write {"thickness_mm": 0.05, "e_gpa": 2.5, "length_mm": 1})");
+    if (!like) part.require(key, R"(write {"thickness_mm": 0.05, "e_gpa": 2.5, "length_mm": 1})");
   }
   part.number("thickness_mm", read.thickness_mm, 1e-6, kMost, "try 0.05");
   part.number("e_gpa", read.e_gpa, 1e-6, kMost, "give Young's modulus in GPa, 2.5 of polyimide");
@@ -51,11 +58,14 @@ void read_film(ObjectReader& reader, std::optional<solver::FilmHinge>& film) {
   film = read;
 }
 
-Json film_json(const solver::FilmHinge& film) {
-  return {{"thickness_mm", film.thickness_mm},
-          {"e_gpa", film.e_gpa},
-          {"length_mm", film.length_mm},
-          {"loss", film.loss}};
+// Reads what a block "hinges" holds beside its numbers.
+void read_hinges(ObjectReader& reader, Design& design) {
+  const HingeRow* like = read_like(reader);
+  read_crease(reader, "kind", design.hinge_kind);
+  read_film(reader, like ? like->film : std::nullopt, design.film);
+  if (like) design.take_hinge(*like);
+  if (!reader.said("name")) return;
+  reader.text("name", design.hinge_name.emplace(), "name the hinges, such as \"glued textile\"");
 }
 
 // Reads an array of the size of `into`; none if it is null.
@@ -87,10 +97,7 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
     const std::string name(block);
     ObjectReader part(part_of(reader, name.c_str()), reader.name(name), faults);
     read_numbers(part, block, design);
-    if (block == "hinges") {
-      read_hinge_kind(part, design.hinge_kind);
-      read_film(part, design.film);
-    }
+    if (block == "hinges") read_hinges(part, design);
     part.refuse_unknown_keys();
   }
   if (const Json* material = reader.said("material")) {
@@ -130,10 +137,8 @@ Json design_json(const Design& design) {
   } else {
     json["fill"] = fill_json(design);
   }
-  json["hinges"]["kind"] = nullptr;
-  for (const CreaseCutName& row : kCreaseCuts) {
-    if (design.hinge_kind == row.cut) json["hinges"]["kind"] = row.name;
-  }
+  json["hinges"]["kind"] = crease_json(design.hinge_kind);
+  if (design.hinge_name) json["hinges"]["name"] = *design.hinge_name;
   json["hinges"]["film"] = design.film ? film_json(*design.film) : Json();
   json["material"] = design.material ? material_json(*design.material) : Json();
   json["hold"] = or_null(design.hold);
@@ -146,6 +151,11 @@ Json explicit_design_json(const Design& design) {
   static const Json kNothing = design_json({});
   Json json = design_json(design);
   leave_out_defaults(json, kNothing);
+  // Zeros that a design says go before the values of its film.
+  for (const DesignNumber& row : design_numbers()) {
+    const std::optional<double>& value = design.*row.number;
+    if (design.film && value && row.block == "hinges") json["hinges"][row.key] = *value;
+  }
   return json;
 }
 

@@ -115,6 +115,27 @@ def keys_page(program):
                 said(program, "config", "--keys"))
 
 
+def materials_page(program):
+    materials, hinges = said(program, "config", "--materials").split("\n\n")
+    return page("Materials and hinges", "Names for a [design](../how-to/design.md) and for options: what `misalign config --materials` "
+                "prints, as JSON with `--json`.",
+                "## Materials\n\n`\"material\": \"birch plywood\"` in a design, `{ \"like\": \"birch plywood\", \"e_gpa\": 9.5 }` "
+                "for one that differs, or `--material \"birch plywood\"`.\n", materials + "\n",
+                "The sustained stress is what panels may bear as long as springs load a stored sheet; a [card](../how-to/card.md) judges "
+                "it. It is the short-term strength times a factor, because most of these materials creep:\n\n"
+                "- metals: 2/3 of the yield strength (ASME BPVC, Section II, Part D)\n"
+                "- wood: the characteristic bending strength times k_mod of permanent loads in dry rooms, 0.6 for plywood and 0.2 for MDF "
+                "(EN 1995-1-1, table 3.1), without partial factors\n"
+                "- acrylic: 1500 psi for continuous loads, above which it crazes\n"
+                "- polypropylene: 10 MPa, its strength over 50 years at 20 °C (ISO 15494), divided by 1.6 (ISO 12162)\n"
+                "- PLA and PETG: 0.15 of the tensile strength. No standard has a value; acrylic has the share 0.14, polypropylene 0.17\n"
+                "- carbon laminate: the stress at which the first ply cracks, times 0.55 (creep rupture, ACI 440.2R)\n\n"
+                "Plates are isotropic. Plywood, board and laminates are not: their moduli are means over directions. Numbers vary among "
+                "makers: measure a strip of yours before you rely on a margin.\n",
+                "## Hinges\n\n`\"hinges\": { \"like\": \"polyester film 0.1 mm\" }` in a design, or `--hinge`; "
+                "[how to choose](../how-to/hinges.md). Of ranges, friction is the upper end and play the middle.\n", hinges)
+
+
 def queries_page():
     files = sorted((ROOT / "schema/queries").glob("*.sql"))
     return page("Named queries", "`misalign query FILE.db NAME` runs one of these; "
@@ -149,7 +170,8 @@ def kept_pages(program):
     """Those in the repository, for readers on the web: name below search/manual/, and text."""
     words = words_of(program)
     return {"reference/verbs.md": verbs_page(verbs_of(program), False), "reference/faults.md": faults_page(words),
-            "reference/columns.md": columns_page(words), "reference/exit-codes.md": exit_codes_page()}
+            "reference/columns.md": columns_page(words), "reference/exit-codes.md": exit_codes_page(),
+            "reference/materials.md": materials_page(program)}
 
 
 def pages(program):

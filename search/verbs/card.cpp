@@ -21,14 +21,15 @@ namespace {
 
 struct CardCall : SheetCall {
   schema::Design design;
-  std::string material_file, output;
+  std::string material, hinge, output;
   CardOptions options;
   std::optional<int> jobs;
   bool without_remedies = false;
 };
 
 int show_card(CardCall call) {
-  read_material(call.material_file, call.design);
+  read_material(call.material, call.design);
+  read_hinge(call.hinge, call.design);
   call.options.jobs = call.jobs.value_or(usable_threads());
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
   StudiedCard studied = card_of(subject, call.options);
@@ -86,7 +87,8 @@ Action card_verb(CLI::App& verb) {
   number("--miscut", design.miscut_mm, "largest cutting error of a vertex, mm", "miscut_mm", "MM");
   number("--play", design.play_mm, "radius of the ball in which each joint settles, mm", "play_mm",
          "MM");
-  add_material(verb, call->material_file);
+  add_material(verb, call->material);
+  add_hinge(verb, call->hinge);
   add_default(verb, "--trials", call->options.trials,
               "number of miscut copies, and of settlings of loose joints",
               counted("card", "trials"), "N");

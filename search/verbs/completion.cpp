@@ -3,24 +3,33 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/named_queries.hpp"
+#include "schema/pattern/hinge_table.hpp"
+#include "schema/pattern/material_table.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/help_format.hpp"
+#include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
 namespace {
 
-enum class Kind { words, files, directories, text };
+enum class Kind { words, names, names_or_files, files, directories, text };
 
 // The words or files that complete an argument or the value of an option.
 struct Offer {
   Kind kind = Kind::text;
-  std::string detail = {};  // the words, with spaces between; or how the files' names end, if known
+  // The words, with spaces between; names, with bars; or how the files' names end, if known.
+  std::string detail = {};
 };
 
 std::string joined(const std::vector<std::string>& words) {
   return fmt::to_string(fmt::join(words, " "));
+}
+
+// Names may hold spaces, but no bars.
+std::string with_bars(const std::vector<std::string>& names) {
+  return fmt::to_string(fmt::join(names, "|"));
 }
 
 Offer offer_for(const CLI::Option& option) {
@@ -30,6 +39,8 @@ Offer offer_for(const CLI::Option& option) {
   if (name == "CAMPAIGN" || name == "PATTERN") return {Kind::files, "json"};
   if (name == "FILE") return {Kind::files};
   if (name == "CATALOGUE" || name == "IN" || name == "OUT") return {Kind::files, "db"};
+  if (name == kMaterial) return {Kind::names_or_files, with_bars(schema::material_names())};
+  if (name == kHinge) return {Kind::names, with_bars(schema::hinge_names())};
   if (name == "DIRECTORY") return {Kind::directories};
   if (name == "QUERY") return {Kind::words, joined(schema::named_queries())};
   if (option.check_lname("output")) return {Kind::files};
@@ -56,6 +67,10 @@ std::string bash_offer(const Offer& offer) {
   switch (offer.kind) {
     case Kind::words:
       return "words " + offer.detail;
+    case Kind::names:
+      return "names " + offer.detail;
+    case Kind::names_or_files:
+      return "names_or_files " + offer.detail;
     case Kind::files:
       return "files " + offer.detail;
     case Kind::directories:
@@ -72,15 +87,23 @@ _misalign_offer() {
   case $1 in
     'words '*) mapfile -t COMPREPLY < <(compgen -W "${1#words }" -- "$2") ;;
     'files ') compopt -o filenames 2> /dev/null; mapfile -t COMPREPLY < <(compgen -f -- "$2") ;;
+    'names_or_files '*) mapfile -t COMPREPLY < <(compgen -f -- "$2") ;;
     'files '*)
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$2"; compgen -f -X "!*.${1#files }" -- "$2") ;;
     directories) compopt -o filenames 2> /dev/null; mapfile -t COMPREPLY < <(compgen -d -- "$2") ;;
   esac
   [[ $1 == 'words '* ]] && return
-  local i
+  local i name
   for i in "${!COMPREPLY[@]}"; do  # a name with a line feed came as two that are none
     [[ -e ${COMPREPLY[i]/#\~\//$HOME/} ]] || unset "COMPREPLY[i]"
+  done
+  [[ $1 == names* ]] || return
+  local IFS='|'
+  for name in ${1#* }; do  # a name has spaces, which are typed with a backslash or within quotes
+    [[ $name == "${2//[\\\"\']/}"* ]] || continue
+    printf -v name %q "$name"
+    COMPREPLY+=("$name")
   done
 }
 
@@ -123,10 +146,22 @@ std::string zsh_text(const std::string& text) {
   return escaped;
 }
 
+// A command that offers names.
+std::string zsh_names(std::string with_bars) {
+  for (std::size_t at = 0; (at = with_bars.find('|', at)) != std::string::npos; at += 3) {
+    with_bars.replace(at, 1, "\" \"");
+  }
+  return "compadd -- \"" + with_bars + "\"";
+}
+
 std::string zsh_action(const Offer& offer) {
   switch (offer.kind) {
     case Kind::words:
       return "(" + offer.detail + ")";
+    case Kind::names:
+      return "{" + zsh_names(offer.detail) + "}";
+    case Kind::names_or_files:
+      return "{" + zsh_names(offer.detail) + "; _files}";
     case Kind::files:
       return offer.detail.empty() ? "_files" : "_files -g \"*." + offer.detail + "\"";
     case Kind::directories:

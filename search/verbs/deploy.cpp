@@ -22,11 +22,12 @@ struct DeployCall : SheetCall {
   DeployInput input;
   std::optional<Forces> forces;
   std::optional<PanelKind> panels;  // none: they bend where a material is named
-  std::string material_file;
+  std::string material, hinge;
 };
 
 void show_deployment(DeployCall call) {
-  read_material(call.material_file, call.input.design);
+  read_material(call.material, call.input.design);
+  read_hinge(call.hinge, call.input.design);
   const Subject subject = choose_sheet(call.path, call.draw, call.input.design);
   const auto& [chosen, model, sheet] = subject;
   solver::ReleaseOptions options = call.input.of(sheet, chosen.design);
@@ -72,7 +73,8 @@ Action deploy_verb(CLI::App& verb) {
       "Examples:\n  misalign deploy search/patterns/table1.json\n"
       "  misalign deploy results/miura-6x6-1a2b3c4d.db 1234 --friction 0.001\n"
       "  misalign deploy search/patterns/table1.json --rest-deg 60 --from 120 --damping 0.05\n"
-      "  misalign deploy search/patterns/table1.json --panels bend --thickness 4 --preload 3");
+      "  misalign deploy search/patterns/table1.json --panels bend --thickness 4 --preload 3\n"
+      "  misalign deploy search/patterns/table1.json --material acrylic --hinge \"glued textile\"");
   auto call = std::make_shared<DeployCall>();
   add_sheet(verb, *call);
   add_deployment(verb, call->input);
@@ -80,7 +82,8 @@ Action deploy_verb(CLI::App& verb) {
           "--panels", call->panels,
           "rigid, or plates that bend [bend where the design or --material names a material]")
       ->transform(one_of<PanelKind>({{"rigid", PanelKind::rigid}, {"bend", PanelKind::bend}}));
-  add_material(verb, call->material_file);
+  add_material(verb, call->material);
+  add_hinge(verb, call->hinge);
   add_value(verb, "--margin-to", call->input.design.margin_to_deg,
             fmt::format("smallest angle at which margins of bending panels and pins count [the "
                         "design's, or {:g}]",

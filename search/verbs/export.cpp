@@ -156,15 +156,15 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
   only_with("--spring-at", kit.options.spring_bore_mm.has_value(), "--spring-bore");
   only_with("--dash-mm", kit.crease == schema::CreaseCut::dash, "--crease dash");
   only_with("--friction", files.format == ExportFormat::mjcf, "--format mjcf");
-  for (const char* option : {"--mesh", "--material"}) {
-    only_with(option, files.format == ExportFormat::inp, "--format inp");
-  }
+  only_with("--mesh", files.format == ExportFormat::inp, "--format inp");
+  only_with("--material", files.format == ExportFormat::inp || kit.wanted,
+            "--format inp, or --kit");
 }
 
 void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) {
   const std::string& path = call.files.read_from;
   refuse_idle_options(call.files, call.kit, verb);
-  read_material(call.deck.material_file, call.release.design);
+  read_material(call.deck.material, call.release.design);
   call.files.warn = [](const std::string& words) { spdlog::warn("{}", words); };
   const std::string chosen_by = first_given(choice);
   if (is_pattern_file(path)) {

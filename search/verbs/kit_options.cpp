@@ -39,7 +39,7 @@ void add_kit(CLI::App& verb, KitCall& call) {
   }
   verb.add_option("--crease", call.crease,
                   "with --kit: cut (every panel is a part), score (lines) or dash (perforated) "
-                  "[the design's, or score]")
+                  "[the design's, its material's, or score]")
       ->transform(one_of<schema::CreaseCut>(creases));
   verb.add_option_function<std::vector<double>>(
           "--dash-mm",
@@ -92,7 +92,7 @@ std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::
         solver::OptionFault{"spring_bore_mm", schema::shown_number(*kit.spring_bore_mm),
                             "is of springs, and the design's holes have none", "leave it out"});
   }
-  kit.crease = call.crease.value_or(design.hinge_kind.value_or(kit.crease));
+  kit.crease = call.crease.value_or(design.crease_or(kit.crease));
   if (!call.bed.empty()) {
     const std::size_t x = call.bed.find('x');
     kit.bed_mm.emplace(std::stod(call.bed.substr(0, x)), std::stod(call.bed.substr(x + 1)));

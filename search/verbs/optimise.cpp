@@ -17,7 +17,7 @@ namespace {
 
 struct OptimiseCall : SheetCall {
   schema::Design design;
-  std::string material_file, output;
+  std::string material, output;
   std::vector<std::string> subject_to;
   std::optional<solver::CertifiedBy> criterion;
   OptimiseInput input;
@@ -39,7 +39,7 @@ Cards cards_of(const Subject& subject, const ProvenBetter& better) {
 }
 
 void show_optimised(OptimiseCall call) {
-  read_material(call.material_file, call.design);
+  read_material(call.material, call.design);
   call.input.jobs = usable_threads();
   call.input.bounds = schema::bounds_of(call.subject_to);
   Subject subject = choose_sheet(call.path, call.draw, call.design, call.criterion);
@@ -170,7 +170,7 @@ Action optimise_verb(CLI::App& verb) {
   add_value(verb, "--friction", design.friction_n_mm_per_mm,
             "dry friction of creases, N mm/mm [the design's, or 0]",
             within("hinges.friction_n_mm_per_mm"), "N");
-  add_material(verb, call->material_file);
+  add_material(verb, call->material);
   verb.add_option("--output", call->output, "write the sheet to this pattern file")
       ->type_name("FILE");
   verb.add_flag("--card", call->with_card, "also the cards of both sheets, side by side");

@@ -136,19 +136,34 @@ schema::DeckOptions DeckCall::of(const schema::Design& whole) const {
 void add_deck(CLI::App& verb, DeckCall& call) {
   add_default(verb, "--mesh", call.deck.elements, "elements along a panel's side", counted(2, 40),
               "N");
-  add_material(verb, call.material_file);
+  add_material(verb, call.material);
 }
 
-void add_material(CLI::App& verb, std::string& file) {
-  verb.add_option("--material", file,
-                  fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3, "
-                              "strength_mpa [the design's, or {}]",
+void add_material(CLI::App& verb, std::string& typed) {
+  verb.add_option("--material", typed,
+                  fmt::format("name that `misalign config --materials` lists, or JSON file with "
+                              "like, name, e_gpa, poisson, density_g_per_cm3, strength_mpa, crease "
+                              "[the design's, or {}]",
                               schema::Material{}.name))
-      ->type_name("FILE");
+      ->type_name(kMaterial);
 }
 
-void read_material(const std::string& file, schema::Design& design) {
-  if (!file.empty()) design.material = schema::read_material_file(file);
+void read_material(const std::string& typed, schema::Design& design) {
+  if (!typed.empty()) design.material = schema::named_material(typed);
+}
+
+void add_hinge(CLI::App& verb, std::string& typed) {
+  verb.add_option("--hinge", typed,
+                  "hinges of this name in `misalign config --materials`: film, pin friction and "
+                  "play, unless options give these [the design's]")
+      ->type_name(kHinge);
+}
+
+void read_hinge(const std::string& typed, schema::Design& design) {
+  if (typed.empty()) return;
+  const schema::HingeRow* row = schema::find_hinge(typed);
+  if (!row) throw schema::UserError(schema::unknown_hinge(typed));
+  design.take_hinge(*row);
 }
 
 CLI::Option* add_criterion(CLI::App& verb, std::optional<solver::CertifiedBy>& criterion) {

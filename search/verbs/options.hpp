@@ -13,6 +13,9 @@
 
 namespace misalign::search {
 
+/// Types of values that are names of the tables of materials and hinges.
+inline constexpr const char *kMaterial = "MATERIAL", *kHinge = "HINGE";
+
 /// The first argument of verbs on sheets.
 void add_catalogue_or_pattern(CLI::App& verb, std::string& path);
 
@@ -57,15 +60,19 @@ void add_release(CLI::App& verb, ReleaseCall& call);
 /// --mesh and --material: of panels as elastic shells.
 struct DeckCall {
   schema::DeckOptions deck;  ///< all but the material
-  std::string material_file;
+  std::string material;
 
   schema::DeckOptions of(const schema::Design& whole) const;
 };
 void add_deck(CLI::App& verb, DeckCall& call);
-/// --material, a file of the panels' material, which is merged into typed options. UserError
-/// (bad_input).
-void add_material(CLI::App& verb, std::string& file);
-void read_material(const std::string& file, schema::Design& design);
+/// --material, a name or file of the panels' material, which is merged into typed options.
+/// UserError (bad_request, bad_input).
+void add_material(CLI::App& verb, std::string& typed);
+void read_material(const std::string& typed, schema::Design& design);
+/// --hinge, a name of the hinge table, whose values are merged into typed options where these have
+/// none. UserError (bad_request).
+void add_hinge(CLI::App& verb, std::string& typed);
+void read_hinge(const std::string& typed, schema::Design& design);
 /// --fill, JSON as of `design.fill`. Called after the options of springs, which it excludes.
 void add_fill(CLI::App& verb, schema::DesignFill& fill);
 /// --criterion: how sheets are judged.

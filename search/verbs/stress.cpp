@@ -122,7 +122,7 @@ std::vector<solver::Deployment::Row> rigid_motion(const solver::Sheet& sheet,
 }
 
 void show_stress(StressCall& call) {
-  read_material(call.deck.material_file, call.release.design);
+  read_material(call.deck.material, call.release.design);
   const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.release.design);
   const schema::DeckOptions deck = call.deck.of(model.design());
   call.options.deck.elements = deck.elements;

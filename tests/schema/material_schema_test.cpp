@@ -33,7 +33,8 @@ TEST(MaterialSchema, HasTheKeysAndDefaultsOfTheCode) {
   const Json defaults = material_json({});
   std::set<std::string> schema_keys;
   for (const auto& [at, property] : properties_of(material_schema())) {
-    if (at == "/strength_mpa") {  // is written where it is said
+    // These are written where they are said.
+    if (at == "/strength_mpa" || at == "/crease" || at == "/like") {
       EXPECT_TRUE(property.at("default").is_null());
       continue;
     }
@@ -80,6 +81,9 @@ TEST(MaterialSchema, RefusesWhatTheCodeRefuses) {
       {"/density_g_per_cm3", "0.0009"},
       {"/density_g_per_cm3", "100.1"},
       {"/density_g_per_cm3", "{}"},
+      {"/like", "\"steel\""},
+      {"/like", "7"},
+      {"/crease", "\"fold\""},
   };
   for (const Mutation& mutation : kBadMaterials) {
     const Json value = with(steel(), mutation.at, Json::parse(mutation.value));
@@ -104,6 +108,10 @@ TEST(MaterialSchema, AcceptsWhatTheCodeAccepts) {
       {"/poisson", "0.49"},
       {"/density_g_per_cm3", "0.001"},
       {"/density_g_per_cm3", "100"},
+      {"/like", "\"birch plywood\""},
+      {"/like", "null"},
+      {"/crease", "\"cut\""},
+      {"/crease", "null"},
   };
   for (const Mutation& mutation : kGoodMaterials) {
     const Json value = with(steel(), mutation.at, Json::parse(mutation.value));

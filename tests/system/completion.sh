@@ -50,6 +50,11 @@ expect in_bash "doctor" "folder"
 expect in_bash "query found.db" "best" b
 expect in_bash "config --check" "campaign.json folder"
 expect in_bash "completion" "bash zsh"
+expect in_bash "deploy --hinge" 'printed\ pin\ hinge' pr
+# Names with spaces, as typed with a backslash or within quotes, and files.
+[ "$(in_bash deploy --material 'aluminium\ 5')" = 'aluminium\ 5052-H32' ] || fail "bash: $(in_bash deploy --material 'aluminium\ 5')"
+[ "$(in_bash deploy --material '"birch p')" = 'birch\ plywood' ] || fail "bash: $(in_bash deploy --material '"birch p')"
+[ "$(in_bash deploy --material c | tr '\n' ' ')" = 'campaign.json carbon\ laminate cardboard ' ] || fail "bash: $(in_bash deploy --material c)"
 mkdir lines && cd lines || exit 1
 cp ../misalign.bash .
 touch 'plain.json' $'a\nb.json'
@@ -90,7 +95,7 @@ END
   echo "misalign "
   for verb in $verbs; do echo "misalign $verb --"; done
   printf '%s\n' "misalign search --storage " "misalign search --storage=l" "misalign query found.db " \
-    "misalign status "
+    "misalign status " "misalign deploy --hinge " "misalign deploy --material "
 } | timeout $patience_s zsh -f try.zsh > offers 2> err || fail "zsh: $(cat err)"
 # offers_for LINE: what zsh offered.
 offers_for() { grep -F -- "$1: " offers | head -1 | sed 's/^[^:]*: //' | tr ' ' '\n' | sed 's/=$//' | sort -u; }
@@ -102,5 +107,8 @@ done
 [ "$(offers_for "misalign search --storage " | tr '\n' ' ')" = "local network " ] || fail "zsh: --storage"
 offers_for "misalign search --storage=l" | grep -qx local || fail "zsh: --storage=l"
 offers_for "misalign query found.db " | grep -qx best || fail "zsh: named queries"
+offers_for "misalign deploy --hinge " | grep -qx textile || fail "zsh: --hinge: $(offers_for "misalign deploy --hinge ")"
+offers_for "misalign deploy --material " | grep -qx cardboard || fail "zsh: --material"
+offers_for "misalign deploy --material " | grep -qx campaign.json || fail "zsh: files of --material"
 offers_for "misalign status " | grep -qx found.db || fail "zsh: catalogues"
 finish

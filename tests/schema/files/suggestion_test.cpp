@@ -34,5 +34,16 @@ TEST(Suggestion, PrefersFewerLettersOff) {
   EXPECT_EQ(nearest_word("merje", {"marge", "merge"}), "merge");
 }
 
+// Names of several words: those that hold what was typed, or the nearest.
+TEST(Suggestion, NamesHoldOrAreNear) {
+  const std::vector<std::string> names = {"red oak", "white oak", "bog oak", "live oak", "PLA"};
+  EXPECT_EQ(meant_names("Oak", names), "; did you mean red oak or white oak or bog oak?");
+  EXPECT_EQ(meant_names("white oka", names), "; did you mean white oak?");
+  EXPECT_EQ(meant_names("pla", names), "; did you mean PLA?");
+  EXPECT_EQ(meant_names("la", names), "");
+  EXPECT_EQ(meant_names("granite", names), "");
+  EXPECT_EQ(meant_names("", names), "");
+}
+
 }  // namespace
 }  // namespace misalign::schema
