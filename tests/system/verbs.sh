@@ -143,6 +143,7 @@ card $file $draw --from 60
 report $source_dir/search/patterns/table1.json
 shape $source_dir/search/patterns/dome-6x6.json
 bench --agree 5
+config --materials
 END
 for verb in $("$program" --help | sed -n 's/^  \([a-z]*\)  .*/\1/p'); do
   "$program" "$verb" --help | grep -q -- "^  --json" || continue
