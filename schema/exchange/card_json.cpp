@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 #include "schema/files/json_values.hpp"
@@ -14,9 +15,36 @@ namespace {
 // Margins from which they are given as ratios.
 constexpr double kMostPercent = 9;
 
+// Ratio of two margins, and of two masses, from which a loss is a price; the number of prices.
+constexpr double kNamedLoss = 0.95, kNamedMass = 1.02;
+constexpr std::size_t kMostPrices = 2;
+
 std::string with_unit(const std::string& number, const std::string& unit) {
   if (unit.empty()) return number;
   return unit == "deg" ? number + "°" : number + " " + unit;
+}
+
+// The ratio of a value to that of before: margins, and the inverse of masses.
+double left_of(const CardLine& before, const CardLine& after) {
+  if (before.margin() && after.margin()) return (1 + *after.margin()) / (1 + *before.margin());
+  const bool is_heavier = std::string_view(after.key) == "mass_g" && before.found && after.found &&
+                          *after.found > kNamedMass * *before.found;
+  return is_heavier ? kNamedLoss * *before.found / *after.found : 1;
+}
+
+Json remedy_json(const Remedy& remedy) {
+  return {
+      {"for", remedy.key},
+      {"what", remedy.what},
+      {"typed", remedy.typed},
+      {"prices",
+       json_list(
+           remedy.prices,
+           [](const Remedy::Price& price) {
+             return Json{{"what", price.what}, {"before", price.before}, {"after", price.after}};
+           })},
+      {"meets_all", remedy.meets_all},
+      {"pattern", remedy.pattern}};
 }
 
 }  // namespace
@@ -95,19 +123,23 @@ std::vector<std::string> Card::remedy_texts(std::string_view key) const {
   return texts;
 }
 
-Json remedy_json(const Remedy& remedy) {
-  return {
-      {"for", remedy.key},
-      {"what", remedy.what},
-      {"typed", remedy.typed},
-      {"prices",
-       json_list(
-           remedy.prices,
-           [](const Remedy::Price& price) {
-             return Json{{"what", price.what}, {"before", price.before}, {"after", price.after}};
-           })},
-      {"meets_all", remedy.meets_all},
-      {"pattern", remedy.pattern}};
+std::vector<Remedy::Price> prices_of(const Card& before, const Card& after,
+                                     std::string_view mended) {
+  std::multimap<double, Remedy::Price> losses;
+  for (const CardLine& line : after.lines) {
+    const CardLine* const earlier = line_of(before.lines, line.key);
+    if (earlier == nullptr || line.key == mended || earlier->found_text() == line.found_text()) {
+      continue;
+    }
+    const double left = left_of(*earlier, line);
+    if (left > kNamedLoss) continue;
+    losses.emplace(left, Remedy::Price{line.what, earlier->found_text(), line.found_text()});
+  }
+  std::vector<Remedy::Price> prices;
+  for (auto& [left, price] : losses) {
+    if (prices.size() < kMostPrices) prices.push_back(std::move(price));
+  }
+  return prices;
 }
 
 Json card_json(const Card& card) {

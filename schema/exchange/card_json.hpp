@@ -69,6 +69,11 @@ struct Card {
   std::vector<std::string> remedy_texts(std::string_view key) const;
 };
 
+/// Returns at most two values of a changed sheet that are worse than before, the worst first:
+/// margins, apart from that of `mended`, and the mass.
+std::vector<Remedy::Price> prices_of(const Card& before, const Card& after,
+                                     std::string_view mended);
+
 Json card_json(const Card& card);
 
 }  // namespace misalign::schema

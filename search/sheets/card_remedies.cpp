@@ -28,9 +28,6 @@ using schema::Remedy;
 using Way = NumberChange::Way;
 
 constexpr std::size_t kMostRemedies = 3;
-// Ratio of two margins, and of two masses, from which a loss is named; the number of those named.
-constexpr double kNamedLoss = 0.95, kNamedMass = 1.02;
-constexpr std::size_t kMostPrices = 2;
 // Steps of an optimisation: the first ones gain most.
 constexpr std::uint64_t kSteps = 20;
 
@@ -159,15 +156,16 @@ class RemedySearch {
       Design changed = design;
       changed.stiffness_n_per_mm = springs.stiffness_n_per_mm;
       changed.preload_n = two_digits(study->best.preload_n);
-      if (!design.preload_n) changed.hold_flat = true;
+      const bool is_latched = design.preload_n.value_or(0) == 0;
+      if (is_latched) changed.hold_flat = true;
       const std::size_t before = remedies_.size();
       add(
           fmt::format("springs of {:g} N/mm with {:g} N left at flat{}",
                       *changed.stiffness_n_per_mm, *changed.preload_n,
-                      design.preload_n ? "" : ", and a latch"),
+                      is_latched ? ", and a latch" : ""),
           fmt::format("design.springs.stiffness_n_per_mm = {:g}, preload_n = {:g}{}",
                       *changed.stiffness_n_per_mm, *changed.preload_n,
-                      design.preload_n ? "" : ", design.hold_flat = true"),
+                      is_latched ? ", design.hold_flat = true" : ""),
           [&] { return CardVariant(subject_, changed); },
           kSpringsCost + std::abs(std::log(factor)));
       if (remedies_.size() > before) return;
@@ -208,8 +206,9 @@ class RemedySearch {
     }
     add(
         fmt::format("a construction at {:.4g}° with shifts up to {:.3g} mm", at_deg, amplitude_mm),
-        fmt::format("misalign construct {} --at {:.10g} --amplitude {:.10g}{}", sheet_words(),
-                    at_deg, amplitude_mm, with_rim ? " --rim" : ""),
+        fmt::format(
+            "{}misalign construct {} --at {:.10g} --amplitude {:.10g}{} --output better.json",
+            export_words(), base_words(), at_deg, amplitude_mm, with_rim ? " --rim" : ""),
         [&] { return make(amplitude_mm); }, kConstructionCost + std::log(amplitude_mm / start_mm));
   }
 
@@ -225,8 +224,9 @@ class RemedySearch {
       return CardVariant(better_pattern(subject_, optimised(subject_, input)));
     };
     add(fmt::format("an optimisation of its {}", input.goal->words),
-        fmt::format("misalign optimise {} --goal {} --steps {}", sheet_words(), goal, kSteps), make,
-        kOptimisationCost);
+        fmt::format("misalign optimise {} --goal {} --steps {} --output better.json", sheet_words(),
+                    goal, kSteps),
+        make, kOptimisationCost);
   }
 
   bool has_shifted_rim() const {
@@ -253,6 +253,19 @@ class RemedySearch {
     return shell_path(path_) + (drawn ? " " + std::to_string(drawn->draw) : "");
   }
 
+  // A draw is constructed from its exported file.
+  std::string export_words() const {
+    const auto& drawn = subject_.chosen.drawn;
+    if (!drawn) return "";
+    return fmt::format("misalign export {} --draw {} --output base; ", shell_path(path_),
+                       drawn->draw);
+  }
+  std::string base_words() const {
+    const auto& drawn = subject_.chosen.drawn;
+    if (!drawn) return shell_path(path_);
+    return shell_path(fmt::format("base/{}-{}.json", drawn->campaign.name, drawn->draw));
+  }
+
   // Adds a change whose card meets the requirement, and all that were met before.
   void add(const std::string& what, const std::string& typed,
            const std::function<CardVariant()>& make, double cost) {
@@ -273,35 +286,12 @@ class RemedySearch {
         const bool has_passed = before == nullptr || before->passes();
         if (!line.passes() && (has_passed || line.key == key_)) return;
       }
-      remedies_.emplace(cost, Remedy{std::string(key_), what, typed, prices(card), card.passes(),
-                                     variant.pattern_file()});
+      remedies_.emplace(
+          cost, Remedy{std::string(key_), what, typed, schema::prices_of(studied_.card, card, key_),
+                       card.passes(), variant.pattern_file()});
     } catch (const schema::UserError&) {
       return;  // no sheet, or none that has a card
     }
-  }
-
-  std::vector<Remedy::Price> prices(const schema::Card& after) const {
-    std::multimap<double, Remedy::Price> losses;
-    for (const CardLine& line : after.lines) {
-      const CardLine* const before = line_of(studied_.card.lines, line.key);
-      if (before == nullptr || !before->found || !line.found) continue;
-      double ratio = 1;
-      if (before->margin() && line.margin()) {
-        ratio = (1 + *line.margin()) / (1 + *before->margin());
-      } else if (std::string_view(line.key) == "mass_g" &&
-                 *line.found > kNamedMass * *before->found) {
-        ratio = kNamedLoss * *before->found / *line.found;
-      }
-      if (ratio > kNamedLoss || line.key == key_ || line.found_text() == before->found_text()) {
-        continue;
-      }
-      losses.emplace(ratio, Remedy::Price{line.what, before->found_text(), line.found_text()});
-    }
-    std::vector<Remedy::Price> named;
-    for (auto& [ratio, price] : losses) {
-      if (named.size() < kMostPrices) named.push_back(std::move(price));
-    }
-    return named;
   }
 
   const Subject& subject_;

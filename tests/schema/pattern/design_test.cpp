@@ -38,7 +38,8 @@ Json full() {
     "thickness_mm": 1.5,
     "material": {"name": "birch", "e_gpa": 12.0, "poisson": 0.3, "density_g_per_cm3": 0.68,
                  "strength_mpa": 40.0},
-    "miscut_mm": 0.05, "play_mm": 0.01, "hold": [0, 3], "gravity": [0.0, 0.0, -1.0]})");
+    "miscut_mm": 0.05, "play_mm": 0.01, "hold": [0, 3], "hold_flat": true,
+    "gravity": [0.0, 0.0, -1.0]})");
 }
 
 TEST(Design, IsWrittenAsItIsRead) {
