@@ -31,7 +31,7 @@ solver::Tolerance tolerance_of(const CardSheet& on, const schema::Campaign& camp
                from_deg = std::ceil(used_deg / sample_deg - 1e-9) * sample_deg;
   const std::vector<Eigen::Matrix2Xd> shifts_mm = {chosen.shifts_mm};
   const schema::Campaign used =
-      used_from(campaign, from_deg, shifts_mm, study, [&](std::size_t) { return sheet.name(); });
+      used_from(campaign, from_deg, shifts_mm, study, [&](std::size_t) { return on.sheet.name(); });
   return study_tolerance(used, shifts_mm, study).front();
 }
 
