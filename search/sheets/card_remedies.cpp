@@ -125,8 +125,9 @@ class RemedySearch {
       return propose(start * (1 + *line.found) / (1 + *line.wanted), false);
     }
     if (!mends(change.mends, key_)) return;
+    const bool is_none = named.value_or(row->standard.value_or(start)) == 0;
     for (const bool is_up : {true, false}) {
-      if (change.way == (is_up ? Way::down : Way::up) || (!is_up && start != named)) continue;
+      if (change.way == (is_up ? Way::down : Way::up) || (!is_up && is_none)) continue;
       const auto value =
           least_change(start, judged(line).score,
                        {is_up ? change.factor : 1 / change.factor, row->least, row->most},
