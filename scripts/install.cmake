@@ -9,7 +9,7 @@ install(FILES ${SCHEMA_FILES} DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/sche
 install(DIRECTORY schema/migrations schema/queries schema/versions
         DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/schema)
 # Beside each other: campaigns name the files of ../patterns.
-install(DIRECTORY search/campaigns search/patterns DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign)
+install(DIRECTORY search/campaigns search/patterns search/wishes DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # The manual, where README's links find it, and the site of it if there is one (scripts/site.sh; `misalign help --site`).
 install(DIRECTORY search/manual DESTINATION ${CMAKE_INSTALL_DOCDIR}/search)

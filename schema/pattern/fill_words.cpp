@@ -120,6 +120,13 @@ void need_springs(const Fill& fill, const std::string& who) {
   refuse_filling(fill, "is no filling for " + who + " (they know springs alone)");
 }
 
+void need_like_springs(const Fill& fill, const std::string& who) {
+  need_springs(fill, who);
+  solver::Springs everywhere = std::get<solver::Springs>(fill);
+  everywhere.on = solver::SpringsOn::all;
+  need_plain_springs(everywhere, who);
+}
+
 void need_plain_springs(const Fill& fill, const std::string& who) {
   need_springs(fill, who);
   const auto& springs = std::get<solver::Springs>(fill);

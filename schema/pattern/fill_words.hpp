@@ -36,5 +36,7 @@ bool are_equal_springs(const solver::Fill& fill);
 void need_springs(const solver::Fill& fill, const std::string& who);
 /// Throws one, too, if springs differ, are not on all diagonals, or do not push.
 void need_plain_springs(const solver::Fill& fill, const std::string& who);
+/// The same, but they may be on one diagonal of each hole alone.
+void need_like_springs(const solver::Fill& fill, const std::string& who);
 
 }  // namespace misalign::schema

@@ -1,5 +1,7 @@
 #include "schema/pattern/pattern_file.hpp"
 
+#include <algorithm>
+
 #include "schema/pattern/carried_pattern.hpp"
 #include "schema/pattern/design_json.hpp"
 #include "schema/pattern/fold_frames.hpp"
@@ -67,9 +69,10 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
   return read;
 }
 
-Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
-                       const Sampling& sampling, const Design& design,
-                       const std::optional<Target>& target) {
+Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm, Sampling sampling,
+                       const Design& design, const std::optional<Target>& target) {
+  sampling.end_deg =
+      std::min(sampling.end_deg, last_judged_deg(base.base, shifts_mm, sampling.sample_deg));
   Json json = {{"pattern", pattern_json(base, shifts_mm)}, {"sampling", sampling_json(sampling)}};
   const Json explicit_json = explicit_design_json(design);
   if (!explicit_json.empty()) json["design"] = explicit_json;

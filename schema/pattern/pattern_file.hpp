@@ -34,10 +34,9 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
                                  Perforations perforations = Perforations::of_one_freedom);
 
 /// Writes a pattern as such a file, with sampling and design where they differ from defaults, and
-/// its target.
-Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
-                       const Sampling& sampling, const Design& design,
-                       const std::optional<Target>& target = {});
+/// its target. Samples end where the sheet can be judged.
+Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm, Sampling sampling,
+                       const Design& design, const std::optional<Target>& target = {});
 
 /// Reads the pattern of such a file.
 Pattern read_pattern_file(const std::string& path,

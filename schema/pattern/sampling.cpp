@@ -39,9 +39,10 @@ Json sampling_json(const Sampling& sampling) {
   return json;
 }
 
-double last_judged_deg(const Pattern& pattern, double sample_deg) {
-  const double end_deg = pattern.base.folding.end_deg();
-  if (!closes_at_180(pattern.base, pattern.shifts_mm)) return end_deg;
+double last_judged_deg(const solver::PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm,
+                       double sample_deg) {
+  const double end_deg = base.folding.end_deg();
+  if (!closes_at_180(base, shifts_mm)) return end_deg;
   return std::max(std::ceil(end_deg / sample_deg) - 1, 1.0) * sample_deg;
 }
 
@@ -51,7 +52,9 @@ Sampling read_sampling(const Json& candidate, const Pattern& pattern, InputFault
   const bool is_said = candidate.is_object() && candidate.contains("sampling");
   ObjectReader reader(is_said ? candidate["sampling"] : kNothing, "sampling", faults);
   reader.number("sample_deg", sampling.sample_deg, 0.01, 60, "try 1");
-  if (faults.count() == 0) sampling.end_deg = last_judged_deg(pattern, sampling.sample_deg);
+  if (faults.count() == 0) {
+    sampling.end_deg = last_judged_deg(pattern.base, pattern.shifts_mm, sampling.sample_deg);
+  }
   reader.number("end_deg", sampling.end_deg, 0.01, 180, "try 180");
   read_between_samples(reader, pattern, sampling.between_samples);
   sampling.energy_of = read_judging_fill(reader, pattern.base);

@@ -6,9 +6,10 @@
 namespace misalign::schema {
 
 Json sampling_json(const Sampling& sampling);
-/// Returns the last angle at which the pattern's sheet can be judged: the end of its base's path,
-/// or the sample before 180 degrees if it closes there (closes_at_180).
-double last_judged_deg(const Pattern& pattern, double sample_deg);
+/// Returns the last angle at which a base's sheet with these shifts can be judged: the end of the
+/// base's path, or the sample before 180 degrees if it closes there (closes_at_180).
+double last_judged_deg(const solver::PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm,
+                       double sample_deg);
 
 /// Reads "sampling" of an exported candidate; by default up to the last judged angle.
 Sampling read_sampling(const Json& candidate, const Pattern& pattern, InputFaults& faults);

@@ -13,7 +13,7 @@
 #include "search/python/made.hpp"
 #include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
-#include "search/sheets/card.hpp"
+#include "search/sheets/card_limits.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/row_certifier.hpp"
 #include "search/sheets/study_json.hpp"
@@ -106,7 +106,7 @@ std::string deploy(const PatternSource& source, const std::string& design,
 std::string optimise(const PatternSource& source, const std::string& design,
                      const std::string& goal, std::optional<double> amplitude_mm,
                      std::optional<double> deploys_from_deg, bool ternary,
-                     std::optional<double> grid_mm, bool rim, bool within_family,
+                     std::optional<double> grid_mm, bool rim, bool within_family, bool keep_card,
                      const std::vector<std::string>& subject_to,
                      const std::vector<double>& stiffness_within,
                      const std::vector<double>& preload_within, std::optional<double> rest_deg,
@@ -141,6 +141,9 @@ std::string optimise(const PatternSource& source, const std::string& design,
     input.miscut_mm = miscut_mm;
     input.trials = copies;
     input.watch = watch_signals;
+    if (keep_card) {
+      search::keep_card(subject, {.trials = copies, .advice = Advice::none}, input.bounds);
+    }
     return optimised(subject, input);
   });
 }
@@ -204,8 +207,8 @@ void bind_studies(py::module_& module) {
   module.def("deploy", made(&deploy), "sheet"_a, "design"_a, "bends"_a);
   module.def("optimise", made(&optimise), "sheet"_a, "design"_a, py::kw_only(), "goal"_a,
              "amplitude_mm"_a, "deploys_from_deg"_a, "ternary"_a, "grid_mm"_a, "rim"_a,
-             "within_family"_a, "subject_to"_a, "stiffness_within"_a, "preload_within"_a,
-             "rest_deg"_a, "miscut_mm"_a, "trials"_a);
+             "within_family"_a, "keep_card"_a, "subject_to"_a, "stiffness_within"_a,
+             "preload_within"_a, "rest_deg"_a, "miscut_mm"_a, "trials"_a);
   module.def("card", made(&card), "sheet"_a, "design"_a, "trials"_a, "jobs"_a);
   module.def("certify", made(&certify), "sheet"_a, "design"_a, "contact"_a, "criterion"_a);
   module.def("choose_springs", made(&choose_springs), "sheet"_a, "design"_a, py::kw_only(),

@@ -198,6 +198,12 @@ schema::Design with_limits(schema::Design design, const solver::OptimiseOptions&
   return design;
 }
 
+// Springs have the design's diameter, or a usual one.
+std::optional<solver::SpringBodies> bodies_of(schema::Design design) {
+  if (!design.diameter_mm) design.diameter_mm = solver::kSpringDiameter_mm;
+  return spring_bodies(design);
+}
+
 }  // namespace
 
 solver::OptimiseOptions options_of(const schema::OptimiseRequest& request) {
@@ -219,10 +225,11 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   solver::OptimiseOptions options = options_of(input);
   options.used_from_deg = design.from_deg;
   options.deploying = deploy_options(design, sheet);
-  schema::need_plain_springs(options.deploying.sheet.fill, "`misalign optimise`");
+  schema::need_like_springs(options.deploying.sheet.fill, "`misalign optimise`");
   options.bending = bending(design);
   options.stroke_limit = lower(options.stroke_limit, design.stroke_limit);
   options.largest_force_n = lower(options.largest_force_n, design.largest_force_n);
+  options.bodies = bodies_of(design);
   options.watch = input.watch;
   options.slope_at_every_angle = true;
   options.shifted = solver::interior_vertices(sheet.base().sheet);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <utility>
 
 #include "solver/contact/spring_clearance.hpp"
 #include "solver/records/strokes.hpp"
@@ -154,13 +153,28 @@ const CardKeys kMendedByShifts = {"deploys_from_deg",
                                   "yield",
                                   "play_mm"};
 
-constexpr std::pair<std::string_view, const char*> kGoals[] = {
-    {"static_margin", "static_friction_n_mm_per_mm"},
-    {"static_friction_n_mm_per_mm", "static_friction_n_mm_per_mm"},
-    {"energy_margin", "bent_critical_friction_n_mm_per_mm"},
-    {"thickness_mm", "thickness_mm"},
-    {"yield", "miscut_margin_mm"},
-    {"least_stroke_mm", "miscut_margin_mm"}};
+// The goal towards a requirement, and that whose bound is the requirement; null: none.
+struct GoalTowards {
+  std::string_view key;
+  const char *goal, *bound;
+  bool is_friction = false;  // the requirement is a margin over friction
+};
+constexpr GoalTowards kGoals[] = {
+    {"static_margin", "static_friction_n_mm_per_mm", "static_friction_n_mm_per_mm", true},
+    {"static_friction_n_mm_per_mm", "static_friction_n_mm_per_mm", "static_friction_n_mm_per_mm"},
+    {"energy_margin", "bent_critical_friction_n_mm_per_mm", "bent_critical_friction_n_mm_per_mm",
+     true},
+    {"thickness_mm", "thickness_mm", "thickness_mm"},
+    {"largest_stress_mpa", "largest_stress_mpa", "largest_stress_mpa"},
+    {"buckling_factor", "buckling_factor", "buckling_factor"},
+    {"spring_clearance_mm", "spring_clearance_mm", "spring_clearance_mm"},
+    {"yield", "miscut_margin_mm", "yield"},
+    {"least_stroke_mm", "miscut_margin_mm", nullptr}};
+
+const GoalTowards* goal_row(std::string_view key) {
+  const auto* const row = std::ranges::find(kGoals, key, &GoalTowards::key);
+  return row == std::end(kGoals) ? nullptr : row;
+}
 
 }  // namespace
 
@@ -172,9 +186,20 @@ bool is_mended_by_shifts(std::string_view key) {
 }
 
 const char* goal_towards(std::string_view key) {
-  const auto* const row =
-      std::ranges::find_if(kGoals, [&](const auto& goal) { return goal.first == key; });
-  return row == std::end(kGoals) ? nullptr : row->second;
+  const GoalTowards* const row = goal_row(key);
+  return row == nullptr ? nullptr : row->goal;
+}
+
+std::vector<solver::OptimiseFloor> kept_floors(const schema::Card& card, double friction) {
+  std::vector<solver::OptimiseFloor> floors;
+  for (const schema::CardLine& line : card.lines) {
+    const GoalTowards* const row = goal_row(line.key);
+    if (row == nullptr || row->bound == nullptr || !line.is_asked() || !line.passes()) continue;
+    const solver::Goal* const goal = solver::goal_named(row->bound);
+    const double least = row->is_friction ? friction * (1 + *line.wanted) : *line.wanted;
+    floors.push_back({goal, goal->in_unit(least)});
+  }
+  return floors;
 }
 
 }  // namespace misalign::search

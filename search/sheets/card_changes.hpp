@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "schema/pattern/design.hpp"
+#include "schema/exchange/card_json.hpp"
+#include "solver/studies/goal.hpp"
 
 namespace misalign::search {
 
@@ -43,5 +44,8 @@ std::span<const SwitchChange> switch_changes();
 bool is_mended_by_shifts(std::string_view key);
 /// The goal of an optimisation towards the requirement; null: none.
 const char* goal_towards(std::string_view key);
+/// Bounds by which an optimisation keeps the requirements that a card meets, where goals are their
+/// values. `friction`: the hinges', N mm/mm.
+std::vector<solver::OptimiseFloor> kept_floors(const schema::Card& card, double friction);
 
 }  // namespace misalign::search

@@ -56,10 +56,13 @@ class DriveLines : private CardLines {
     } else {
       stop();
     }
-    // Plates have to drive the sheet: their pre-stretch may bend its panels instead.
+    // Plates have to drive the sheet, for their pre-stretch may bend its panels instead; and
+    // springs where a static margin is wanted that no friction measures.
+    const bool is_driven =
+        !on_.design.is_springs() || (on_.design.static_margin && !(hinge_friction > 0));
     ask("static_friction_n_mm_per_mm",
         fmt::format("Static friction overcome, worst at {:.3g}°", friction.static_deg), "N mm/mm",
-        on_.design.is_springs() ? Number{} : Number{0}, least, Bound::at_least,
+        is_driven ? Number{0} : Number{}, least, Bound::at_least,
         *least > 0 ? "" : "no moment drives the sheet towards flat there");
     panels(bent);
     if (advice_ == Advice::with) springs_to_choose(bent, hinge_friction);

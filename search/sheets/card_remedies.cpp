@@ -12,11 +12,10 @@
 #include "search/sheets/card_changes.hpp"
 #include "search/sheets/card_drive.hpp"
 #include "search/sheets/card_variant.hpp"
-#include "search/sheets/deploy_input.hpp"
 #include "search/sheets/least_change.hpp"
+#include "search/sheets/preloaded_springs.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/terminal/shell_word.hpp"
-#include "solver/bending/preload.hpp"
 
 namespace misalign::search {
 namespace {
@@ -140,23 +139,19 @@ class RemedySearch {
   // first.
   void try_springs(const CardLine& line) {
     const Design& design = subject_.model.design();
-    if (!design.is_springs() || design.rest_deg.value_or(0) > 0) return;
-    const solver::ReleaseOptions release = release_of(studied_sheet());
-    const double friction = release.sheet.joints.friction_n_mm_per_mm;
-    const double wanted = line.wanted.value_or(0) * friction + friction;
-    const auto panels = solver::bend_panels(subject_.sheet, release, bending(design));
-    if (!panels) return;
-    const double start = design.springs().stiffness_n_per_mm;
+    const CardSheet on = studied_sheet();
+    const double friction = release_of(on).sheet.joints.friction_n_mm_per_mm,
+                 wanted = line.wanted.value_or(0) * friction + friction,
+                 start = design.springs().stiffness_n_per_mm;
+    std::vector<double> rates_n_per_mm;
     for (const double factor : {1.0, 0.5, 2.0, 0.25, 4.0, 0.125, 8.0}) {
-      solver::ReleaseOptions of_rate = release;
-      solver::Springs& springs = of_rate.sheet.springs();
-      springs.stiffness_n_per_mm = two_digits(start * factor);
-      if (!springs.preload.is_any()) springs.preload.each_n = 1;
-      const auto study = solver::study_preload(subject_.sheet, of_rate, *panels);
-      if (!study || !(study->best.static_n_mm_per_mm >= wanted)) continue;
+      rates_n_per_mm.push_back(two_digits(start * factor));
+    }
+    for (const PreloadedSprings& springs : preloaded_springs(on, rates_n_per_mm)) {
+      if (!(springs.static_n_mm_per_mm >= wanted)) continue;
       Design changed = design;
       changed.stiffness_n_per_mm = springs.stiffness_n_per_mm;
-      changed.preload_n = two_digits(study->best.preload_n);
+      changed.preload_n = two_digits(springs.preload_n);
       const bool is_latched = design.preload_n.value_or(0) == 0;
       if (is_latched) changed.hold_flat = true;
       const std::size_t before = remedies_.size();
@@ -168,7 +163,7 @@ class RemedySearch {
                       *changed.stiffness_n_per_mm, *changed.preload_n,
                       is_latched ? ", design.hold_flat = true" : ""),
           [&] { return CardVariant(subject_, changed); },
-          kSpringsCost + std::abs(std::log(factor)));
+          kSpringsCost + std::abs(std::log(springs.stiffness_n_per_mm / start)));
       if (remedies_.size() > before) return;
     }
   }

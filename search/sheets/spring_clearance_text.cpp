@@ -70,13 +70,6 @@ std::string spring_clearance_text(const schema::Pattern& base, const solver::Pan
   return text + apart_text(study);
 }
 
-const solver::SpringMeeting* closest_meeting(const solver::SpringClearance& clearance) {
-  const auto& springs = clearance.springs.closest;
-  const auto& panels = clearance.panels.closest;
-  if (springs && !(panels && panels->clear_mm < springs->clear_mm)) return &*springs;
-  return panels ? &*panels : nullptr;
-}
-
 std::string spring_clearance_note(const schema::Pattern& base, const solver::Panels& panels,
                                   const solver::SpringClearance& clearance) {
   const solver::SpringMeeting& met = *closest_meeting(clearance);

@@ -38,7 +38,6 @@ std::string contact_text(const schema::Pattern& base, const solver::Panels& pane
 std::string spring_clearance_text(const schema::Pattern& base, const solver::Panels& panels,
                                   const solver::ContactStudy& study);
 /// The closest two springs, or spring and panel; null where there are none.
-const solver::SpringMeeting* closest_meeting(const solver::SpringClearance& clearance);
 /// These, and the numbers of pairs that touch.
 std::string spring_clearance_note(const schema::Pattern& base, const solver::Panels& panels,
                                   const solver::SpringClearance& clearance);

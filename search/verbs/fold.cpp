@@ -25,8 +25,9 @@ void fold(const FoldCall& call) {
   say_reading(call.pattern_path, pattern);
   solver::PathPlanOptions path;
   path.sample_deg = sampling.sample_deg;
-  path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg),
-                          schema::last_judged_deg(pattern, sampling.sample_deg));
+  path.end_deg =
+      std::min(call.to_deg.value_or(sampling.end_deg),
+               schema::last_judged_deg(pattern.base, pattern.shifts_mm, sampling.sample_deg));
   path.look_deg = call.step_deg;
   const solver::Model model(pattern.base, path, sampling.criterion());
   solver::SheetSolver solver(model);

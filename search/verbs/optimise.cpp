@@ -3,7 +3,7 @@
 
 #include "schema/catalogue/study_table.hpp"
 #include "schema/files/output_file.hpp"
-#include "search/sheets/card.hpp"
+#include "search/sheets/card_limits.hpp"
 #include "search/sheets/card_text.hpp"
 #include "search/sheets/study_json.hpp"
 #include "search/sheets/study_texts.hpp"
@@ -21,7 +21,7 @@ struct OptimiseCall : SheetCall {
   std::vector<std::string> subject_to;
   std::optional<solver::CertifiedBy> criterion;
   OptimiseInput input;
-  bool with_card = false;
+  bool with_card = false, keeps_card = false;
 };
 
 // The cards of the start and of the optimum.
@@ -43,6 +43,11 @@ void show_optimised(OptimiseCall call) {
   call.input.jobs = usable_threads();
   call.input.bounds = schema::bounds_of(call.subject_to);
   Subject subject = choose_sheet(call.path, call.draw, call.design, call.criterion);
+  if (call.keeps_card) {
+    keep_card(subject,
+              {.trials = call.input.trials, .jobs = call.input.jobs, .advice = Advice::none},
+              call.input.bounds);
+  }
   const ProvenBetter better = optimised(subject, call.input);
   if (!call.output.empty()) {
     schema::write_text_file(call.output, better_pattern(subject, better).dump(1) + "\n");
@@ -76,6 +81,9 @@ void add_goal_and_limits(CLI::App& verb, OptimiseCall& call) {
                   "\"largest_force_n <= 20\", or a goal as in \"miscut_margin_mm >= 0.1\" or "
                   "\"shape_max_mm <= 0.5\"")
       ->type_name("LIMIT");
+  verb.add_flag("--keep-card", call.keeps_card,
+                "requirements that the sheet's card meets are constraints, too: stress, margins, "
+                "buckling, thickness, clearance of springs, yield");
   add_value(verb, "--deploys-from", input.deploys_from_deg,
             "pilot angle from which it must still deploy [the design's, the campaign's, or its D]",
             within("optimise", "deploys_from_deg"), "DEG");

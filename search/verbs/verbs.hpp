@@ -37,6 +37,7 @@ Action construct_verb(CLI::App& verb);
 Action optimise_verb(CLI::App& verb);
 Action contact_verb(CLI::App& verb);
 Action deploy_verb(CLI::App& verb);
+Action design_verb(CLI::App& verb);
 Action doctor_verb(CLI::App& verb);
 Action export_verb(CLI::App& verb);
 Action fold_verb(CLI::App& verb);
@@ -75,6 +76,7 @@ inline std::vector<Verb> all_verbs(const Words& typed, const Parts& parts) {
           {"construct", construct_verb},
           {"optimise", optimise_verb},
           {"shape", shape_verb},
+          {"design", design_verb},
           {"replay", replay_verb},
           {"query", [&](CLI::App& verb) { return query_verb(verb, parts); }},
           {"export", export_verb},

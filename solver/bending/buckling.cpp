@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "solver/motion/filling_forces.hpp"
@@ -121,25 +122,6 @@ class Forces {
   std::vector<PlaneForces> forces_;
 };
 
-std::vector<BucklingPanel> panels_of_sheet(const Sheet& sheet, double rigidity_n_mm,
-                                           double poisson) {
-  std::vector<BucklingPanel> panels;
-  for (const auto& corners : sheet.panels().corners) {
-    BucklingPanel panel{{}, {}, rigidity_n_mm, poisson};
-    for (std::size_t i = 0; i < 4; ++i) panel.corners_mm[i] = sheet.point_mm(corners[i]);
-    panels.push_back(panel);
-  }
-  const Panels& all = sheet.panels();
-  for (const FoldLine& fold : all.folds) {
-    for (const int k : {fold.left, fold.right}) {
-      const auto panel = static_cast<std::size_t>(k);
-      const int edge = edge_between(all.corners[panel], fold.a, fold.b);
-      panels[panel].is_crease[static_cast<std::size_t>(edge)] = true;
-    }
-  }
-  return panels;
-}
-
 }  // namespace
 
 double BucklingPanel::area_mm2() const {
@@ -184,6 +166,27 @@ BucklingFactor buckling_factor(const BucklingPanel& panel, const PlaneForces& fo
   return least;
 }
 
+std::vector<BucklingPanel> buckling_panels(const Sheet& sheet, const PanelMaterial& material,
+                                           double thickness_mm) {
+  const double nu = material.poisson,
+               rigidity_n_mm = material.e_mpa() * std::pow(thickness_mm, 3) / 12 / (1 - nu * nu);
+  std::vector<BucklingPanel> panels;
+  for (const auto& corners : sheet.panels().corners) {
+    BucklingPanel panel{{}, {}, rigidity_n_mm, nu};
+    for (std::size_t i = 0; i < 4; ++i) panel.corners_mm[i] = sheet.point_mm(corners[i]);
+    panels.push_back(panel);
+  }
+  const Panels& all = sheet.panels();
+  for (const FoldLine& fold : all.folds) {
+    for (const int k : {fold.left, fold.right}) {
+      const auto panel = static_cast<std::size_t>(k);
+      const int edge = edge_between(all.corners[panel], fold.a, fold.b);
+      panels[panel].is_crease[static_cast<std::size_t>(edge)] = true;
+    }
+  }
+  return panels;
+}
+
 std::vector<std::vector<PlaneForces>> plane_forces(const Sheet& sheet, const EnergyModel& rigid,
                                                    const std::vector<double>& pilot_deg,
                                                    const std::vector<VectorXd>& filling_forces_n) {
@@ -217,10 +220,8 @@ const BucklingStudy::Least& BucklingStudy::least() const {
 BucklingStudy find_buckling(const Sheet& sheet, const EnergyModel::Options& options,
                             const BentPanels& bent) {
   const EnergyModel rigid(sheet, options);
-  const PanelMaterial& material = bent.options.material;
-  const double t = bent.thickness_mm, nu = material.poisson;
   const std::vector<BucklingPanel> panels =
-      panels_of_sheet(sheet, material.e_mpa() * t * t * t / 12 / (1 - nu * nu), nu);
+      buckling_panels(sheet, bent.options.material, bent.thickness_mm);
   BucklingStudy study;
   for (const int facet : sheet.panels().facets) {
     const auto& place = sheet.base().sheet.places[static_cast<std::size_t>(facet)];

@@ -55,6 +55,10 @@ struct BucklingFactor {
 /// The least of the bounds by its corners and by its mean stress.
 BucklingFactor buckling_factor(const BucklingPanel& panel, const PlaneForces& forces);
 
+/// The panels of a sheet that have this thickness.
+std::vector<BucklingPanel> buckling_panels(const Sheet& sheet, const PanelMaterial& material,
+                                           double thickness_mm);
+
 /// Forces in the plane of each panel (second index) at each angle, where the sheet is held and its
 /// filling pulls along the diagonals with these forces.
 std::vector<std::vector<PlaneForces>> plane_forces(

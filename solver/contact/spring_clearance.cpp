@@ -107,6 +107,13 @@ std::optional<OptionFault> nothing_left(const Sheet& sheet, const SpringBodies& 
 
 }  // namespace
 
+const SpringMeeting* closest_meeting(const SpringClearance& clearance) {
+  const auto& springs = clearance.springs.closest;
+  const auto& panels = clearance.panels.closest;
+  if (springs && !(panels && panels->clear_mm < springs->clear_mm)) return &*springs;
+  return panels ? &*panels : nullptr;
+}
+
 std::vector<int> sprung_diagonals(const Filling& filling) {
   std::vector<int> sprung;
   const Eigen::VectorXd& rates = filling.rates_n_per_mm();

@@ -62,6 +62,9 @@ struct SpringClearance {
   std::vector<Apart> apart;  ///< one for each angle of the study
 };
 
+/// The closest of springs with each other and with panels; null where nothing is close.
+const SpringMeeting* closest_meeting(const SpringClearance& clearance);
+
 /// Diagonals that have a spring, ascending; none of plates.
 std::vector<int> sprung_diagonals(const Filling& filling);
 

@@ -113,6 +113,15 @@ inline bool are_plain_springs(const Fill& fill) {
   return springs && on_all_equally(*springs) && !springs->pull_only;
 }
 
+/// Returns whether a filling is such springs, or the same on one diagonal of each hole alone.
+inline bool are_like_springs(const Fill& fill) {
+  const auto* const springs = std::get_if<Springs>(&fill);
+  if (!springs) return false;
+  Springs everywhere = *springs;
+  everywhere.on = SpringsOn::all;
+  return are_plain_springs(everywhere);
+}
+
 /// Returns whether a filling is relaxed flat, apart from preload or pre-stretch: no part of it has
 /// another rest, or a free length of its own.
 inline bool is_relaxed_flat(const Fill& fill) {

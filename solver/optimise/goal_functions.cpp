@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <limits>
 
+#include "solver/bending/buckling.hpp"
 #include "solver/bending/preload.hpp"
 #include "solver/bending/rest_stiffness.hpp"
 #include "solver/contact/contact.hpp"
@@ -12,6 +14,7 @@
 #include "solver/optimise/local_goals.hpp"
 #include "solver/optimise/shape_changes.hpp"
 #include "solver/optimise/spare_diagonals.hpp"
+#include "solver/optimise/strength_changes.hpp"
 #include "solver/target/shape_measure.hpp"
 
 namespace misalign::solver {
@@ -64,6 +67,25 @@ Value plate_thickness(const Sheet& sheet, const OptimiseOptions& options) {
   return study && study->thickness ? Value(study->thickness->thickness_mm) : std::nullopt;
 }
 
+Value largest_stress(const Sheet& sheet, const OptimiseOptions& options) {
+  const auto bent = bend_panels(sheet, options.deploying, options.bending);
+  return bent ? Value(-bent->most_bent().largest_stress_mpa) : std::nullopt;
+}
+
+Value buckling(const Sheet& sheet, const OptimiseOptions& options) {
+  const auto bent = bend_panels(sheet, options.deploying, options.bending);
+  if (!bent) return {};
+  return find_buckling(sheet, options.deploying.sheet, *bent).least().factor;
+}
+
+// Springs that meet nothing have any clearance.
+Value clearance_of_springs(const Sheet& sheet, const OptimiseOptions& options) {
+  const auto study = contact(sheet, {{}, options.used_from_deg, options.bodies});
+  if (!study || !study->springs) return {};
+  const SpringMeeting* const met = closest_meeting(*study->springs);
+  return met ? met->clear_mm : std::numeric_limits<double>::infinity();
+}
+
 Value share_of_copies(const Sheet& sheet, const OptimiseOptions& options) {
   return options.yield(sheet);
 }
@@ -100,6 +122,9 @@ constexpr Functions kFunctions[] = {
     {"deploys_from_deg", deployed_angle, local_deployed_angle},
     {"rest_stiffness_n_mm_per_rad", stiffness_at_rest, local_rest_stiffness},
     {"thickness_mm", plate_thickness, local_thickness},
+    {"largest_stress_mpa", largest_stress, local_stress},
+    {"buckling_factor", buckling, local_buckling},
+    {"spring_clearance_mm", clearance_of_springs, local_spring_clearance},
     {"yield", share_of_copies, local_margin},
     {"spare_diagonals", springs_spared, local_spare_diagonals},
     {"shape_rms_mm", shape_rms, local_shape_rms},

@@ -217,8 +217,9 @@ std::vector<GoalTerm> local_rest_stiffness(SheetChanges& changes) {
   }
   // Changes of length are proportional to the square of the angle next to flat.
   const PathGradients::AtAngle near = changes.at(kNearFlat_deg);
-  const VectorXd longer_mm = near.length_mm - changes.flat.length_mm,
-                 forces_n = springs.preload.forces_n(changes.sheet.mechanism().diagonals)
+  const VectorXd longer_mm =
+      SpringChanges(changes).has_spring().cwiseProduct(near.length_mm - changes.flat.length_mm);
+  const VectorXd forces_n = springs.preload.forces_n(changes.sheet.mechanism().diagonals)
                                 .cwiseProduct(longer_mm.cwiseSign());
   const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2),
                preload_n = springs.preload.largest_n();

@@ -52,12 +52,15 @@ StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& o
   assert(options.moves.size() == 0 || options.moves.rows() == 2 * std::ssize(options.shifted));
   if (start.model().is_overconstrained()) return NoResult::overconstrained;
   const auto& energy = start.model().criterion().energy;
-  if (!are_plain_springs(options.deploying.sheet.fill) ||
-      (energy && !are_plain_springs(energy->fill))) {
+  const Fill& fill = options.deploying.sheet.fill;
+  const bool is_followed =
+      options.goal->chooses_springs ? are_plain_springs(fill) : are_like_springs(fill);
+  if (!is_followed || (energy && !are_plain_springs(energy->fill))) {
     return OptionFault{
         "fill",
         {},
-        "an ascent follows the forces of springs of one rate on all diagonals, which push, too",
+        "an ascent follows the forces of springs of one rate, on all diagonals or on one a hole, "
+        "which push, too",
         "give such springs, and choose others or plates for the sheet that it finds"};
   }
   const StudyResult<ReleaseOptions> fitted = validated_release(start, options.deploying);
@@ -87,7 +90,8 @@ StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& o
                             : "ask for less, or begin with another sheet"};
   }
   const std::optional<double> value = value_of(*from.goal, start, from);
-  if (!value || (*value <= 0 && !from.goal->is_to_be_small)) {
+  const bool has_any_sign = from.goal->is_to_be_small || from.goal->has_any_sign;
+  if (!value || (*value <= 0 && !has_any_sign)) {
     return OptionFault{"goal", {}, from.goal->infeasible, from.goal->suggestion};
   }
   Optimised result{};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/bending/bent_panels.hpp"
+#include "solver/contact/spring_clearance.hpp"
 #include "solver/studies/goal.hpp"
 
 namespace misalign::solver {
@@ -37,6 +38,7 @@ struct OptimiseOptions {
   std::optional<Range> stiffness_n_per_mm, preload_n;
   /// Angle of use of plates and strokes, as in `contact`; none: D.
   std::optional<double> used_from_deg;
+  std::optional<SpringBodies> bodies;  ///< springs as bodies, for their clearance
   /// Share of a sheet's miscut copies that deploy, for its goal.
   std::function<std::optional<double>(const Sheet&)> yield;
   std::shared_ptr<const ShapeMeasure> shape;  ///< target of goals of shapes; null: none

@@ -19,7 +19,8 @@ SpringChanges::SpringChanges(SheetChanges& changes, const Springs& springs)
     : changes_(changes),
       springs_(springs),
       rigid_(changes.sheet, with_springs(changes.options.deploying.sheet, springs)),
-      side_(sides_of_diagonals(*changes.sheet.way())),
+      has_spring_((rigid_.filling().rates_n_per_mm().array() > 0).cast<double>()),
+      side_(has_spring_.cwiseProduct(sides_of_diagonals(*changes.sheet.way()))),
       preload_n_(
           side_.cwiseProduct(springs_.preload.forces_n(changes.sheet.mechanism().diagonals))),
       rest_mm_(changes.flat.length_mm),
@@ -38,15 +39,16 @@ SpringChanges::SpringChanges(SheetChanges& changes, const Springs& springs)
 }
 
 VectorXd SpringChanges::forces_n(const PathGradients::AtAngle& at_angle) const {
-  return n_per_mm() * (at_angle.length_mm - rest_mm_) + preload_n_;
+  return n_per_mm() * has_spring_.cwiseProduct(at_angle.length_mm - rest_mm_) + preload_n_;
 }
 
 VectorXd SpringChanges::forces_row(const PathGradients::AtAngle& at_angle,
                                    const VectorXd& weights) const {
   assert(weights.size() == rest_mm_.size());
+  const VectorXd of_springs = weights.cwiseProduct(has_spring_);
   return changes_.variables.row(
-      n_per_mm() * weights.transpose() * (at_angle.length_by_mm - rest_by_mm_),
-      weights.dot(at_angle.length_mm - rest_mm_), weights.dot(side_));
+      n_per_mm() * of_springs.transpose() * (at_angle.length_by_mm - rest_by_mm_),
+      of_springs.dot(at_angle.length_mm - rest_mm_), of_springs.dot(side_));
 }
 
 VectorXd SpringChanges::energy_row(const PathGradients::AtAngle& at_angle,

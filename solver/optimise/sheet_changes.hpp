@@ -38,7 +38,7 @@ struct SheetChanges {
 };
 
 /// Springs that pull and push: f = k (L - L_rest) + F s, with s the sign of a diagonal's change
-/// next to flat and F the preload.
+/// next to flat and F the preload; 0 on diagonals without a spring.
 class SpringChanges {
  public:
   /// Springs of the options, or others of one rate. `changes` must outlive this object.
@@ -48,6 +48,8 @@ class SpringChanges {
 
   const EnergyModel& rigid() const { return rigid_; }
   double n_per_mm() const { return springs_.stiffness_n_per_mm; }
+  /// 1 for each diagonal that has a spring, else 0.
+  const Eigen::VectorXd& has_spring() const { return has_spring_; }
   /// Forces with panels rigid, N.
   Eigen::VectorXd forces_n(const PathGradients::AtAngle& at_angle) const;
   /// Gradient of the weighted sum of the forces by the coordinates; `weights`: one per spring.
@@ -62,7 +64,7 @@ class SpringChanges {
   SheetChanges& changes_;
   const Springs springs_;
   const EnergyModel rigid_;
-  Eigen::VectorXd side_, preload_n_, rest_mm_;  // s, F s, L_rest
+  Eigen::VectorXd has_spring_, side_, preload_n_, rest_mm_;  // s, F s, L_rest
   Eigen::MatrixXd rest_by_mm_;
 };
 

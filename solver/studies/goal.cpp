@@ -8,6 +8,8 @@ namespace {
 
 constexpr char kNotThere[] = "the sheet that it starts from does not fold to the target's angle";
 
+constexpr char kNotBent[] = "the panels of the sheet that it starts from cannot be bent";
+
 constexpr Goal kGoals[] = {
     {.name = "critical_friction_n_mm_per_mm",
      .words = "critical friction, panels rigid",
@@ -57,6 +59,28 @@ constexpr Goal kGoals[] = {
      .unit = "mm",
      .unit_words = "mm",
      .infeasible = "panels of the sheet that it starts from meet on the way"},
+    {.name = "largest_stress_mpa",
+     .words = "largest static stress of its panels",
+     .unit = "mpa",
+     .unit_words = "MPa",
+     .is_of_use = true,
+     .is_to_be_small = true,
+     .largest = 0,
+     .infeasible = kNotBent},
+    {.name = "buckling_factor",
+     .words = "buckling factor of its panels",
+     .unit = "factor",
+     .unit_words = "times the forces",
+     .is_of_use = true,
+     .infeasible = kNotBent},
+    {.name = "spring_clearance_mm",
+     .words = "clearance of its springs",
+     .unit = "mm",
+     .unit_words = "mm",
+     .is_exact = false,
+     .has_any_sign = true,
+     .infeasible = "the springs of the sheet that it starts from are no bodies",
+     .suggestion = "give the design springs with a \"diameter_mm\""},
     {.name = "yield",
      .words = "share of miscut copies that deploy",
      .unit = "share",

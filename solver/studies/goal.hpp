@@ -31,6 +31,8 @@ struct Goal {
   bool chooses_springs = false;
   /// True if it is to be small: ascents have its negative, and floors that of an upper bound.
   bool is_to_be_small = false;
+  /// True if its values have any sign.
+  bool has_any_sign = false;
   /// True if it measures the shape of the sheet, and the options need a target.
   bool needs_target = false;
   double largest = std::numeric_limits<double>::infinity();

@@ -282,7 +282,7 @@ class Pattern:
                  within_family: bool = False, subject_to: Sequence[str] = (),
                  stiffness_within: Sequence[float] = (), preload_within: Sequence[float] = (),
                  rest_deg: float | None = None, miscut_mm: float = 0.05, trials: int = 200, rim: bool = False,
-                 ) -> tuple[Pattern, dict[str, Any]]:
+                 keep_card: bool = False) -> tuple[Pattern, dict[str, Any]]:
         """Optimises this sheet; returns the optimum and the JSON of `misalign optimise`.
 
         `goal`              objective, any that `misalign optimise --help` lists
@@ -292,6 +292,7 @@ class Pattern:
         `grid_mm`           grid of the shifts; those of this sheet are rounded to it
         `rim`               True to shift the rim's vertices, too
         `within_family`     True for members of the base's parallel family alone
+        `keep_card`         True to keep the requirements that its card meets: stress, margins, buckling, clearances
         `subject_to`        constraints: `"stroke_max <= 0.06"`, `"miscut_margin_mm >= 0.1"`, `"shape_max_mm <= 0.5"`
         `stiffness_within`, `preload_within`  bounds of the springs' stiffness and preload, which are optimised too
         `rest_deg`          pilot angle at which springs are relaxed; None for flat
@@ -304,8 +305,8 @@ class Pattern:
         said: dict[str, Any] = json.loads(_misalign.optimise(
             self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit, None, thickness_mm, preload_n=preload_n),
             goal=goal, amplitude_mm=amplitude_mm, deploys_from_deg=deploys_from_deg, ternary=ternary, grid_mm=grid_mm,
-            rim=rim, within_family=within_family, subject_to=list(subject_to), stiffness_within=list(stiffness_within),
-            preload_within=list(preload_within), rest_deg=rest_deg, miscut_mm=miscut_mm, trials=trials))
+            rim=rim, within_family=within_family, keep_card=keep_card, subject_to=list(subject_to),
+            stiffness_within=list(stiffness_within), preload_within=list(preload_within), rest_deg=rest_deg, miscut_mm=miscut_mm, trials=trials))
         return Pattern(_misalign.read_document(text(said["pattern"]), "optimised")), said
 
     def card(self, trials: int = 1000, jobs: int = 1, fill: dict[str, Any] | None = None) -> dict[str, Any]:

@@ -1,0 +1,192 @@
+#include "search/designs/designer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <tuple>
+
+#include "schema/files/hash.hpp"
+#include "schema/pattern/design_json.hpp"
+#include "schema/pattern/perforation_check.hpp"
+#include "search/designs/number_choice.hpp"
+#include "search/sheets/better_sheet.hpp"
+#include "search/sheets/card_changes.hpp"
+#include "search/sheets/card_limits.hpp"
+#include "search/sheets/on_threads.hpp"
+#include "search/terminal/long_work.hpp"
+
+namespace misalign::search {
+namespace {
+
+// Cards of a rough design, and of a refined one; the numbers of sheets that are refined and
+// optimised, and the steps of an optimisation.
+constexpr int kRoughCards = 4, kRefinedCards = 30;
+constexpr std::size_t kRefined = 3, kOptimised = 2;
+constexpr std::uint32_t kSteps = 30;
+
+class Designer {
+ public:
+  Designer(const schema::Wish& wish, const DesignerOptions& options)
+      : wish_(wish),
+        options_(options),
+        log_(
+            options.log_path,
+            schema::hex(schema::hash_of(fmt::format("{} {} {} {}", wish.text, options.sources.draws,
+                                                    options.sources.seed, options.trials)))) {}
+
+  std::vector<DesignTry> all() {
+    const std::vector<SheetSource> sources = sheet_sources(wish_, options_.sources);
+    std::vector<Step> steps;
+    for (const SheetSource& source : sources) {
+      steps.push_back({source.how, [this, &source] {
+                         std::vector<DesignTry> tries;
+                         for (const MadeSheet& sheet : source.make()) {
+                           tries.push_back(tried(sheet, DesignStage::rough));
+                         }
+                         return tries;
+                       }});
+    }
+    take(steps, "sheets tried");
+    take(next_steps(kRefined, DesignStage::refined, [](const DesignTry&) { return true; }),
+         "designs refined");
+    take(next_steps(kOptimised, DesignStage::optimised,
+                    [this](const DesignTry& best) { return can_be_optimised(best); }),
+         "sheets optimised");
+    return std::move(tries_);
+  }
+
+ private:
+  struct Step {
+    std::string name;
+    std::function<std::vector<DesignTry>()> take;
+  };
+
+  // Takes steps in any order, and adds their tries in turn; finished ones are in the log.
+  void take(const std::vector<Step>& steps, const char* counted) {
+    std::vector<const Step*> open;
+    for (const Step& step : steps) {
+      if (log_.find(step.name) == nullptr) open.push_back(&step);
+    }
+    std::size_t done = steps.size() - open.size();
+    show_work(counted, done, steps.size());
+    on_threads(
+        static_cast<std::size_t>(options_.jobs), open.size(),
+        [&](std::size_t) { return [&](std::size_t k) { return open[k]->take(); }; },
+        [&](std::size_t k, std::vector<DesignTry> tries) {
+          log_.add(open[k]->name, std::move(tries));
+          show_work(counted, ++done, steps.size());
+          return true;
+        });
+    for (const Step& step : steps) {
+      for (const DesignTry& tried : *log_.find(step.name)) replace(tried);
+    }
+    std::ranges::stable_sort(tries_, [](const DesignTry& a, const DesignTry& b) {
+      return std::tuple(a.pattern.is_null(), -a.score.value) <
+             std::tuple(b.pattern.is_null(), -b.score.value);
+    });
+  }
+
+  // A refined design takes the place of its rough one, where it is no worse.
+  void replace(const DesignTry& tried) {
+    const auto same = std::ranges::find_if(tries_, [&](const DesignTry& other) {
+      return tried.stage != DesignStage::optimised && other.how == tried.how;
+    });
+    if (same == tries_.end()) {
+      tries_.push_back(tried);
+    } else if (!tried.pattern.is_null() && tried.score.value >= same->score.value) {
+      *same = tried;
+    }
+  }
+
+  // Steps that go on with the best tries.
+  std::vector<Step> next_steps(std::size_t most, DesignStage stage,
+                               const std::function<bool(const DesignTry&)>& is_next) {
+    std::vector<Step> steps;
+    for (const DesignTry& best : tries_) {
+      if (steps.size() >= most || best.pattern.is_null()) break;
+      if (best.score.value >= kMostReserve || !is_next(best)) continue;
+      const char* const name = stage == DesignStage::refined ? "refined: " : "optimised: ";
+      steps.push_back({name + best.how, [this, best, stage] {
+                         const MadeSheet sheet = stage == DesignStage::refined
+                                                     ? MadeSheet{best.how, best.pattern, ""}
+                                                     : optimised_sheet(best);
+                         return std::vector{tried(sheet, stage)};
+                       }});
+    }
+    return steps;
+  }
+
+  ChosenSheet chosen_of(const MadeSheet& sheet) const {
+    return sheet_of_pattern_document(sheet.pattern, sheet.how, wish_.directory, sheet.how,
+                                     schema::Perforations::of_one_path);
+  }
+
+  DesignTry tried(const MadeSheet& sheet, DesignStage stage) const {
+    DesignTry tried{sheet.how, stage, nullptr, sheet.why, "", {}, {}};
+    if (sheet.pattern.is_null()) return tried;
+    try {
+      const Subject subject(chosen_of(sheet), {});
+      const CardSheet on = card_sheet(subject);
+      NumberChoiceOptions budget;
+      budget.most_cards = stage == DesignStage::rough ? kRoughCards : kRefinedCards;
+      NumberChoice choice = choose_numbers(on, wish_.free, budget);
+      const CardSheet chosen{on.chosen, on.sheet, choice.design, on.used_deg};
+      const schema::Card card =
+          card_of(chosen, {.trials = options_.trials, .advice = Advice::none}, choice.parts).card;
+      tried.pattern = schema::pattern_file_json(
+          on.chosen.base, on.chosen.shifts_mm, on.chosen.sampling, choice.design, on.chosen.target);
+      tried.chosen = chosen_words(choice.design, wish_.free);
+      tried.score = score_of(card.lines);
+      for (const schema::CardLine& line : card.lines) {
+        if (!line.passes()) tried.lacks.push_back(short_label(line.what));
+      }
+    } catch (const schema::UserError& error) {
+      tried.why = error.what();
+    }
+    return tried;
+  }
+
+  bool can_be_optimised(const DesignTry& best) const {
+    return wish_.free.amplitude_mm && goal_towards(best.score.key) != nullptr;
+  }
+
+  // The sheet optimised towards the requirement that decides.
+  MadeSheet optimised_sheet(const DesignTry& best) const {
+    MadeSheet sheet{best.how, best.pattern, ""};
+    OptimiseInput input;
+    input.goal = solver::goal_named(goal_towards(best.score.key));
+    input.most_steps = kSteps;
+    input.amplitude_mm = wish_.free.amplitude_mm->back();
+    input.with_rim = wish_.free.rim;
+    try {
+      // Ascents know springs that push, too.
+      const schema::Json design = sheet.pattern.at("design");
+      ChosenSheet chosen = chosen_of(sheet);
+      chosen.design.pull_only.reset();
+      const Subject subject(std::move(chosen), {});
+      input.deploys_from_deg = card_sheet(subject).used_deg;
+      keep_card(subject, {.trials = input.trials, .advice = Advice::none}, input.bounds);
+      sheet.pattern = better_pattern(subject, optimised(subject, input));
+      sheet.pattern["design"] = design;
+    } catch (const schema::UserError& error) {
+      sheet.pattern = nullptr;
+      sheet.why = error.what();
+    }
+    sheet.how = fmt::format("{}, optimised: {}", best.how, input.goal->words);
+    return sheet;
+  }
+
+  const schema::Wish& wish_;
+  const DesignerOptions& options_;
+  DesignLog log_;
+  std::vector<DesignTry> tries_;  // the best first
+};
+
+}  // namespace
+
+std::vector<DesignTry> designs_for(const schema::Wish& wish, const DesignerOptions& options) {
+  return Designer(wish, options).all();
+}
+
+}  // namespace misalign::search

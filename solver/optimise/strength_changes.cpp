@@ -1,0 +1,161 @@
+#include "solver/optimise/strength_changes.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cassert>
+#include <map>
+
+#include "solver/bending/buckling.hpp"
+#include "solver/contact/contact.hpp"
+#include "solver/optimise/body_distance.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::VectorXd;
+
+// Panels count whose stress, or inverse factor, is at least this share of the largest.
+constexpr double kNearTheWorst = 0.7;
+// Pairs of springs whose clearance exceeds the least by no more than this share of a diameter, at
+// the angles that are compared.
+constexpr double kNearTheClosest = 0.5;
+constexpr int kClearanceAngles = 12;
+// Difference of a force over the largest: buckling is linear in them but for its kind.
+constexpr double kForceStep = 1e-6;
+
+// A sheet bent by its springs, with the compliances by which forces follow from those on rigid
+// panels.
+class BentBySprings {
+ public:
+  explicit BentBySprings(SheetChanges& changes)
+      : changes_(changes),
+        springs_(changes),
+        bent_(bend_panels(changes.sheet, changes.options.deploying, changes.options.bending)) {
+    if (!bent_) return;
+    const BentPanelsOptions& options = changes.options.bending;
+    way_.emplace(changes.sheet, options.material, bent_->thickness_mm, options.to_deg,
+                 bent_->from_deg, options.angles);
+    assert(way_->compliances().size() == bent_->angles.size());
+  }
+
+  /// None: the panels cannot be bent, and the rest has no meaning.
+  const StudyResult<BentPanels>& bent() const { return bent_; }
+  const BentWay& way() const { return *way_; }
+  const EnergyModel& rigid() const { return springs_.rigid(); }
+  /// Gradient of the weighted sum of the bent forces at one of the angles: (1 + K C)^-1 dF, C and K
+  /// symmetric.
+  VectorXd row(std::size_t angle, const VectorXd& weights) const {
+    const MatrixXd& mm_per_n = way_->compliances()[angle].mm_per_n;
+    const VectorXd n_per_mm = springs_.n_per_mm() * springs_.has_spring();
+    const MatrixXd softening =
+        MatrixXd::Identity(mm_per_n.rows(), mm_per_n.cols()) + mm_per_n * n_per_mm.asDiagonal();
+    return springs_.forces_row(changes_.at(bent_->angles[angle].pilot_deg),
+                               softening.partialPivLu().solve(weights));
+  }
+
+ private:
+  SheetChanges& changes_;
+  const SpringChanges springs_;
+  const StudyResult<BentPanels> bent_;
+  std::optional<BentWay> way_;
+};
+
+}  // namespace
+
+std::vector<GoalTerm> local_stress(SheetChanges& changes) {
+  const BentBySprings bending(changes);
+  if (!bending.bent()) return {};
+  const VectorXd mpa_per_mm = bending.way().panels().stress_mpa_per_mm();
+  const double least_mpa = kNearTheWorst * bending.bent()->most_bent().largest_stress_mpa;
+  std::vector<GoalTerm> terms;
+  for (std::size_t a = 0; a < bending.bent()->angles.size(); ++a) {
+    const VectorXd& saddles_mm = bending.bent()->angles[a].bent.saddles_mm;
+    for (Index panel = 0; panel < saddles_mm.size(); ++panel) {
+      const double mpa = std::abs(saddles_mm(panel)) * mpa_per_mm(panel);
+      if (mpa < least_mpa) continue;
+      const double side = saddles_mm(panel) < 0 ? 1 : -1;  // of the negative stress
+      const VectorXd by_force =
+          bending.way().compliances()[a].saddle_mm_per_n.row(panel).transpose();
+      terms.push_back({-mpa, 1, side * mpa_per_mm(panel) * bending.row(a, by_force)});
+    }
+  }
+  return terms;
+}
+
+std::vector<GoalTerm> local_buckling(SheetChanges& changes) {
+  const BentBySprings bending(changes);
+  if (!bending.bent()) return {};
+  const EnergyModel& rigid = bending.rigid();
+  const BucklingStudy study =
+      find_buckling(changes.sheet, changes.options.deploying.sheet, *bending.bent());
+  const auto panels = buckling_panels(changes.sheet, bending.bent()->options.material,
+                                      bending.bent()->thickness_mm);
+  std::map<std::size_t, std::vector<std::size_t>> at_angle;  // panels
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    if (kNearTheWorst * study.panels[k].factor > study.least().factor) continue;
+    const auto angle =
+        std::ranges::find(bending.bent()->angles, study.panels[k].pilot_deg, &BentAngle::pilot_deg);
+    at_angle[static_cast<std::size_t>(angle - bending.bent()->angles.begin())].push_back(k);
+  }
+  std::vector<GoalTerm> terms;
+  for (const auto& [a, its_panels] : at_angle) {
+    const VectorXd& forces_n = bending.bent()->angles[a].bent.forces_n;
+    const double step_n = kForceStep * forces_n.cwiseAbs().maxCoeff();
+    std::vector<VectorXd> beside{forces_n};
+    for (Index d = 0; d < forces_n.size(); ++d) {
+      beside.emplace_back(forces_n + step_n * VectorXd::Unit(forces_n.size(), d));
+    }
+    const auto in_plane = plane_forces(
+        changes.sheet, rigid,
+        std::vector<double>(beside.size(), bending.bent()->angles[a].pilot_deg), beside);
+    for (const std::size_t k : its_panels) {
+      const double factor = study.panels[k].factor;
+      VectorXd by_force(forces_n.size());
+      for (Index d = 0; d < forces_n.size(); ++d) {
+        const auto there = in_plane[static_cast<std::size_t>(d) + 1][k];
+        by_force(d) = (buckling_factor(panels[k], there).factor - factor) / step_n;
+      }
+      terms.push_back({factor, 1, bending.row(a, by_force)});
+    }
+  }
+  return terms;
+}
+
+std::vector<GoalTerm> local_spring_clearance(SheetChanges& changes) {
+  const Sheet& sheet = changes.sheet;
+  const auto& bodies = changes.options.bodies;
+  if (!bodies || !sheet.base().springs.at_vertices()) return {};
+  const auto study = contact(sheet, {{}, changes.options.used_from_deg, bodies});
+  if (!study || !study->springs || !study->springs->springs.closest) return {};
+  const SpringMeeting& closest = *study->springs->springs.closest;
+  std::vector<double> angles_deg{closest.pilot_deg};
+  for (int k = 1; k <= kClearanceAngles; ++k) {
+    angles_deg.push_back(study->reach_deg * k / kClearanceAngles);
+  }
+  const std::vector<int> sprung = sprung_diagonals(SpringChanges(changes).rigid().filling());
+  std::vector<GoalTerm> terms;
+  for (const double pilot_deg : angles_deg) {
+    if (pilot_deg <= 0) continue;
+    const auto folded = changes.gradients.vertices(pilot_deg);
+    if (!folded) return {};
+    const auto axis = [&](int d) {
+      const Diagonal& diagonal = sheet.mechanism().diagonals[static_cast<std::size_t>(d)];
+      const double flat_mm = changes.flat.length_mm(d);
+      return placed_line(*folded, diagonal.from, diagonal.to, bodies->left_out_mm() / flat_mm);
+    };
+    for (std::size_t i = 0; i < sprung.size(); ++i) {
+      for (std::size_t j = i + 1; j < sprung.size(); ++j) {
+        const LengthGradient apart = distance_gradient(axis(sprung[i]), axis(sprung[j]), *folded);
+        const double clear_mm = apart.mm - bodies->diameter_mm;
+        if (clear_mm > closest.clear_mm + kNearTheClosest * bodies->diameter_mm) continue;
+        terms.push_back({clear_mm, 1, changes.variables.row(apart.by_mm)});
+      }
+    }
+  }
+  return terms;
+}
+
+}  // namespace misalign::solver
