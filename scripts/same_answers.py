@@ -100,6 +100,7 @@ tolerance            tolerance small.db {draw} --amplitude 0.05 --trials 200 --v
 tolerance-best       tolerance six.db --best 5 --amplitude 0.02 --trials 100 --jobs 1 --no-keep
 backlash             tolerance patterns/table1.json --backlash 0.01 --backlash-from 30 --trials 50 --jobs 1
 actuators            actuators small.db {draw}
+actuators-buy        actuators patterns/table1.json --buy --from 120 --friction 0.000002
 actuators-limited    actuators patterns/table1.json --from 140 --stroke-limit 0.08 --preload 1
 contact              contact small.db {draw}
 contact-trimmed      contact patterns/table1.json --from 90 --trim 8
