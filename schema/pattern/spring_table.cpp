@@ -49,6 +49,13 @@ constexpr NumberColumn kNumbers[] = {
     {"initial_n", &StockSpring::initial_n, 0, 1e6, Need::never,
      "write the force that begins to lengthen it, or nothing"}};
 
+// Returns whether springs of an action have a column.
+bool has_column(SpringAction action, const NumberColumn& column) {
+  const bool pulls = action == SpringAction::pulls;
+  return column.need != (pulls ? Need::by_pushing : Need::by_pulling) &&
+         (pulls || column.number != &StockSpring::initial_n);
+}
+
 // Columns that a table must have.
 bool is_required(const NumberColumn& column) { return column.need == Need::always; }
 
@@ -124,9 +131,7 @@ class TableReader {
   void read_number(const CsvLine& line, const NumberColumn& column, SpringAction action,
                    StockSpring& spring) {
     const std::string text = cell(line, column.name);
-    const bool pulls = action == SpringAction::pulls;
-    const bool is_of_other = column.need == (pulls ? Need::by_pushing : Need::by_pulling) ||
-                             (!pulls && column.number == &StockSpring::initial_n);
+    const bool is_of_other = !has_column(action, column);
     if (is_of_other && !text.empty()) {
       return refuse(line, column.name, fmt::format("is not of a spring that {}", word_of(action)),
                     "leave the cell empty");
@@ -206,10 +211,9 @@ std::vector<SpringRow> read_spring_table(const std::string& path) {
 }
 
 Json spring_row_json(const SpringRow& row) {
-  const bool pulls = row.spring.action == SpringAction::pulls;
   Json json = {{"name", utf8(row.name)}, {"kind", word_of(row.spring.action)}};
   for (const NumberColumn& column : kNumbers) {
-    const bool is_its = column.need != (pulls ? Need::by_pushing : Need::by_pulling);
+    const bool is_its = has_column(row.spring.action, column);
     json[column.name] = is_its ? Json(row.spring.*column.number) : Json();
   }
   return json;
