@@ -13,8 +13,6 @@ namespace {
 using Eigen::Vector2d;
 using solver::OptionFault;
 
-constexpr double kTabSlot_mm = 1;  // drawn between a tab and the panels beside it
-
 double distance_to_edges(const solver::Sheet& sheet, int facet, const Vector2d& point) {
   const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
   double least = INFINITY;

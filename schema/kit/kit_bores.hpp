@@ -31,6 +31,8 @@ struct Bore {
   double diameter_mm;  ///< diameter of the cut bore
 };
 
+inline constexpr double kTabSlot_mm = 1;  ///< drawn distance of a tab from the panels beside it
+
 /// A disc of a panel round one of its vertices; sizes after cutting.
 struct SpringTab {
   int facet, vertex;

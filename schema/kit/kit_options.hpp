@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "schema/exchange/length_unit.hpp"
+#include "schema/nesting/nest_shape.hpp"
 #include "schema/pattern/design.hpp"
 
 namespace misalign::schema {
@@ -25,8 +27,10 @@ struct KitOptions {
   double margin_mm = 5;                   ///< round all parts
   std::optional<Eigen::Vector2d> bed_mm;  ///< width and height of the machine's
   double bond_mm = 8;                     ///< width of rubber plates' bonds along each edge
-  bool guide = false;                     ///< true if a guide is written, too
-  bool test_piece = false;  ///< true if one hinge and one ball joint to cut first are drawn, too
+  bool test_piece = false;                ///< true if pieces to cut first are drawn, too
+  NestTurns turns = NestTurns::any;
+  LengthUnit unit = LengthUnit::millimetre;  ///< unit of files
+  std::optional<double> from_deg;            ///< angle of use, where tables end; none: D
 };
 
 }  // namespace misalign::schema

@@ -17,44 +17,59 @@ double support(const PlanePoints& points, const Vector2d& direction) {
   return most;
 }
 
-Vector2d unit(double rad) { return {std::cos(rad), std::sin(rad)}; }
+struct Direction {
+  double rad;
+  Vector2d unit;
+};
+
+// A sixteenth of a turn apart: a polygon round an arc exceeds it by a fiftieth at most.
+std::vector<Direction> sixteenths() {
+  constexpr int kCount = 16;
+  std::vector<Direction> all;
+  for (int k = 0; k < kCount; ++k) {
+    const double rad = std::numbers::pi * (2.0 * k / kCount - 1);
+    all.push_back({rad, {std::cos(rad), std::sin(rad)}});
+  }
+  return all;
+}
 
 // Directions, ascending, of the polygon's edges' normals: those of `fixed`, the opposite ones of
-// `moving`, and others between them that are at most a sixteenth of a turn apart.
-std::vector<double> directions(const PlanePoints& fixed, const PlanePoints& moving) {
-  constexpr int kLeast = 16;
-  constexpr double kTurn = 2 * std::numbers::pi;
-  std::vector<double> rads;
+// `moving`, and sixteenths of a turn for the arcs between them.
+std::vector<Direction> directions(const PlanePoints& fixed, const PlanePoints& moving) {
+  static const std::vector<Direction> kArcs = sixteenths();
+  std::vector<Direction> all = kArcs;
+  all.reserve(all.size() + fixed.size() + moving.size());
   const auto add = [&](const PlanePoints& points, double sense) {
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Vector2d along = sense * (points[(k + 1) % points.size()] - points[k]);
-      if (along.norm() > kTouch_mm) rads.push_back(std::atan2(-along.x(), along.y()));
+      const double length = along.norm();
+      if (length <= kTouch_mm) continue;
+      all.push_back({std::atan2(-along.x(), along.y()), Vector2d(along.y(), -along.x()) / length});
     }
   };
   add(fixed, 1);
   add(moving, -1);
-  std::ranges::sort(rads);
-  std::vector<double> all;
-  for (std::size_t k = 0; k < rads.size(); ++k) {
-    const double next = k + 1 < rads.size() ? rads[k + 1] : rads[0] + kTurn, apart = next - rads[k];
-    if (apart < kSameWay_rad) continue;
-    const int steps = std::max(1, static_cast<int>(std::ceil(apart * kLeast / kTurn - kSameWay_rad)));
-    for (int step = 0; step < steps; ++step) all.push_back(rads[k] + apart * step / steps);
-  }
+  std::ranges::sort(all, {}, &Direction::rad);
+  const auto is_same = [](const Direction& first, const Direction& second) {
+    return second.rad - first.rad < kSameWay_rad;
+  };
+  all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
+  if (all.front().rad + 2 * std::numbers::pi - all.back().rad < kSameWay_rad) all.pop_back();
   return all;
 }
 
 }  // namespace
 
 Forbidden::Forbidden(const PlanePoints& fixed, const PlanePoints& moving, double gap_mm) {
-  const std::vector<double> rads = directions(fixed, moving);
-  std::vector<double> bounds_mm;
-  for (const double rad : rads) {
-    bounds_mm.push_back(support(fixed, unit(rad)) + support(moving, -unit(rad)) + gap_mm);
+  const std::vector<Direction> ways = directions(fixed, moving);
+  std::vector<double> bounds_mm(ways.size());
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    bounds_mm[k] = support(fixed, ways[k].unit) + support(moving, -ways[k].unit) + gap_mm;
   }
-  for (std::size_t k = 0; k < rads.size(); ++k) {
-    const std::size_t next = (k + 1) % rads.size();
-    const Vector2d first = unit(rads[k]), second = unit(rads[next]);
+  corners_.reserve(ways.size());
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const std::size_t next = (k + 1) % ways.size();
+    const Vector2d &first = ways[k].unit, &second = ways[next].unit;
     const double sine = cross(first, second);
     corners_.emplace_back((bounds_mm[k] * second.y() - bounds_mm[next] * first.y()) / sine,
                           (bounds_mm[next] * first.x() - bounds_mm[k] * second.x()) / sine);

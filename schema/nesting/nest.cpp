@@ -6,35 +6,16 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <random>
 
-#include "schema/nesting/forbidden.hpp"
+#include "schema/nesting/free_places.hpp"
 
 namespace misalign::schema {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRounding_mm = 1e-9, kInfinite = std::numeric_limits<double>::infinity();
-
-struct Box {
-  Vector2d least = Vector2d::Constant(kInfinite), most = -least;
-};
-
-Box box_of(const std::vector<PlanePoints>& pieces) {
-  Box box;
-  for (const PlanePoints& piece : pieces) {
-    for (const Vector2d& point : piece) {
-      box.least = box.least.cwiseMin(point);
-      box.most = box.most.cwiseMax(point);
-    }
-  }
-  return box;
-}
-
-struct Found {
-  Nested place;
-  Vector2d top_right;
-};
+constexpr double kSameCost_mm = 1e-9;
 
 // Aims of a shape's place, by the upper right corner of its box: the lowest, then farthest left; or
 // the nearest to the lower left corner.
@@ -45,68 +26,23 @@ double cost(Aim aim, const Vector2d& top_right) {
   return top_right.y() + (aim == Aim::low ? kLittle : 1) * top_right.x();
 }
 
-// Places where a turned shape may lie on a bed.
-class Places {
- public:
-  Places(const std::vector<PlanePoints>& shape, const std::vector<PlanePoints>& on_bed,
-         const NestBed& bed) {
-    const Box box = box_of(shape);
-    const double top_mm = on_bed.empty() ? 0 : box_of(on_bed).most.y() + bed.gap_mm;
-    least_ = -box.least;
-    most_ = bed.size_mm - box.most;
-    most_.y() = std::min(most_.y(), std::max(top_mm, 0.0) - box.least.y());  // free from there on
-    if (!has_room()) return;
-    for (const PlanePoints& fixed : on_bed) {
-      for (const PlanePoints& moving : shape) {
-        Forbidden forbidden(fixed, moving, bed.gap_mm);
-        const bool in_reach = (forbidden.most_mm() - least_).minCoeff() > 0 &&
-                              (most_ - forbidden.least_mm()).minCoeff() > 0;
-        if (in_reach) forbidden_.push_back(std::move(forbidden));
-      }
-    }
+// Turns that a plan uses: all, or one of a shape's turns and the opposite one, so that alike shapes
+// lie alike.
+struct Turns {
+  std::optional<std::size_t> pair;
+
+  std::vector<double> chosen(const std::vector<double>& turns_deg) const {
+    constexpr std::size_t kQuarters = 4, kHalves = 2;
+    if (!pair || turns_deg.size() < kQuarters) return turns_deg;
+    const std::size_t first = *pair / kHalves * kQuarters % turns_deg.size() + *pair % kHalves;
+    return {turns_deg[first], turns_deg[first + kHalves]};
   }
+};
 
-  bool has_room() const { return (most_ - least_).minCoeff() >= -kRounding_mm; }
-
-  // The lowest row with room, by steps; from there down and to the left as far as the way is free.
-  std::optional<Vector2d> lowest(double most_y_mm) const {
-    constexpr double kStep_mm = 1;
-    std::vector<double> rows;
-    const double end = std::min(most_.y(), most_y_mm);
-    for (double y = least_.y(); y < end; y += kStep_mm) rows.push_back(y);
-    rows.push_back(std::min(std::max(most_.y(), least_.y()), end));
-    for (const double y : rows) {
-      if (y < least_.y() - kRounding_mm) continue;
-      const auto x = first_free(taken(1, y), least_.x(), most_.x());
-      if (!x) continue;
-      Vector2d at(*x, y);
-      constexpr int kSlides = 4;
-      for (int k = 0; k < kSlides; ++k) slide(at, 1 - k % 2);
-      return at;
-    }
-    return std::nullopt;
-  }
-
- private:
-  std::vector<OpenInterval> taken(int axis, double value) const {
-    std::vector<OpenInterval> intervals;
-    for (const Forbidden& forbidden : forbidden_) {
-      if (const auto interval = forbidden.at(axis, value)) intervals.push_back(*interval);
-    }
-    return intervals;
-  }
-
-  // Lowers one coordinate up to the first interval in its way.
-  void slide(Vector2d& at, int coordinate) const {
-    double stop = least_(coordinate);
-    for (const OpenInterval& interval : taken(1 - coordinate, at(1 - coordinate))) {
-      if (interval.high <= at(coordinate) + kRounding_mm) stop = std::max(stop, interval.high);
-    }
-    at(coordinate) = std::min(at(coordinate), stop);
-  }
-
-  Vector2d least_, most_;
-  std::vector<Forbidden> forbidden_;
+struct Plan {
+  std::vector<std::size_t> order;
+  Aim aim;
+  Turns turns;
 };
 
 struct Bed {
@@ -114,40 +50,47 @@ struct Bed {
   Vector2d used = Vector2d::Zero();
 };
 
-std::optional<Found> place(const NestShape& shape, const Bed& on, const NestBed& bed, Aim aim) {
-  std::optional<Found> best;
-  for (const double turn_deg : shape.turns_deg) {
+struct Candidate {
+  Nested place;
+  Vector2d top_right;
+};
+
+std::optional<Candidate> placed(const NestShape& shape, const Bed& on, const NestBed& bed, Aim aim,
+                                const std::vector<double>& turns_deg) {
+  std::optional<Candidate> best;
+  for (const double turn_deg : turns_deg) {
     const std::vector<PlanePoints> turned = shape.turned(turn_deg);
-    const Box box = box_of(turned);
-    const Places places(turned, on.pieces, bed);
-    if (!places.has_room()) continue;
-    const double most_y = best ? cost(aim, best->top_right) - box.most.y() : kInfinite;
-    const auto at = places.lowest(most_y);
+    const PlaneBox box = PlaneBox::round(turned);
+    const double most_y =
+        best ? cost(aim, best->top_right) - box.most.y() : std::numeric_limits<double>::infinity();
+    const auto at = FreePlaces(turned, box, on.pieces, bed.size_mm, bed.gap_mm).lowest(most_y);
     if (!at) continue;
-    const Found found{{0, turn_deg, *at}, *at + box.most};
-    if (!best || cost(aim, found.top_right) < cost(aim, best->top_right) - kRounding_mm) {
-      best = found;
+    const Candidate candidate{{0, turn_deg, *at}, *at + box.most};
+    if (!best || cost(aim, candidate.top_right) < cost(aim, best->top_right) - kSameCost_mm) {
+      best = candidate;
     }
   }
   return best;
 }
 
-NestResult nest_in_order(const std::vector<NestShape>& shapes, const NestBed& bed,
-                         const std::vector<std::size_t>& order, Aim aim) {
+NestResult nest_by(const Plan& plan, const std::vector<NestShape>& shapes, const NestBed& bed) {
   const Bed empty{bed.taken};
   NestResult result{std::vector<Nested>(shapes.size()), 0, {}};
   std::vector<Bed> beds;
-  for (const std::size_t s : order) {
+  for (const std::size_t s : plan.order) {
     for (std::size_t b = 0;; ++b) {
-      if (b == beds.size()) beds.push_back(empty);
-      const auto found = place(shapes[s], beds[b], bed, aim);
-      assert(found || beds[b].used.y() > 0);
-      if (!found) continue;
-      result.places[s] = found->place;
+      const bool is_empty = b == beds.size();
+      if (is_empty) beds.push_back(empty);
+      const NestShape& shape = shapes[s];
+      auto place = placed(shape, beds[b], bed, plan.aim, plan.turns.chosen(shape.turns_deg));
+      if (!place && is_empty) place = placed(shape, beds[b], bed, plan.aim, shape.turns_deg);
+      assert(place || !is_empty);
+      if (!place) continue;
+      result.places[s] = place->place;
       result.places[s].bed = b;
-      beds[b].used = beds[b].used.cwiseMax(found->top_right);
-      for (PlanePoints& piece : shapes[s].turned(found->place.turned_deg)) {
-        for (Vector2d& point : piece) point += found->place.moved_mm;
+      beds[b].used = beds[b].used.cwiseMax(place->top_right);
+      for (PlanePoints& piece : shape.turned(place->place.turned_deg)) {
+        for (Vector2d& point : piece) point += place->place.moved_mm;
         beds[b].pieces.push_back(std::move(piece));
       }
       break;
@@ -158,37 +101,112 @@ NestResult nest_in_order(const std::vector<NestShape>& shapes, const NestBed& be
   return result;
 }
 
+std::vector<std::size_t> largest_first(const std::vector<double>& sizes) {
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t s) { return sizes[s]; });
+  return order;
+}
+
+// Orders: by area; by length; and convex shapes of one kind after another, which lie in rows. The
+// kind of a quadrilateral is the way that its second side leans.
+std::vector<std::vector<std::size_t>> orders_of(const std::vector<NestShape>& shapes) {
+  std::vector<double> areas, lengths, kinds;
+  for (const NestShape& shape : shapes) {
+    const PlaneBox box = PlaneBox::round(shape.pieces);
+    areas.push_back(shape.area_mm2);
+    lengths.push_back((box.most - box.least).maxCoeff());
+    constexpr std::size_t kSecond = 4;
+    constexpr double kApart_deg = 15;
+    const bool leans = shape.pieces.size() == 1 && shape.turns_deg.size() > kSecond;
+    kinds.push_back(leans ? -std::floor(shape.turns_deg[kSecond] / kApart_deg) : shape.area_mm2);
+  }
+  return {largest_first(areas), largest_first(lengths), largest_first(kinds)};
+}
+
+std::vector<Turns> all_turns(const std::vector<NestShape>& shapes) {
+  std::size_t pairs = 0;
+  for (const NestShape& shape : shapes) pairs = std::max(pairs, shape.turns_deg.size() / 2);
+  std::vector<Turns> turns(1);
+  for (std::size_t pair = 0; pair < pairs; ++pair) turns.push_back({pair});
+  return turns;
+}
+
+// The best of several plans, up to an amount of work: turns times pairs of pieces.
+class Search {
+ public:
+  Search(const std::vector<NestShape>& shapes, const NestBed& bed) : shapes_(shapes), bed_(bed) {
+    for (const NestShape& shape : shapes) {
+      pieces_ += shape.pieces.size();
+      most_turns_ = std::max(most_turns_, shape.turns_deg.size());
+    }
+  }
+
+  // Takes the plan if it is no worse, while there is work left.
+  void attempt(const Plan& plan) {
+    if (best_ && !has_time()) return;
+    work_ += (plan.turns.pair ? 2 : most_turns_) * pieces_ * pieces_;
+    NestResult result = nest_by(plan, shapes_, bed_);
+    if (best_ && best_->is_better_than(result)) return;
+    best_ = std::move(result);
+    plan_ = plan;
+  }
+
+  // Shapes of the best plan change places, or move in its order, at random.
+  void improve() {
+    std::mt19937 random(1);
+    const std::size_t count = shapes_.size();
+    for (bool swaps = true; count > 2 && has_time(); swaps = !swaps) {
+      Plan plan = plan_;
+      const std::size_t from = random() % count, to = random() % count;
+      if (swaps) {
+        std::swap(plan.order[from], plan.order[to]);
+      } else {
+        const std::size_t moved = plan.order[from];
+        plan.order.erase(plan.order.begin() + static_cast<std::ptrdiff_t>(from));
+        plan.order.insert(plan.order.begin() + static_cast<std::ptrdiff_t>(to), moved);
+      }
+      attempt(plan);
+    }
+  }
+
+  const NestResult& best() const { return *best_; }
+
+ private:
+  bool has_time() const {
+    constexpr std::size_t kMostWork = 400000;
+    return work_ < kMostWork;
+  }
+
+  const std::vector<NestShape>& shapes_;
+  const NestBed& bed_;
+  std::size_t pieces_ = 0, most_turns_ = 0, work_ = 0;
+  std::optional<NestResult> best_;
+  Plan plan_;
+};
+
 }  // namespace
 
 bool NestResult::is_better_than(const NestResult& other) const {
   if (beds != other.beds || beds == 0) return beds < other.beds;
-  return used_mm.back().y() < other.used_mm.back().y() - kRounding_mm;
+  return used_mm.back().y() < other.used_mm.back().y() - kSameCost_mm;
 }
 
 std::optional<Nested> place_alone(const NestShape& shape, const NestBed& bed) {
-  const auto found = place(shape, {bed.taken}, bed, Aim::low);
-  return found ? std::optional(found->place) : std::nullopt;
+  const auto place = placed(shape, {bed.taken}, bed, Aim::low, shape.turns_deg);
+  return place ? std::optional(place->place) : std::nullopt;
 }
 
 NestResult nest(const std::vector<NestShape>& shapes, const NestBed& bed) {
-  std::vector<double> areas, lengths;
-  for (const NestShape& shape : shapes) {
-    const Box box = box_of(shape.pieces);
-    areas.push_back(shape.area_mm2);
-    lengths.push_back((box.most - box.least).maxCoeff());
-  }
-  NestResult best;
-  for (const std::vector<double>& sizes : {areas, lengths}) {
-    std::vector<std::size_t> order(shapes.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::ranges::greater{},
-                             [&](std::size_t s) { return sizes[s]; });
+  Search search(shapes, bed);
+  const auto orders = orders_of(shapes);
+  for (const Turns& turns : all_turns(shapes)) {
     for (const Aim aim : {Aim::low, Aim::near}) {
-      NestResult result = nest_in_order(shapes, bed, order, aim);
-      if (best.beds == 0 || result.is_better_than(best)) best = std::move(result);
+      for (const std::vector<std::size_t>& order : orders) search.attempt({order, aim, turns});
     }
   }
-  return best;
+  search.improve();
+  return search.best();
 }
 
 }  // namespace misalign::schema

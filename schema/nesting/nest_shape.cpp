@@ -58,8 +58,8 @@ std::vector<Side> sides_of(const std::vector<PlanePoints>& rings) {
 PlanePoints trapezoid(const Side& left, const Side& right, double low, double high) {
   PlanePoints corners;
   const auto add = [&](const Vector2d& at) {
-    if (corners.empty() ||
-        ((at - corners.back()).norm() > kSamePlace_mm && (at - corners.front()).norm() > kSamePlace_mm)) {
+    if (corners.empty() || ((at - corners.back()).norm() > kSamePlace_mm &&
+                            (at - corners.front()).norm() > kSamePlace_mm)) {
       corners.push_back(at);
     }
   };
@@ -151,17 +151,17 @@ std::vector<PlanePoints> joined(std::vector<PlanePoints> pieces) {
 // Turns that lay long edges along the bed's sides: those of the most length first.
 std::vector<double> turns_of(const std::vector<PlanePoints>& rings, std::size_t most) {
   constexpr double kQuarter_deg = 90, kSame_deg = 1;
-  struct Direction {
+  struct Edges {
     double deg, length_mm;
   };
-  std::vector<Direction> directions = {{0, INFINITY}};
+  std::vector<Edges> directions = {{0, INFINITY}};
   for (std::size_t i = 0; i < rings[0].size(); ++i) {
     const Vector2d along = rings[0][(i + 1) % rings[0].size()] - rings[0][i];
     double deg =
         std::fmod(-std::atan2(along.y(), along.x()) * 180 / std::numbers::pi + 4 * kQuarter_deg,
                   kQuarter_deg);
     if (deg > kQuarter_deg - kSame_deg) deg -= kQuarter_deg;
-    const auto same = std::ranges::find_if(directions, [&](const Direction& direction) {
+    const auto same = std::ranges::find_if(directions, [&](const Edges& direction) {
       return std::abs(direction.deg - deg) < kSame_deg;
     });
     if (same == directions.end()) {
@@ -170,10 +170,10 @@ std::vector<double> turns_of(const std::vector<PlanePoints>& rings, std::size_t 
       same->length_mm += along.norm();
     }
   }
-  std::ranges::stable_sort(directions, std::ranges::greater{}, &Direction::length_mm);
+  std::ranges::stable_sort(directions, std::ranges::greater{}, &Edges::length_mm);
   directions.resize(std::min(directions.size(), most));
   std::vector<double> turns_deg;
-  for (const Direction& direction : directions) {
+  for (const Edges& direction : directions) {
     for (int quarter = 0; quarter < 4; ++quarter) {
       turns_deg.push_back(direction.deg + quarter * kQuarter_deg);
     }

@@ -152,10 +152,8 @@ void ExportFiles::write(const solver::Sheet& sheet, const ExportLabel& label,
 std::string ExportFiles::simulated(const solver::Sheet& sheet, const ExportLabel& label) const {
   const schema::SimulatedSheet released = release(model_, sheet, options_.release, label.title);
   if (options_.format == ExportFormat::inp) return schema::calculix_deck(released, options_.deck);
-  const std::optional<double>& friction = options_.friction_n_mm_per_mm;
   schema::MjcfOptions mjcf;
-  mjcf.friction_n_mm_per_mm =
-      friction ? *friction : hinge_friction_n_mm_per_mm(model_.design(), sheet);
+  mjcf.friction_n_mm_per_mm = hinge_friction_n_mm_per_mm(model_.design(), sheet);
   return schema::mjcf_model(released, mjcf);
 }
 
@@ -217,31 +215,31 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
                                       model_.base(), sheet.vertices_mm(), sheet.mechanism(),
                                       label.title, model_.design().diagonals_name())));
   }
-  const schema::KitDrawings kit = schema::kit_drawings(sheet, *options_.kit, label.title);
+  const schema::Kit kit = schema::kit_of(sheet, *options_.kit, label.title);
   if (!kit.warning.empty() && options_.warn) options_.warn(sheet.name() + ": " + kit.warning);
   std::vector<schema::LineDrawing> plate_beds;
   const solver::Fill fill = model_.design().actuators(model_.base().base).fill;
   if (const auto* plates = std::get_if<solver::RubberPlates>(&fill)) {
-    plate_beds = schema::kit_plate_drawings(sheet, *plates, *options_.kit, label.title);
+    plate_beds = schema::kit_plate_sheets(sheet, *plates, *options_.kit, label.title).beds;
   }
-  const std::string guide = options_.kit->guide ? guide_of(sheet, label, kit.warning) : "";
+  const std::string guide = guide_of(sheet, label, kit);
   const auto write_beds = [&](const std::string& stem,
                               const std::vector<schema::LineDrawing>& beds) {
     for (std::size_t k = 0; k < beds.size(); ++k) {
       write_file(options_.kit->bed_mm ? fmt::format("{}-{}", stem, k + 1) : stem, text_of(beds[k]));
     }
   };
-  write_beds(label.stem + "-kit", kit.beds);
+  write_beds(label.stem + "-kit", kit.sheets.beds);
   write_beds(label.stem + "-kit-plates", plate_beds);
   if (options_.kit->test_piece) {
     write_file(label.stem + "-kit-test",
                text_of(schema::kit_test_piece(*options_.kit, label.title)));
   }
-  if (options_.kit->guide) write_named(label.stem + "-kit.html", guide);
+  write_named(label.stem + "-kit.html", guide);
 }
 
 std::string ExportFiles::guide_of(const solver::Sheet& sheet, const ExportLabel& label,
-                                  const std::string& warning) {
+                                  const schema::Kit& kit) {
   const schema::Design& design = model_.design();
   const solver::Actuation actuation = actuated(sheet, design);
   std::optional<solver::Sheet> another;
@@ -249,8 +247,8 @@ std::string ExportFiles::guide_of(const solver::Sheet& sheet, const ExportLabel&
   if (actuation.from_row > 0) {
     contact = contact_of(at_samples(sheet, another), {{}, design.from_deg});
   }
-  return schema::kit_guide({sheet, *options_.kit, design, actuation, contact ? &*contact : nullptr,
-                            label.title, warning});
+  return schema::kit_guide(
+      {sheet, *options_.kit, kit, design, actuation, contact ? &*contact : nullptr, label.title});
 }
 
 void ExportFiles::write_states(const solver::Sheet& sheet, const ExportLabel& label) const {

@@ -10,7 +10,7 @@
 #include "schema/exchange/history_table.hpp"
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/output_file.hpp"
-#include "schema/kit/kit_options.hpp"
+#include "schema/kit/kit_drawing.hpp"
 #include "search/sheets/release.hpp"
 #include "solver/kinematics/filler.hpp"
 
@@ -27,7 +27,6 @@ struct ExportOptions {
   bool creases = false;                          ///< also a table of fold angles beside `csv`
   double every_deg = 0;                          ///< rows of `csv`, see diagonal_rows()
   SimulationStart release;                       ///< `mjcf` and `inp` use it, `stl` its plates
-  std::optional<double> friction_n_mm_per_mm;    ///< `mjcf` uses it before the design's
   schema::DeckOptions deck;                      ///< `inp` uses it
   std::optional<schema::KitOptions> kit;         ///< replaces the crease pattern of `svg`, `dxf`
   bool only_cut = false;                         ///< leaves other layers out of `svg`, `dxf`
@@ -44,7 +43,7 @@ struct ExportOptions {
   /// Returns whether files depend on the angle of use.
   bool knows_angle_of_use() const {
     return format == ExportFormat::json || format == ExportFormat::fold ||
-           format == ExportFormat::stl || is_simulated() || (kit && kit->guide);
+           format == ExportFormat::stl || is_simulated() || kit;
   }
   /// Step of the stations that a history needs beside samples; 0: none.
   double look_deg() const { return in_states() ? step_deg : 0; }
@@ -77,7 +76,7 @@ class ExportFiles {
   std::string simulated(const solver::Sheet& sheet, const ExportLabel& label) const;
   void write_drawings(const solver::Sheet& sheet, const ExportLabel& label);
   std::string guide_of(const solver::Sheet& sheet, const ExportLabel& label,
-                       const std::string& warning);
+                       const schema::Kit& kit);
   void write_states(const solver::Sheet& sheet, const ExportLabel& label) const;
   void write_plates(const solver::Sheet& sheet, const ExportLabel& label);
   void write_file(const std::string& stem, const std::string& text) const;

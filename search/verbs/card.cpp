@@ -94,9 +94,7 @@ Action card_verb(CLI::App& verb) {
               counted("card", "trials"), "N");
   add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
             counted("", "jobs"), "N");
-  verb.add_flag_callback(
-      "--hold-flat", [&design] { design.hold_flat = true; },
-      "a stop, latch or frame holds the sheet at flat [the design's]");
+  add_hold_flat(verb, design.hold_flat);
   verb.add_flag("--no-remedies", call->without_remedies,
                 "seek no change that would meet a requirement which fails");
   verb.add_option("--output", call->output, "HTML file to write")->type_name("FILE");

@@ -29,10 +29,11 @@ void add_kit(CLI::App& verb, KitCall& call) {
     add_value(verb, name, value, meaning, within(least, kMost_mm), "MM");
   };
   verb.add_flag("--kit", call.wanted, "svg and dxf: numbered parts to cut, see above");
-  verb.add_flag("--guide", kit.guide,
-                "with --kit: also NAME-kit.html, parts and assembly with pictures");
-  verb.add_flag("--test-piece", kit.test_piece,
-                "with --kit: also NAME-kit-test, one hinge and one ball joint to cut first");
+  verb.add_flag_callback(
+      "--guide", [] {}, "with --kit: NAME-kit.html, which is written with or without this");
+  verb.add_flag(
+      "--test-piece", kit.test_piece,
+      "with --kit: also NAME-kit-test, one hinge, one ball joint and one tab to cut first");
   Names<schema::CreaseCut> creases;
   for (const schema::CreaseCutName& crease : schema::kCreaseCuts) {
     creases.emplace_back(crease.name, crease.cut);
@@ -76,6 +77,12 @@ void add_kit(CLI::App& verb, KitCall& call) {
             "with --kit: width and height of the machine's bed, mm; a file for each, larger "
             "parts cut along creases [one sheet for all]",
             a_bed(), "WxH");
+  verb.add_flag_callback(
+      "--grain", [&kit] { kit.turns = schema::NestTurns::half; },
+      "with --kit: the material has a grain; parts are turned by 180 degrees alone");
+  verb.add_option("--units", kit.unit, "with --kit: units of the files, mm or in [mm]")
+      ->transform(one_of<schema::LengthUnit>(
+          {{"mm", schema::LengthUnit::millimetre}, {"in", schema::LengthUnit::inch}}));
   add_mm("--margin", kit.margin_mm,
          fmt::format("with --kit: margin round all parts [{:g}]", kit.margin_mm), 0);
   add_mm("--bond", kit.bond_mm,
@@ -93,6 +100,7 @@ std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::
                             "is of springs, and the design's holes have none", "leave it out"});
   }
   kit.crease = call.crease.value_or(design.crease_or(kit.crease));
+  kit.from_deg = design.from_deg;
   if (!call.bed.empty()) {
     const std::size_t x = call.bed.find('x');
     kit.bed_mm.emplace(std::stod(call.bed.substr(0, x)), std::stod(call.bed.substr(x + 1)));

@@ -20,9 +20,9 @@ struct KitCall {
 /// Adds --kit, and the options that need it.
 void add_kit(CLI::App& verb, KitCall& call);
 inline constexpr std::array kKitOptions = {
-    "--crease",    "--dash-mm",   "--kerf",      "--joint-bore", "--spring-bore",
-    "--spring-at", "--bore-edge", "--gap",       "--bed",        "--margin",
-    "--bond",      "--guide",     "--test-piece"};
+    "--crease",    "--dash-mm",   "--kerf",       "--joint-bore", "--spring-bore",
+    "--spring-at", "--bore-edge", "--gap",        "--bed",        "--margin",
+    "--bond",      "--guide",     "--test-piece", "--grain",      "--units"};
 
 /// The kit with the design's kind of hinge, and the bed if one is given; none without --kit.
 std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::Design& design);

@@ -110,6 +110,12 @@ void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm) {
             within("thickness_mm"), "MM");
 }
 
+void add_hold_flat(CLI::App& verb, std::optional<bool>& hold_flat) {
+  verb.add_flag_callback(
+      "--hold-flat", [&hold_flat] { hold_flat = true; },
+      "a stop, latch or frame holds the sheet at flat [the design's]");
+}
+
 SimulationStart ReleaseCall::of(const schema::Design& whole) const {
   SimulationStart release{whole.from_deg, whole.rest_deg.value_or(0), whole.plates()};
   if (density_g_per_cm3) release.plates.density_g_per_cm3 = *density_g_per_cm3;

@@ -45,6 +45,8 @@ CLI::Option* add_from(CLI::App& verb, std::optional<double>& from_deg,
 void add_release_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg);
 /// --thickness of its panels.
 void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm);
+/// --hold-flat, which overrides the design's.
+void add_hold_flat(CLI::App& verb, std::optional<bool>& hold_flat);
 inline constexpr double kLeastDensity_g_per_cm3 = 1e-3, kMostDensity_g_per_cm3 = 100;
 
 /// The options of a released sheet: those, --rest-deg and --density.
