@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "schema/kit/kit_hinges.hpp"
@@ -117,6 +118,7 @@ class Bill {
   std::string groups() const {
     if (!std::holds_alternative<solver::Springs>(input_.fill())) return "";
     const solver::Filling filling = solver::filling_of(sheet_, input_.fill());
+    const bool pull_only = std::get<solver::Springs>(input_.fill()).pull_only;
     struct Group {
       std::vector<std::string> names;
       double longest_mm = 0, force_n = 0;
@@ -131,17 +133,21 @@ class Bill {
       Group& group = groups[{fmt::format("{:.4g} N/mm", rate_n_per_mm), input_.length(free_mm, 1)}];
       group.names.push_back("s" + std::to_string(d));
       group.longest_mm = std::max({group.longest_mm, flat_mm, folded_mm});
-      group.force_n =
-          std::max(group.force_n, rate_n_per_mm * (std::max(flat_mm, folded_mm) - free_mm));
+      for (const double length_mm : {flat_mm, folded_mm}) {
+        const bool is_slack = pull_only && length_mm < free_mm;
+        if (!is_slack) {
+          group.force_n = std::max(group.force_n, rate_n_per_mm * std::abs(length_mm - free_mm));
+        }
+      }
     }
     std::vector<std::vector<std::string>> rows;
     for (const auto& [kind, group] : groups) {
       rows.push_back({std::to_string(group.names.size()), kind.first, kind.second,
-                      input_.length(group.longest_mm, 1), fmt::format("{:.3g} N", group.force_n),
+                      input_.length(group.longest_mm, 1), fmt::format("{:.1f} N", group.force_n),
                       fmt::format("{}", fmt::join(group.names, " "))});
     }
     return "<h2>Groups of equal springs</h2>\n" +
-           page_tables({"number", "rate", "free length", "longest", "largest pull", "springs"},
+           page_tables({"number", "rate", "free length", "longest", "largest force", "springs"},
                        rows, 6);
   }
 

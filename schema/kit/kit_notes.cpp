@@ -18,7 +18,7 @@ class Notes {
   Notes(const solver::Sheet& sheet, const Kit& kit, const KitOptions& options)
       : sheet_(sheet), kit_(kit), unit_(options.unit), rows_(kit_rows(sheet, options.from_deg)) {}
 
-  std::string text() const { return shifts() + springs() + lengths() + cuts(); }
+  std::string text() const { return cuts() + shifts() + springs() + lengths(); }
 
  private:
   std::string length(double length_mm) const { return length_number(length_mm, unit_, 3); }

@@ -74,8 +74,8 @@ class Steps {
         "<li><b>Lay out the panels</b>, row by row, by their numbers; each row is in colour below. "
         "M is a mountain (fold away from you), V a valley.\n";
     for (const int row : rows) {
-      text += "<div class=\"step\">" + row_picture(sheet_, row) +
-              fmt::format("<p>Row {}: from {}.{}</p></div>\n", row, lying_on(row), to_hinge(row));
+      text += row_picture(sheet_, row,
+                          fmt::format("Row {}: from {}.{}", row, lying_on(row), to_hinge(row)));
     }
     return text + "</li>\n";
   }

@@ -18,7 +18,8 @@ constexpr const char* kStyle =
     "body{font:10.5pt/1.35 sans-serif;max-width:186mm;margin:1em auto;padding:0 1em}"
     "h1{font-size:16pt;margin:.2em 0}h2{font-size:13pt;margin:1em 0 .3em}h1,h2{break-after:avoid}"
     "table{border-collapse:collapse;margin:.4em 0}td,th{border:1px solid #999;padding:.1em .5em;"
-    "text-align:left}th{background:#eee}td.n,th.n{text-align:right}"
+    "text-align:left}table.beside "
+    "td{white-space:nowrap}th{background:#eee}td.n,th.n{text-align:right}"
     "table.beside{display:inline-table;margin-right:1em;vertical-align:top}"
     "table,tr,figure,.step{break-inside:avoid}"
     "figure{display:inline-block;margin:0;vertical-align:top}figure.wide{width:100%}"
@@ -26,7 +27,7 @@ constexpr const char* kStyle =
     "figure.half svg{max-height:75mm}figure.wide svg{max-height:105mm}"
     ".swatch{display:inline-block;width:1.2em;height:.8em;border:1px solid #999}"
     ".warning{border:2px solid #c00;padding:.5em}"
-    "@media print{body{max-width:none;margin:0;padding:0}}";
+    "@media print{body{max-width:none;margin:0;padding:0 .5mm}}";
 // A sheet of 6 x 6 fits one page.
 constexpr const char* kCardStyle =
     "td.n{white-space:nowrap}.bad{background:#fdd}.pair figure{width:49%}@page{margin:9mm}"

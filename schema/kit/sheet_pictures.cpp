@@ -32,7 +32,7 @@ std::string row_colour(int row) {
 
 }  // namespace
 
-std::string row_picture(const solver::Sheet& sheet, int row) {
+std::string row_picture(const solver::Sheet& sheet, int row, const std::string& caption) {
   SvgPicture picture;
   const auto& places = sheet.base().sheet.places;
   for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
@@ -47,7 +47,7 @@ std::string row_picture(const solver::Sheet& sheet, int row) {
     if (places[static_cast<std::size_t>(facet)][0] != row) continue;
     picture.label(middle(corners_mm(sheet, p)), panel_label(sheet, facet));
   }
-  return picture.figure(fmt::format("Row {}", row), FigureSize::half);
+  return picture.figure(caption, FigureSize::half);
 }
 
 std::string bed_picture(const solver::Sheet& sheet, const Kit& kit, std::size_t bed) {
@@ -89,7 +89,7 @@ std::string assembled_picture(const solver::Sheet& sheet, const std::string& dia
     const solver::Diagonal& diagonal = mechanism.diagonals[static_cast<std::size_t>(d)];
     const Vector2d from = sheet.point_mm(diagonal.from), to = sheet.point_mm(diagonal.to);
     picture.line(from, to, "stroke:#393");
-    picture.label(from + 0.3 * (to - from), "s" + std::to_string(d));
+    picture.label(from + 0.38 * (to - from), "s" + std::to_string(d));
   }
   for (const solver::BallJoint& ball : mechanism.balls) {
     picture.dot(sheet.point_mm(ball.vertex), 0.05 * mechanism.panel_width_mm);

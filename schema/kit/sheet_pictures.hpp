@@ -8,7 +8,7 @@
 namespace misalign::schema {
 
 /// The flat sheet with a row of panels in colour, numbered, and the rows before it in grey.
-std::string row_picture(const solver::Sheet& sheet, int row);
+std::string row_picture(const solver::Sheet& sheet, int row, const std::string& caption);
 /// The panels of a kit on a sheet of material, each row of the sheet in a colour of its own, with
 /// the registration marks.
 std::string bed_picture(const solver::Sheet& sheet, const Kit& kit, std::size_t bed);

@@ -115,8 +115,21 @@ grep -q "the pattern says where its springs end" err || fail "--spring-at: $(cat
 # On a narrow bed pieces are turned.
 sheet=sheets/draw.fold
 check draw.json "--bed 200 400 --turned" --bed 200x400
-# Inches, and an angle of use at which tables end.
-check draw.json "--units in --kerf 0.2 $bores" --units in --kerf 0.2 --joint-bore 1.2 --spring-bore 1.5
+# Inches; a grain; an angle of use, at which tables end.
+# shellcheck disable=SC2086
+check draw.json "--units in --kerf 0.2 $bores" --units in --kerf 0.2 $bores
+# shellcheck disable=SC2086
+check draw.json "--grain --crease cut $bores" --grain --crease cut $bores
+# shellcheck disable=SC2086
+check draw.json "--from 60 $bores" --from 60 $bores
+# Options override the design in the guide: 2 mm of 2.7 g/cm3, springs of 30 N/mm, a latch, hinges of a named kind.
+"$program" export draw.json --format svg --kit --output own > /dev/null || fail "the design's kit"
+"$program" export draw.json --format svg --kit --thickness 2 --stiffness 30 --hold-flat --material "birch plywood" \
+  --output typed > /dev/null || fail "overrides of a kit"
+grep -q "2.00 mm thick" typed/draw-kit.html && grep -q "30 N/mm" typed/draw-kit.html && grep -q birch typed/draw-kit.html &&
+  grep -q "Add the stop, latch or frame" typed/draw-kit.html && ! grep -q "score_" typed/draw-kit.svg ||
+  fail "overrides are not in the guide"
+grep -q " mm thick\|Add the stop\|30 N/mm" own/draw-kit.html && fail "a guide of another design"
 # Parts lie close together: the length they take of a strip is at most 35 % above the bound by their area.
 for nest in "$patterns/table1.json" 8x6.json "$patterns/turned-quads-6x6.json"; do
   "$program" export "$nest" --format dxf --kit --crease cut --gap 3 --bed 600x2000 --output "nest-$(basename "$nest" .json)" \

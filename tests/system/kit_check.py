@@ -1,12 +1,12 @@
 """Kits to cut beside the sheet that they are cut from, as the FOLD export has it. Standard input has a line for each:
 
     SHEET.fold [--kerf K] [--crease score|cut|dash] [--dash CUT BRIDGE] [--joint-bore D] [--spring-bore D]
-    [--spring-at vertex|panel] [--attached] [--point VERTEX PANEL]... [--against N] [--edge E] [--bed W H] [--units in] [--plain] [--wrong] [--numbers] [--turned] KIT...
+    [--spring-at vertex|panel] [--attached] [--point VERTEX PANEL]... [--against N] [--edge E] [--bed W H] [--units in] [--from DEG] [--grain] [--plain] [--wrong] [--numbers] [--turned] KIT...
     [--spoil HOW...]
 
 The files are one kit, drawings and its page. Prints what is wrong, and ends with 1 if anything is. --wrong: something must be; --spoil: one
 thing is spoilt first, and must be seen; --plain: only that DXF and SVG are one drawing; --numbers: also what was
-measured; --turned: some part must be; --against: so many springs must contradict the verdict; --attached: that is about the springs as the pattern
+measured; --turned: some part must be; --grain: all lie along the sheet's first side; --against: so many springs must contradict the verdict; --attached: that is about the springs as the pattern
 attaches them, and not about its diagonals; --point: on this panel one has a point of its own. Geometry is its own: shoelace, distances of parallel
 lines; springs by the drawn bores, placed in the folded panels of the sheet's frames (one for each degree)."""
 
@@ -331,6 +331,7 @@ class Check:
         if self.faults:
             return
         self.expect(not self.wish.turned or any(abs(math.sin(part.turn)) > 0.01 for part in self.parts), "no part is turned")
+        self.expect(not self.wish.grain or all(abs(math.sin(part.turn)) < 1e-6 for part in self.parts), "across the grain")
         self.whole_parts()
         self.areas()
         self.creases()
@@ -638,6 +639,8 @@ class Check:
                             f"a mark {off} mm from a part")
             marks.add(tuple((round(x, 4), round(y, 4)) for x, y, _ in circles))
         self.expect(len(marks) == 1, "marks at other places on another sheet")
+        if {len(circles) for circles in marks} != {3}:
+            return
         (low, right, high), (count, area, least, apart) = min(marks), self.page.sheets()
         self.near("marks", apart, (math.dist(low, right), math.dist(low, high)), 0.02)
         total = sum(shoelace(ring) for part in self.parts for ring in part.rings())
@@ -737,8 +740,9 @@ def arguments():
     words.add_argument("--crease", default="score")
     words.add_argument("--dash", nargs=2, type=float, default=(4, 1))
     words.add_argument("--units", default="mm")
+    words.add_argument("--from", type=float, dest="from_deg")
     words.add_argument("--bed", nargs=2, type=float)
-    for name in ("--plain", "--wrong", "--numbers", "--turned"):
+    for name in ("--plain", "--wrong", "--numbers", "--turned", "--grain"):
         words.add_argument(name, action="store_true")
     words.add_argument("--spoil", nargs="*", default=[])
     return words
@@ -757,6 +761,8 @@ def spoilt(sheet, wish):
 
 def faults_of(wish):
     sheet = Sheet(wish.sheet)
+    if wish.from_deg:
+        sheet.frames = [frame for frame in sheet.frames if frame[0] < wish.from_deg + 1e-6]
     wish.page = next((path for path in wish.kit if path.endswith(".html")), None)
     if wish.spoil:
         yield from spoilt(sheet, wish)
