@@ -72,7 +72,7 @@ class Steps {
     for (const int facet : sheet_.panels().facets) rows.insert(row_of(facet));
     std::string text =
         "<li><b>Lay out the panels</b>, row by row, by their numbers; each row is in colour below. "
-        "M is a mountain (fold away from you), V a valley.\n";
+        "M is a mountain (fold away from you), V a valley.<br>\n";
     for (const int row : rows) {
       text += row_picture(sheet_, row,
                           fmt::format("Row {}: from {}.{}", row, lying_on(row), to_hinge(row)));

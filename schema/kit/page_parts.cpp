@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kStyle =
     "@page{size:A4;margin:12mm}"
     "body{font:10.5pt/1.35 sans-serif;max-width:186mm;margin:1em auto;padding:0 1em}"
-    "h1{font-size:16pt;margin:.2em 0}h2{font-size:13pt;margin:1em 0 .3em}h1,h2{break-after:avoid}"
+    "h1{font-size:16pt;margin:.2em 0}h2{font-size:13pt;margin:1em 0 "
+    ".3em}h1,h2,h2+p{break-after:avoid}"
     "table{border-collapse:collapse;margin:.4em 0}td,th{border:1px solid #999;padding:.1em .5em;"
     "text-align:left}table.beside "
     "td{white-space:nowrap}th{background:#eee}td.n,th.n{text-align:right}"
