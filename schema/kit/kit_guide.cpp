@@ -8,6 +8,7 @@
 #include "schema/kit/kit_steps.hpp"
 #include "schema/kit/page_parts.hpp"
 #include "schema/kit/sheet_pictures.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -60,6 +61,14 @@ std::string kit_guide(const GuideInput& input) {
   std::string text = page_begin(input.title, PageStyle::guide);
   if (!input.kit.warning.empty()) {
     text += "<p class=\"warning\">" + xml_text(input.kit.warning) + "</p>\n";
+  }
+  const std::optional<double>& from_deg = input.options.from_deg;
+  if (from_deg && solver::beyond_d(input.sheet, *from_deg)) {
+    text += fmt::format(
+        "<p>The angle of use, {:.10g}°, lies beyond D = {:.10g}°, from which the sheet deploys: "
+        "all "
+        "values end at D.</p>\n",
+        *from_deg, input.sheet.deploys_from_deg());
   }
   return text + kit_bill(input) + material_sheets(input) + layer_table(input) + kit_steps(input) +
          hinge_table(input.sheet, input.design.thickness_mm, input.actuation.from_row,

@@ -31,6 +31,8 @@ struct KitOptions {
   NestTurns turns = NestTurns::any;
   LengthUnit unit = LengthUnit::millimetre;  ///< unit of files
   std::optional<double> from_deg;            ///< angle of use, where tables end; none: D
+  bool must_reach =
+      false;  ///< true if an angle of use beyond D is refused; otherwise D replaces it
 };
 
 }  // namespace misalign::schema

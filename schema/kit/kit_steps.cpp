@@ -121,6 +121,7 @@ class Steps {
     if (input_.design.hold_flat.value_or(false)) {
       text += "<li><b>Add the stop, latch or frame</b> that holds the sheet at flat.</li>\n";
     }
+    if (input_.actuation.from_row == 0) return text;
     return text +
            fmt::format(
                "<li><b>Fold it to {:.10g}° and release it.</b> It unfolds to {}.</li>\n",

@@ -24,6 +24,7 @@
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/terminal/terminal.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
 namespace {
@@ -240,7 +241,10 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
 
 std::string ExportFiles::guide_of(const solver::Sheet& sheet, const ExportLabel& label,
                                   const schema::Kit& kit) {
-  const schema::Design& design = model_.design();
+  schema::Design design = model_.design();
+  if (!options_.kit->must_reach && design.from_deg && solver::beyond_d(sheet, *design.from_deg)) {
+    design.from_deg.reset();
+  }
   const solver::Actuation actuation = actuated(sheet, design);
   std::optional<solver::Sheet> another;
   std::optional<solver::ContactStudy> contact;

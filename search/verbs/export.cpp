@@ -34,6 +34,7 @@ struct ExportCall {
     files.release = release.of(design);
     files.deck = deck.of(design);
     files.kit = chosen_kit(kit, design);
+    if (files.kit) files.kit->must_reach = release.design.from_deg.has_value();
   }
 };
 

@@ -130,6 +130,9 @@ grep -q "2.00 mm thick" typed/draw-kit.html && grep -q "30 N/mm" typed/draw-kit.
   grep -q "Add the stop, latch or frame" typed/draw-kit.html && ! grep -q "score_" typed/draw-kit.svg ||
   fail "overrides are not in the guide"
 grep -q " mm thick\|Add the stop\|30 N/mm" own/draw-kit.html && fail "a guide of another design"
+# A design's angle of use that the sheet does not reach is no fault of its kit: the guide says so, and ends at D.
+"$program" export "$patterns/dome-6x6.json" --format svg --kit --output unreached > /dev/null || fail "a kit that does not deploy"
+grep -q "lies beyond D = 0°" unreached/dome-6x6-kit.html || fail "the guide of a sheet that does not deploy"
 # Parts lie close together: the length they take of a strip is at most 35 % above the bound by their area.
 for nest in "$patterns/table1.json" 8x6.json "$patterns/turned-quads-6x6.json"; do
   "$program" export "$nest" --format dxf --kit --crease cut --gap 3 --bed 600x2000 --output "nest-$(basename "$nest" .json)" \
