@@ -136,6 +136,8 @@ fold-joined  --format fold --joined --step 30
 svg-cut      --format svg --only-cut
 svg-kit      --format svg --kit --guide --test-piece --kerf 0.15 --joint-bore 1.2 --spring-bore 1.5
 dxf-kit      --format dxf --kit --crease cut --bed 600x400
+dxf-plates   --format dxf --kit --crease bevel --thickness 3 --from 90 --joint-bore 1.2 --spring-bore 1.5
+3mf-plates   --format 3mf --kit --crease pin --thickness 4 --from 90
 """
 CERTIFIED = {"small.db": 260, "six.db": 40}  # how many candidates of each catalogue
 

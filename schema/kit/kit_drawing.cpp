@@ -44,7 +44,7 @@ class Kit {
 
   KitDrawings drawings() {
     std::vector<KitPart> parts = kit_parts(sheet_, options_.crease);
-    if (options_.crease != CreaseCut::cut) note_loose_panels(parts);
+    if (!are_apart(options_.crease)) note_loose_panels(parts);
     if (sheet_.shifts_mm().isZero(0)) notes_.emplace_back("no vertex is shifted");
     if (!springs_.empty() && options_.spring_at != SpringAt::panel &&
         sheet_.base().springs.at_vertices()) {
@@ -72,7 +72,7 @@ class Kit {
   }
 
   std::vector<std::string> sentences(std::size_t bed, std::size_t beds) const {
-    const char* creases = options_.crease == CreaseCut::cut     ? "creases cut"
+    const char* creases = are_apart(options_.crease)            ? "creases cut"
                           : options_.crease == CreaseCut::score ? "creases scored"
                                                                 : "creases perforated";
     std::vector<std::string> lines;
@@ -80,6 +80,7 @@ class Kit {
     lines.push_back(title_);
     lines.push_back(fmt::format("kit to cut (mm), sheet {} of {}; {}; kerf {:g}", bed + 1, beds,
                                 creases, options_.kerf_mm));
+    if (!fittings_.edges.words().empty()) lines.push_back(fittings_.edges.words());
     lines.insert(lines.end(), notes_.begin(), notes_.end());
     return lines;
   }

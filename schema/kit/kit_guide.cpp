@@ -44,7 +44,7 @@ class Guide {
   }
 
   std::string bill() const {
-    const char* made = input_.options.crease == CreaseCut::cut     ? "film or textile"
+    const char* made = are_apart(input_.options.crease)            ? "film or textile"
                        : input_.options.crease == CreaseCut::score ? "scored"
                                                                    : "perforated";
     const solver::Plates plates = input_.design.plates();
@@ -127,14 +127,14 @@ class Guide {
     const std::vector<KitPart> parts = kit_parts(sheet_, input_.options.crease);
     std::string text = "<h2>Assembly</h2>\n<ol>\n<li>Cut the parts. Each panel has its number.";
     std::vector<std::string> loose;
-    for (std::size_t p = 1; p < parts.size() && input_.options.crease != CreaseCut::cut; ++p) {
+    for (std::size_t p = 1; p < parts.size() && !are_apart(input_.options.crease); ++p) {
       for (const int f : parts[p].facets) loose.push_back(panel_label(sheet_, f));
     }
     if (!loose.empty()) {
       text += fmt::format(" Ball joints alone hold {}.", fmt::join(loose, ", "));
     }
     text += "</li>\n" + exploded_picture(sheet_);
-    text += input_.options.crease == CreaseCut::cut
+    text += are_apart(input_.options.crease)
                 ? "<li>Hinge the panels along all creases, at half their thickness.</li>\n"
                 : "<li>Fold each crease once by hand, mountains away from you, valleys towards "
                   "you.</li>\n";

@@ -9,6 +9,7 @@ KitItem empty_item(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& most_
   };
   add("hatch", kGrey, LayerUse::mark);
   add("note", kCyan, LayerUse::mark);
+  add("hinge", kGrey, LayerUse::hidden);
   add("engrave", kGreen, LayerUse::mark);
   add("score_mountain", kRed);
   add("score_valley", kBlue);

@@ -9,6 +9,7 @@ namespace misalign::schema {
 enum class KitLayer {
   hatch,  ///< hatching of openings; not cut
   note,   ///< title, gauge and tables
+  hinge,  ///< axes of plates' hinges; not cut
   engrave,
   score_mountain,
   score_valley,

@@ -14,12 +14,26 @@ enum class SpringAt {
   panel,   ///< bores inside panels near these vertices
 };
 
+/// Plates whose hinges lie within them or on their faces.
+struct PlateOptions {
+  double thickness_mm = 0;
+  std::optional<double> from_deg;  ///< angle of use, to which they fold; none: D
+  double trim_mm = 0;       ///< trim of corners where plates meet in a point (plate_thickness.hpp)
+  double film_mm = 0;       ///< free length of films, the least gap
+  double barrel_mm = 0;     ///< outer diameter of pins' barrels
+  double clearance_mm = 0;  ///< distance of parts that would touch
+  double pin_mm = 1;        ///< diameter of pins, in printed knuckles
+  double film_thickness_mm = 0, slot_mm = 5;  ///< printed slots: of this film, so deep
+  bool allows_misfit = false;  ///< true if hinges on faces may miss by more than kMostMisfit
+};
+
 struct KitOptions {
   CreaseCut crease = CreaseCut::score;
   double kerf_mm = 0;                                   ///< width of material that a cut removes
   double dash_mm = 4, bridge_mm = 1;                    ///< sizes of a perforation after cutting
   std::optional<double> joint_bore_mm, spring_bore_mm;  ///< diameters
   std::optional<SpringAt> spring_at;                    ///< default: vertex
+  std::optional<PlateOptions> plates;     ///< given where creases are hinges of plates
   double bore_edge_mm = 2;                ///< least distance of a bore from edges and other bores
   double gap_mm = 5;                      ///< distance between parts
   double margin_mm = 5;                   ///< round all parts

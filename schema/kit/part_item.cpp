@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "schema/kit/hinge_marks.hpp"
 #include "schema/kit/panel_room.hpp"
 #include "schema/kit/stroke_font.hpp"
 #include "solver/pattern/crease_pattern.hpp"
@@ -58,6 +59,15 @@ class Marks {
       }
       // The number lies over bores where it has no room.
       engrave(text ? *text : DrawnText{room.middle_mm(), words, height_mm, true});
+    }
+  }
+
+  void add_bevel_angles(const KitFittings& fittings) {
+    for (auto& [facet, room] : rooms_) {
+      for (const DrawnText& text :
+           bevel_angles(sheet_, facet, fittings, mark_height_mm(room), room)) {
+        engrave(text);
+      }
     }
   }
 
@@ -156,8 +166,10 @@ KitItem part_item(const solver::Sheet& sheet, const KitPart& part, const KitFitt
         .circles.push_back({bore.centre_mm, 0.5 * (bore.diameter_mm - options.kerf_mm)});
   }
   add_creases(sheet, part, fittings, options, item);
+  for (const int facet : part.facets) add_hinges(sheet, facet, fittings, item);
   Marks marks(sheet, part, fittings, item.on(KitLayer::engrave));
   marks.add_panel_numbers();
+  marks.add_bevel_angles(fittings);
   marks.add_spring_numbers(fittings.ends);
   marks.add_vertex_labels();
   return item;

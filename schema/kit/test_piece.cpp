@@ -25,7 +25,7 @@ class TestPiece {
 
   LineDrawing drawing(const std::string& title) {
     const double apart_mm = options_.gap_mm + options_.kerf_mm;
-    const bool is_cut = options_.crease == CreaseCut::cut;
+    const bool is_cut = are_apart(options_.crease);
     const double second_mm = side_mm_ + (is_cut ? apart_mm : 0);  // where the second square begins
     const Vector2d corner(second_mm + side_mm_, side_mm_),
         third = corner + Vector2d(apart_mm, apart_mm);

@@ -27,6 +27,7 @@ struct ExportCall {
   ReleaseCall release;
   DeckCall deck;
   KitCall kit;
+  std::string hinge;
   std::optional<double> friction_n_mm_per_mm;  // of mjcf
 
   // Takes over the sheets' design, into which typed options are merged already.
@@ -134,7 +135,8 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
         schema::Cause::bad_request,
         std::string(option) + " has no meaning without " + with + "; take it out, or add that");
   };
-  only_with("--step", files.in_states(), "--format fold, obj or stl");
+  only_with("--step", files.in_states() && !(kit.wanted && files.is_printed()),
+            "--format fold, obj or stl (without --kit)");
   only_with("--joined", files.format == ExportFormat::fold, "--format fold");
   for (const char* option : {"--creases", "--every"}) {
     only_with(option, files.format == ExportFormat::csv, "--format csv");
@@ -142,13 +144,19 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
   for (const char* option : {"--rest-deg", "--density"}) {
     only_with(option, files.is_simulated(), "--format mjcf or inp");
   }
-  only_with("--from", files.knows_angle_of_use() || kit.options.guide,
-            "--format json, fold, stl, mjcf or inp, or --kit --guide");
-  only_with("--thickness", files.is_simulated() || files.format == ExportFormat::stl,
-            "--format stl, mjcf or inp");
-  only_with("--trim", files.format == ExportFormat::stl, "--format stl");
-  for (const char* option : {"--kit", "--only-cut"}) {
+  only_with("--from", files.knows_angle_of_use() || kit.wanted,
+            "--format json, fold, stl, mjcf or inp, or --kit");
+  only_with("--thickness", files.is_simulated() || files.format == ExportFormat::stl || kit.wanted,
+            "--format stl, mjcf or inp, or --kit");
+  only_with("--trim", files.format == ExportFormat::stl || kit.wanted, "--format stl, or --kit");
+  only_with("--hinge", kit.wanted, "--kit");
+  only_with("--kit", files.is_drawn() || files.is_printed(), "--format svg, dxf, stl or 3mf");
+  only_with("--only-cut", files.is_drawn(), "--format svg or dxf");
+  for (const char* option : {"--guide", "--test-piece", "--bed", "--kerf"}) {
     only_with(option, files.is_drawn(), "--format svg or dxf");
+  }
+  for (const char* option : {"--pin", "--slot"}) {
+    only_with(option, files.is_printed(), "--format stl or 3mf");
   }
   for (const char* option : kKitOptions) only_with(option, verb.count("--kit") > 0, "--kit");
   only_with("--bore-edge", kit.options.joint_bore_mm || kit.options.spring_bore_mm,
@@ -163,8 +171,13 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
 
 void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) {
   const std::string& path = call.files.read_from;
+  if (call.files.format == ExportFormat::three_mf && !call.kit.wanted) {
+    throw schema::UserError(schema::Cause::bad_request,
+                            "--format 3mf is of plates to print; add --kit");
+  }
   refuse_idle_options(call.files, call.kit, verb);
   read_material(call.deck.material, call.release.design);
+  read_hinge(call.hinge, call.release.design);
   call.files.warn = [](const std::string& words) { spdlog::warn("{}", words); };
   const std::string chosen_by = first_given(choice);
   if (is_pattern_file(path)) {
@@ -198,7 +211,8 @@ constexpr const char* kExportFooter =
     "  dxf   the same for CAD (AutoCAD 2000, mm)\n"
     "  obj   one file for each folded state\n"
     "  stl   the same of plates with --thickness, tapered and trimmed as in `contact`: a\n"
-    "        closed solid for each panel\n"
+    "        closed solid for each panel; with --kit the plates of a kit, flat, to print\n"
+    "  3mf   with --kit: the same plates in one file\n"
     "  mjcf  the sheet folded to --from, ready for release, for MuJoCo: rigid panels, hinges,\n"
     "        ball joints, springs as tendons\n"
     "  inp   the same for CalculiX: elastic panels\n"
@@ -257,6 +271,7 @@ Action export_verb(CLI::App& verb) {
                                         {"dxf", ExportFormat::dxf},
                                         {"obj", ExportFormat::obj},
                                         {"stl", ExportFormat::stl},
+                                        {"3mf", ExportFormat::three_mf},
                                         {"mjcf", ExportFormat::mjcf},
                                         {"inp", ExportFormat::inp}}));
   add_value(verb, "--step", files.step_deg,
@@ -276,6 +291,7 @@ Action export_verb(CLI::App& verb) {
             "mjcf: dry friction of the hinges in the tree, N mm/mm [the design's, or 0]",
             within(0, 1e6), "N");
   add_deck(verb, call->deck);
+  add_hinge(verb, call->hinge);
   verb.add_flag("--only-cut", files.only_cut,
                 "svg and dxf: without the layers that are not to be cut, for programs that follow "
                 "hidden layers and marks, too");

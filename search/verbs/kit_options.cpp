@@ -9,7 +9,7 @@
 namespace misalign::search {
 namespace {
 
-constexpr double kMost_mm = 1e5;
+constexpr double kMost_mm = 1e5, kPinClearance_mm = 0.2;
 
 CLI::Validator a_bed() {
   return CLI::Validator(
@@ -19,6 +19,55 @@ CLI::Validator a_bed() {
         return text + " is no width and height in mm, such as 600x400";
       },
       "");
+}
+
+// Plates of a design whose hinges are of this kind; none where contours depend on no thickness.
+std::optional<schema::PlateOptions> plates_of(const KitCall& call, const schema::Design& design,
+                                              schema::CreaseCut crease) {
+  const bool is_pin = crease == schema::CreaseCut::pin;
+  if (!schema::has_axes_within(crease) && crease != schema::CreaseCut::butt) return std::nullopt;
+  if (!design.thickness_mm) {
+    if (!call.crease) return std::nullopt;
+    throw schema::UserError(solver::OptionFault{
+        "crease", schema::crease_name(crease),
+        "is of plates with a thickness, and neither the design nor an option has one",
+        "add " + schema::parameter("thickness_mm")});
+  }
+  schema::PlateOptions plates = call.plates;
+  plates.thickness_mm = *design.thickness_mm;
+  plates.from_deg = design.from_deg;
+  if (design.film) {
+    plates.film_mm = design.film->length_mm;
+    plates.film_thickness_mm = design.film->thickness_mm;
+  }
+  plates.barrel_mm = call.barrel_mm.value_or(plates.thickness_mm);
+  plates.clearance_mm = call.clearance_mm.value_or(is_pin ? kPinClearance_mm : 0);
+  return plates;
+}
+
+// Options of plates with hinges.
+void add_plates(CLI::App& verb, KitCall& call) {
+  const auto millimetres = [&](const char* name, auto& value, const std::string& meaning,
+                               double least) {
+    add_value(verb, name, value, meaning, within(least, kMost_mm), "MM");
+  };
+  millimetres("--barrel", call.barrel_mm,
+              "with --kit and pin hinges: outer diameter of barrels [the thickness]", 1e-2);
+  millimetres("--clearance", call.clearance_mm,
+              fmt::format("with --kit and hinges of plates: clearance in hinges [{:g} of pins, 0]",
+                          kPinClearance_mm),
+              0);
+  millimetres("--pin", call.plates.pin_mm,
+              fmt::format("with --kit to print and pin hinges: diameter of pins [{:g}]",
+                          call.plates.pin_mm),
+              1e-2);
+  millimetres("--slot", call.plates.slot_mm,
+              fmt::format("with --kit to print and film hinges: depth of the films' slots [{:g}]",
+                          call.plates.slot_mm),
+              0.1);
+  verb.add_flag("--allow-misfit", call.plates.allows_misfit,
+                "with --kit and butt hinges: consent to plates that miss by more than a tenth of "
+                "their thickness");
 }
 
 }  // namespace
@@ -38,9 +87,10 @@ void add_kit(CLI::App& verb, KitCall& call) {
     creases.emplace_back(crease.name, crease.cut);
   }
   verb.add_option("--crease", call.crease,
-                  "with --kit: cut (every panel is a part), score (lines) or dash (perforated) "
-                  "[the design's, its material's, or score]")
+                  "with --kit: cut (every panel is a part), score (lines), dash (perforated); of "
+                  "plates: film, bevel, pin or butt [the design's, its material's, or score]")
       ->transform(one_of<schema::CreaseCut>(creases));
+  add_plates(verb, call);
   verb.add_option_function<std::vector<double>>(
           "--dash-mm",
           [&kit](const std::vector<double>& lengths) {
@@ -93,6 +143,8 @@ std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::
                             "is of springs, and the design's holes have none", "leave it out"});
   }
   kit.crease = call.crease.value_or(design.crease_or(kit.crease));
+  kit.plates = plates_of(call, design, kit.crease);
+  if (schema::are_apart(kit.crease) && !kit.plates) kit.crease = schema::CreaseCut::cut;
   if (!call.bed.empty()) {
     const std::size_t x = call.bed.find('x');
     kit.bed_mm.emplace(std::stod(call.bed.substr(0, x)), std::stod(call.bed.substr(x + 1)));

@@ -9,7 +9,7 @@ PICTURES = {
     "4": "...#. ..##. .#.#. #..#. ##### ...#. ...#.", "5": "##### #.... ####. ....# ....# #...# .###.",
     "6": ".###. #.... #.... ####. #...# #...# .###.", "7": "##### ....# ...#. ..#.. .#... .#... .#...",
     "8": ".###. #...# #...# .###. #...# #...# .###.", "9": ".###. #...# #...# .#### ....# ....# .###.",
-    "A": "..#.. .#.#. #...# #...# ##### #...# #...#", "c": ".###. #...# #.... #.... #.... #...# .###.",
+    "A": "..#.. .#.#. #...# #...# ##### #...# #...#", "b": "#.... #.... #.... ####. #...# #...# ####.", "c": ".###. #...# #.... #.... #.... #...# .###.",
     "r": "#.##. ##..# #.... #.... #.... #.... #....", "s": ".###. #...# #.... .###. ....# #...# .###."}
 
 
@@ -58,11 +58,11 @@ def letters_of(paths):
 
 
 def words_of(paths):
-    """(x, y, words, turned_deg) of each word, in the order of strokes; every one begins with A, r or s."""
+    """(x, y, words, turned_deg) of each word, in the order of strokes; every one begins with A, b, r or s."""
     words = []
     for letter in letters_of(paths):
         read = [letter_of(letter, turned) for turned in (False, True)]
-        if min(read)[1] in "Ars" or not words:
+        if min(read)[1] in "Abrs" or not words:
             words.append([])
         words[-1].append((read, sum(letter, [])))
     for word in words:
