@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "schema/kit/joint_words.hpp"
 #include "schema/kit/kit_notes.hpp"
 #include "schema/kit/kit_pages.hpp"
 #include "schema/kit/part_item.hpp"
@@ -49,6 +50,9 @@ class Kit {
     if (!springs_.empty() && options_.spring_at != SpringAt::panel &&
         sheet_.base().springs.at_vertices()) {
       notes_.emplace_back("springs end on vertices: in a tab's bore, or in a ball joint's wire");
+    }
+    if (const std::string words = joint_words(sheet_, options_); !words.empty()) {
+      notes_.push_back(words);
     }
     const KitPages pages(options_, title_, [this](std::size_t page, std::size_t count) {
       return sentences(page, count);

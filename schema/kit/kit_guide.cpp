@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "schema/exchange/xml_text.hpp"
+#include "schema/kit/joint_words.hpp"
 #include "schema/kit/kit_hinges.hpp"
 #include "schema/kit/kit_parts.hpp"
 #include "schema/kit/kit_springs.hpp"
@@ -35,7 +36,7 @@ class Guide {
     }
     return text + bill() +
            hinge_table(sheet_, input_.design.thickness_mm, input_.actuation.from_row, from_deg()) +
-           filling() + assembly() + kPageEnd;
+           joint_section(sheet_, input_.options) + filling() + assembly() + kPageEnd;
   }
 
  private:

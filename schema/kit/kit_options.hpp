@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "schema/pattern/design.hpp"
+#include "solver/play/joint_parts.hpp"
 
 namespace misalign::schema {
 
@@ -27,11 +28,18 @@ struct PlateOptions {
   bool allows_misfit = false;  ///< true if hinges on faces may miss by more than kMostMisfit
 };
 
+/// Ball joints, and the angle of use up to which they move; none: D.
+struct KitJoints {
+  solver::JointParts parts;
+  std::optional<double> from_deg;
+};
+
 struct KitOptions {
   CreaseCut crease = CreaseCut::score;
   double kerf_mm = 0;                                   ///< width of material that a cut removes
   double dash_mm = 4, bridge_mm = 1;                    ///< sizes of a perforation after cutting
   std::optional<double> joint_bore_mm, spring_bore_mm;  ///< diameters
+  std::optional<KitJoints> joints;                      ///< given where a design has a kind
   std::optional<SpringAt> spring_at;                    ///< default: vertex
   std::optional<PlateOptions> plates;     ///< given where creases are hinges of plates
   double bore_edge_mm = 2;                ///< least distance of a bore from edges and other bores

@@ -31,6 +31,7 @@ schema::KitOptions trimmed_kit(const solver::Sheet& sheet, const schema::KitOpti
   trimmed.plates->trim_mm = contact_of_plates(sheet, {trim_mm, kit.plates->from_deg},
                                               std::max(kit.plates->thickness_mm, barrel_mm))
                                 .trim_mm;
+  if (trimmed.joints) trimmed.joints->parts.trim_mm = trimmed.plates->trim_mm;
   return trimmed;
 }
 

@@ -87,6 +87,7 @@ Action card_verb(CLI::App& verb) {
   number("--miscut", design.miscut_mm, "largest cutting error of a vertex, mm", "miscut_mm", "MM");
   number("--play", design.play_mm, "radius of the ball in which each joint settles, mm", "play_mm",
          "MM");
+  add_joints(verb, design);
   add_material(verb, call->material);
   add_hinge(verb, call->hinge);
   add_default(verb, "--trials", call->options.trials,

@@ -149,7 +149,8 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
   only_with("--thickness", files.is_simulated() || files.format == ExportFormat::stl || kit.wanted,
             "--format stl, mjcf or inp, or --kit");
   only_with("--trim", files.format == ExportFormat::stl || kit.wanted, "--format stl, or --kit");
-  only_with("--hinge", kit.wanted, "--kit");
+  for (const char* option : {"--hinge", "--joint", "--wire"})
+    only_with(option, kit.wanted, "--kit");
   only_with("--kit", files.is_drawn() || files.is_printed(), "--format svg, dxf, stl or 3mf");
   only_with("--only-cut", files.is_drawn(), "--format svg or dxf");
   for (const char* option : {"--guide", "--test-piece", "--bed", "--kerf"}) {
@@ -292,6 +293,7 @@ Action export_verb(CLI::App& verb) {
             within(0, 1e6), "N");
   add_deck(verb, call->deck);
   add_hinge(verb, call->hinge);
+  add_joint(verb, call->release.design);
   verb.add_flag("--only-cut", files.only_cut,
                 "svg and dxf: without the layers that are not to be cut, for programs that follow "
                 "hidden layers and marks, too");

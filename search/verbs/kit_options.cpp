@@ -4,6 +4,7 @@
 
 #include <regex>
 
+#include "schema/pattern/joint_kind.hpp"
 #include "search/verbs/options.hpp"
 
 namespace misalign::search {
@@ -68,6 +69,22 @@ void add_plates(CLI::App& verb, KitCall& call) {
   verb.add_flag("--allow-misfit", call.plates.allows_misfit,
                 "with --kit and butt hinges: consent to plates that miss by more than a tenth of "
                 "their thickness");
+}
+
+// Ball joints of a design, with the kit's bores, which it has where the design gives their
+// diameter.
+void take_joints(schema::Design design, schema::KitOptions& kit) {
+  if (!design.joint_kind) return;
+  const bool has_bores = design.joint_kind != solver::JointKind::ball;
+  if (kit.joint_bore_mm && !has_bores) {
+    throw schema::UserError(solver::OptionFault{
+        "joint_bore_mm", schema::shown_number(*kit.joint_bore_mm),
+        "is of loops and tabs, and balls in sockets have no bores", "leave it out"});
+  }
+  if (has_bores && !kit.joint_bore_mm) kit.joint_bore_mm = design.joint_bore_mm;
+  if (kit.joint_bore_mm) design.joint_bore_mm = kit.joint_bore_mm;
+  design.joint_edge_mm = kit.bore_edge_mm;
+  kit.joints = schema::KitJoints{*schema::joints_of(design), design.from_deg};
 }
 
 }  // namespace
@@ -144,6 +161,7 @@ std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::
   }
   kit.crease = call.crease.value_or(design.crease_or(kit.crease));
   kit.plates = plates_of(call, design, kit.crease);
+  take_joints(design, kit);
   if (schema::are_apart(kit.crease) && !kit.plates) kit.crease = schema::CreaseCut::cut;
   if (!call.bed.empty()) {
     const std::size_t x = call.bed.find('x');

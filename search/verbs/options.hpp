@@ -73,6 +73,10 @@ void read_material(const std::string& typed, schema::Design& design);
 /// none. UserError (bad_request).
 void add_hinge(CLI::App& verb, std::string& typed);
 void read_hinge(const std::string& typed, schema::Design& design);
+/// --joint, --joint-bore and --wire, of ball joints; returns the first.
+CLI::Option* add_joints(CLI::App& verb, schema::Design& design);
+/// --joint and --wire alone.
+CLI::Option* add_joint(CLI::App& verb, schema::Design& design);
 /// --fill, JSON as of `design.fill`. Called after the options of springs, which it excludes.
 void add_fill(CLI::App& verb, schema::DesignFill& fill);
 /// --criterion: how sheets are judged.

@@ -246,7 +246,7 @@ while IFS='|' read -r words meant; do
   [ $? = 2 ] && [ "$(wc -l < err)" = 1 ] && [ ! -s out ] || fail "$words: $(cat err)"
   grep -q -- "$meant" err || fail "no '$meant' for: $words: $(cat err)"
 done << 'END'
---format obj --kit|--kit has no meaning without --format svg or dxf
+--format obj --kit|--kit has no meaning without --format svg, dxf, stl or 3mf
 --format svg --kerf 0.2|--kerf has no meaning without --kit
 --format dxf --kit --dash-mm 3,1|--dash-mm has no meaning without --crease dash
 --format dxf --kit --bore-edge 3|--bore-edge has no meaning without --joint-bore or --spring-bore

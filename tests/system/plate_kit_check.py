@@ -1,12 +1,12 @@
 """Kits of plates beside the folded sheets that they are cut for. Standard input has a line for each:
 
     SHEET.fold KIT.dxf --crease film|bevel|pin --thickness T --from DEG [--barrel D] [--clearance C] [--film F]
-    [--joint-bore D] [--spring-bore D] [--edge E] [--trim T] [--thicker T] [--wrong]
+    [--joint-bore D] [--spring-bore D] [--edge E] [--wire W --play P] [--thicker T] [--wrong]
 
 Plates are rebuilt from the drawing alone: contours, axes of hinges, lines and angles of bevels. They are laid into the
 folded states of the FOLD file by their axes. No two plates or barrels may overlap there (separating axes of convex
 pieces), and vertices of all plates must meet. Gaps are compared with fold angles by normals of the folded faces; bores
-and tabs with the vertices of diagonals and ball joints. --thicker: plates of another thickness; --wrong: something must
+and tabs with the vertices of diagonals and ball joints, whose bores have the play of a wire. --thicker: plates of another thickness; --wrong: something must
 be wrong. Prints what was measured, and ends with 1 if anything is wrong."""
 
 import argparse
@@ -321,12 +321,30 @@ class Check:
                     good = [row for row in here if row[0] == label and abs(row[2] - wish.joint_bore) < NEAR and row[1] < 20]
                     self.expect(len(good) >= 1, f"A{v + 1} has no bore of a ball joint on {label}")
                     bores += 1
+        if wish.play:
+            play = max(self.play(v, labels) for v, labels in at.items()
+                       if not any(frozenset(pair) in joined for pair in itertools.combinations(labels, 2)))
+            self.expect(abs(play - wish.play) < NEAR, f"ball joints have a play of {play:.3f} mm, not {wish.play} mm")
+            print(f"{wish.kit}: play of ball joints {play:.3f} mm")
         for plate in self.plates.values():
             for x, y, r in plate.bores:
                 left = min(distance((x, y), p, q) for p, q in zip(plate.contour, plate.contour[1:] + plate.contour[:1])) - r
                 self.expect(left > wish.edge - 2 * NEAR, f"{plate.label}: {left:.3f} mm of material at a bore")
         if wish.spring_bore or wish.joint_bore:
             print(f"{wish.kit}: {tabs} tabs, {bores} bores of ball joints")
+
+    def play(self, v, labels):
+        """The play of a loop of wire: how far its bores approach each other, and the wire's clearance."""
+        apart = []
+        for _, at in self.sheet.frames:
+            ends = []
+            for label in labels:
+                face, plate = self.sheet.faces[label], self.plates[label]
+                turn, shift, _ = placed(np.hstack([self.sheet.flat[face], np.zeros((4, 1))]), at[face])
+                bore = min(plate.bores, key=lambda c: math.dist(plate.on_sheet(c[:2]), self.sheet.flat[v]))
+                ends.append(turn @ np.array([*plate.on_sheet(bore[:2]), 0]) + shift)
+            apart.append(np.linalg.norm(ends[0] - ends[1]))
+        return max(apart) - min(apart) + self.wish.joint_bore - self.wish.wire
 
     def pieces(self, plate):
         """Convex pieces: the panel without its tabs, between its bevelled faces, and the discs of tabs."""
@@ -428,7 +446,7 @@ def main():
     words.add_argument("kit")
     words.add_argument("--crease")
     words.add_argument("--from", type=float, dest="from_deg")
-    for name in ("--thickness", "--barrel", "--clearance", "--film", "--joint-bore", "--spring-bore", "--thicker"):
+    for name in ("--thickness", "--barrel", "--clearance", "--film", "--joint-bore", "--spring-bore", "--thicker", "--wire", "--play"):
         words.add_argument(name, type=float, default=0)
     words.add_argument("--edge", type=float, default=2)
     words.add_argument("--wrong", action="store_true")

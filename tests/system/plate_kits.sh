@@ -14,6 +14,8 @@ echo '{ "name": "8x6", "pattern": { "family": "miura", "rows": 8, "columns": 6, 
 "$program" export w.db --draw "$(sql w.db 'SELECT min(draw) FROM candidate')" --output drawn > names &&
   mv "$(cat names)" 8x6.json
 
+"$program" shape "$patterns/dome-6x6.json" --output dome.json > /dev/null || fail "shape"
+
 # kit FILE CREASE THICKNESS FROM OPTION...: a kit to cut of plates, to be looked at below.
 kits=0
 kit() {
@@ -39,11 +41,36 @@ bores="--joint-bore 1.2 --spring-bore 1.5"
   kit 8x6.json film 2 60 $bores --clearance 0.1
   kit 8x6.json bevel 2 60
   kit 8x6.json pin 2 60 --barrel 2 --clearance 0.2
+  # shellcheck disable=SC2086
+  kit dome.json film 2 90 $bores
+  kit dome.json pin 2 90 --barrel 2 --clearance 0.2
 } > checks
 # What sees nothing wrong must be able to: thicker plates of the same contours overlap.
 sed -n '1,2s/$/ --thicker 3.4 --wrong/p; 3s/$/ --thicker 6 --wrong/p' checks > wrong
 "$python" -B "$source_dir/tests/system/plate_kit_check.py" < checks || fail "kits of plates"
 "$python" -B "$source_dir/tests/system/plate_kit_check.py" < wrong > /dev/null || fail "thicker plates: nothing overlaps"
+
+# Ball joints: their play is that of the drawn bores in folded plates, a card judges it, and so do trials.
+options="--crease bevel --thickness 3 --from 90 --joint loop --joint-bore 1.5 --wire 1.2"
+# shellcheck disable=SC2086
+"$program" export "$patterns/table1.json" --format dxf --kit $options --guide --gap 15 --output joints > names || fail "joints"
+play=$(grep -o 'play is [0-9.]* mm' "$(tail -1 names)" | grep -o '[0-9.]*[0-9]')
+echo "sheets/table1.fold $(head -1 names) ${options/--joint loop/} --play $play" |
+  "$python" -B "$source_dir/tests/system/plate_kit_check.py" || fail "play of ball joints"
+echo "sheets/table1.fold $(head -1 names) ${options/--joint loop/} --play 0.31 --wrong" |
+  "$python" -B "$source_dir/tests/system/plate_kit_check.py" > /dev/null || fail "another play is not seen"
+"$program" card "$patterns/table1.json" --from 60 --no-remedies --trials 5 --json --joint loop --joint-bore 1.5 \
+  --wire 1.2 > card.json 2> err
+"$program" export "$patterns/table1.json" --format dxf --kit --from 60 --joint loop --joint-bore 1.5 --wire 1.2 --guide \
+  --output scored > names || fail "joints of a scored kit"
+play=$(grep -o 'play is [0-9.]* mm' "$(tail -1 names)" | grep -o '[0-9.]*[0-9]')
+wanted=$(sqlite3 :memory: "SELECT json_extract(value, '\$.wanted') FROM json_each(json_extract(readfile('card.json'),
+  '\$.lines')) WHERE json_extract(value, '\$.key') = 'play_mm'")
+[ "$(printf '%.2f' "$wanted")" = "$(printf '%.2f' "$play")" ] || fail "the card's play is $wanted, the kit's $play: $(cat err)"
+sed 's/"holes"/"design": { "from_deg": 60, "joints": { "kind": "ball", "clearance_mm": 0.01 } }, "holes"/' \
+  "$patterns/table1.json" > balls.json
+"$program" tolerance balls.json --trials 5 --json > loose.json || fail "trials of joints"
+grep -q '"backlash_mm": 0.005' loose.json || fail "the play of balls: $(grep backlash loose.json)"
 
 # Films of the hinge table: their free length is the least gap.
 kit "$patterns/table1.json" film 1 60 --hinge "polyester film 0.1 mm" > film
@@ -85,6 +112,8 @@ refused "more than a tenth of their thickness" --format dxf --crease butt --thic
 refused "allow-misfit" --format dxf --crease butt --thickness 0.2 --from 90
 refused "too thick" --format dxf --crease film --thickness 9 --from 90
 refused "add --thickness" --format dxf --crease film
+refused "thicker than the bores" --format dxf --joint loop --joint-bore 1 --wire 1.2
+refused "have no bores" --format dxf --joint ball --joint-bore 1
 refused "no hinge of printed plates" --format stl --crease score --thickness 3 --from 90
 refused "less than 0.6 mm of material" --format stl --crease pin --thickness 2 --from 90
 refused "no meaning without" --format dxf --crease pin --thickness 3 --from 90 --pin 1

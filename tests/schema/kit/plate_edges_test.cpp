@@ -165,7 +165,7 @@ TEST(PlateEdges, ContoursAreSetBackAndTrimmed) {
   }
   options.plates->thickness_mm = 200;
   const KitFittings thick = kit_fittings(kit.sheet, options);
-  EXPECT_THROW(plate_contour(kit.sheet, kit.sheet.panels().facets[8], thick), UserError);
+  EXPECT_THROW(plate_contour(kit.sheet, kit.sheet.mechanism().creases[0].left, thick), UserError);
 }
 
 TEST(PlateEdges, HingesOnFacesNeedConsent) {
