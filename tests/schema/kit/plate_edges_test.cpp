@@ -163,7 +163,7 @@ TEST(PlateEdges, ContoursAreSetBackAndTrimmed) {
       EXPECT_GE(least, trim_mm - 1e-9);
     }
   }
-  options.plates->thickness_mm = 200;
+  options.plates->thickness_mm = 400;
   const KitFittings thick = kit_fittings(kit.sheet, options);
   EXPECT_THROW(plate_contour(kit.sheet, kit.sheet.mechanism().creases[0].left, thick), UserError);
 }
