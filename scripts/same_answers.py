@@ -100,6 +100,7 @@ tolerance            tolerance small.db {draw} --amplitude 0.05 --trials 200 --v
 tolerance-best       tolerance six.db --best 5 --amplitude 0.02 --trials 100 --jobs 1 --no-keep
 backlash             tolerance patterns/table1.json --backlash 0.01 --backlash-from 30 --trials 50 --jobs 1
 actuators            actuators small.db {draw}
+actuators-buy        actuators patterns/table1.json --buy --from 120 --friction 0.000002
 actuators-limited    actuators patterns/table1.json --from 140 --stroke-limit 0.08 --preload 1
 contact              contact small.db {draw}
 contact-trimmed      contact patterns/table1.json --from 90 --trim 8
@@ -136,6 +137,8 @@ fold-joined  --format fold --joined --step 30
 svg-cut      --format svg --only-cut
 svg-kit      --format svg --kit --guide --test-piece --kerf 0.15 --joint-bore 1.2 --spring-bore 1.5
 dxf-kit      --format dxf --kit --crease cut --bed 600x400
+dxf-plates   --format dxf --kit --crease bevel --thickness 3 --from 90 --joint-bore 1.2 --spring-bore 1.5
+3mf-plates   --format 3mf --kit --crease pin --thickness 4 --from 90
 """
 CERTIFIED = {"small.db": 260, "six.db": 40}  # how many candidates of each catalogue
 

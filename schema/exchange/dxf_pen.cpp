@@ -17,7 +17,8 @@
 namespace misalign::schema {
 namespace {
 
-constexpr int kMillimetres = 4, kMetric = 1;  // values of $INSUNITS and $MEASUREMENT
+// Values of $INSUNITS and $MEASUREMENT.
+constexpr int kInches = 1, kMillimetres = 4, kImperial = 0, kMetric = 1;
 constexpr int kByLayer = 256;
 constexpr const char* kStyle = "STANDARD";
 
@@ -69,24 +70,31 @@ class DxfPen {
   }
 
  private:
+  // A point from the page's corner, in the drawing's unit.
+  Eigen::Vector2d on_page(const Eigen::Vector2d& at_mm) const {
+    const Eigen::Vector2d off_mm = at_mm - drawing_.least_mm;
+    return {in_unit(off_mm.x(), drawing_.unit), in_unit(off_mm.y(), drawing_.unit)};
+  }
+
   void write_header() {
-    const Eigen::Vector2d page_mm = drawing_.most_mm - drawing_.least_mm;
+    const bool is_metric = drawing_.unit == LengthUnit::millimetre;
+    const Eigen::Vector2d page = on_page(drawing_.most_mm);
     const auto whole = [&](const char* name, int value) {
       to_->dxfString(9, name);
       to_->dxfInt(70, value);
     };
-    const auto corner = [&](const char* name, const Eigen::Vector2d& at_mm) {
+    const auto corner = [&](const char* name, const Eigen::Vector2d& at) {
       to_->dxfString(9, name);
-      to_->dxfReal(10, at_mm.x());
-      to_->dxfReal(20, at_mm.y());
+      to_->dxfReal(10, at.x());
+      to_->dxfReal(20, at.y());
     };
     dxf_.writeHeader(*to_);
-    whole("$INSUNITS", kMillimetres);
-    whole("$MEASUREMENT", kMetric);
+    whole("$INSUNITS", is_metric ? kMillimetres : kInches);
+    whole("$MEASUREMENT", is_metric ? kMetric : kImperial);
     corner("$LIMMIN", Eigen::Vector2d::Zero());
-    corner("$LIMMAX", page_mm);
+    corner("$LIMMAX", page);
     for (const char* name : {"$EXTMIN", "$EXTMAX"}) {
-      corner(name, name[4] == 'M' && name[5] == 'I' ? Eigen::Vector2d(0, 0) : page_mm);
+      corner(name, name[4] == 'M' && name[5] == 'I' ? Eigen::Vector2d(0, 0) : page);
       to_->dxfReal(30, 0);
     }
     to_->sectionEnd();
@@ -136,23 +144,25 @@ class DxfPen {
     const DL_Attributes look(capitals(layer.name), kByLayer, -1, "BYLAYER", 1.0);
     for (const DrawnPath& path : layer.paths) write_path(path, look);
     for (const DrawnCircle& circle : layer.circles) {
-      const Eigen::Vector2d at = circle.centre_mm - drawing_.least_mm;
-      dxf_.writeCircle(*to_, DL_CircleData(at.x(), at.y(), 0, circle.radius_mm), look);
+      const Eigen::Vector2d at = on_page(circle.centre_mm);
+      dxf_.writeCircle(
+          *to_, DL_CircleData(at.x(), at.y(), 0, in_unit(circle.radius_mm, drawing_.unit)), look);
     }
     constexpr int kMiddle = 1, kBaseLine = 0;
     for (const DrawnText& text : layer.texts) {
-      const Eigen::Vector2d at = text.at_mm - drawing_.least_mm;
-      dxf_.writeText(*to_,
-                     DL_TextData(at.x(), at.y(), 0, at.x(), at.y(), 0, text.height_mm, 1, 0,
-                                 text.centred ? kMiddle : 0, kBaseLine, dxf_text(text.words),
-                                 kStyle, text.turned_deg * solver::kRadPerDeg),
-                     look);
+      const Eigen::Vector2d at = on_page(text.at_mm);
+      dxf_.writeText(
+          *to_,
+          DL_TextData(at.x(), at.y(), 0, at.x(), at.y(), 0, in_unit(text.height_mm, drawing_.unit),
+                      1, 0, text.centred ? kMiddle : 0, kBaseLine, dxf_text(text.words), kStyle,
+                      text.turned_deg * solver::kRadPerDeg),
+          look);
     }
   }
 
   void write_path(const DrawnPath& path, const DL_Attributes& look) {
     std::vector<Eigen::Vector2d> points = path.points_mm;
-    for (Eigen::Vector2d& point : points) point -= drawing_.least_mm;
+    for (Eigen::Vector2d& point : points) point = on_page(point);
     if (points.size() == 2 && !path.closed) {
       dxf_.writeLine(*to_,
                      DL_LineData(points[0].x(), points[0].y(), 0, points[1].x(), points[1].y(), 0),

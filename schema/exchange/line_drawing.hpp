@@ -5,15 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "schema/exchange/length_unit.hpp"
+
 namespace misalign::schema {
 
-/// A colour: #rrggbb for SVG, a number in AutoCAD's list of colours for DXF.
+/// A colour: #rrggbb for SVG, a number in AutoCAD's list of colours for DXF. The colours are those
+/// of LightBurn's palette, so that it makes a layer of each.
 struct LineColour {
   std::string rgb;
   int aci;
 };
 inline const LineColour kBlack{"#000000", 7}, kRed{"#ff0000", 1}, kBlue{"#0000ff", 5},
-    kGreen{"#008000", 3}, kMagenta{"#ff00ff", 6}, kCyan{"#00a0a0", 4}, kGrey{"#808080", 8};
+    kGreen{"#00e000", 3}, kMagenta{"#ff00ff", 6}, kCyan{"#00e0e0", 4}, kOrange{"#ff8000", 30},
+    kGrey{"#b4b4b4", 8};
 
 struct DrawnPath {
   std::vector<Eigen::Vector2d> points_mm;
@@ -56,6 +60,7 @@ struct LineDrawing {
   std::string title;
   Eigen::Vector2d least_mm, most_mm;  ///< opposite corners of the page
   std::vector<LineLayer> layers;
+  LengthUnit unit = LengthUnit::millimetre;  ///< unit of files
 
   /// Removes layers that are not cut: some programs follow hidden layers, too.
   void keep_cuts() {

@@ -23,8 +23,7 @@ class Page {
  public:
   explicit Page(const LineDrawing& drawing) : least_(drawing.least_mm), most_(drawing.most_mm) {}
 
-  std::string width() const { return number(most_.x() - least_.x()); }
-  std::string height() const { return number(most_.y() - least_.y()); }
+  Eigen::Vector2d size_mm() const { return most_ - least_; }
   std::string path(const DrawnPath& path) const {
     std::string d;
     for (const Eigen::Vector2d& at_mm : path.points_mm) {
@@ -79,14 +78,18 @@ std::string layer_of(const Page& page, const LineLayer& layer) {
 
 std::string svg_of(const LineDrawing& drawing) {
   const Page page(drawing);
+  const Eigen::Vector2d size_mm = page.size_mm();
+  const auto length = [&](double length_mm) {
+    return number(in_unit(length_mm, drawing.unit)) + name_of(drawing.unit);
+  };
   std::string layers;
   for (const LineLayer& layer : drawing.layers) layers += layer_of(page, layer);
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<svg xmlns=\"http://www.w3.org/2000/svg\" "
          "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
          "     width=\"" +
-         page.width() + "mm\" height=\"" + page.height() + "mm\" viewBox=\"0 0 " + page.width() +
-         " " + page.height() +
+         length(size_mm.x()) + "\" height=\"" + length(size_mm.y()) + "\" viewBox=\"0 0 " +
+         number(size_mm.x()) + " " + number(size_mm.y()) +
          "\"\n"
          "     fill=\"none\" stroke-width=\"" +
          number(kLine_mm) +

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "schema/exchange/xml_text.hpp"
 
 namespace misalign::schema {
@@ -32,15 +35,36 @@ void SvgPicture::text(const Vector2d& at, const std::string& words, double size)
       at.x(), -at.y(), size, xml_text(words));
 }
 
+void SvgPicture::label(const Vector2d& at, const std::string& words) {
+  see(at);
+  shapes_ +=
+      fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" dy=\".36em\" text-anchor=\"middle\">{}</text>",
+                  at.x(), -at.y(), xml_text(words));
+}
+
+double SvgPicture::edge() const { return 0.03 * (most_ - least_).maxCoeff(); }
+
 std::string SvgPicture::view_box() const {
-  const Vector2d size = most_ - least_, edge = Vector2d::Constant(0.03 * size.maxCoeff());
+  const Vector2d size = most_ - least_, edge = Vector2d::Constant(this->edge());
   return fmt::format("{:.2f} {:.2f} {:.2f} {:.2f}", least_.x() - edge.x(), -most_.y() - edge.y(),
                      size.x() + 2 * edge.x(), size.y() + 2 * edge.y());
 }
 
-std::string SvgPicture::figure(const std::string& caption, bool wide) const {
-  return fmt::format("<figure{}><svg viewBox=\"{}\">{}</svg><figcaption>{}</figcaption></figure>\n",
-                     wide ? " class=\"wide\"" : "", view_box(), shapes_, xml_text(caption));
+std::string SvgPicture::figure(const std::string& caption, FigureSize size) const {
+  constexpr double kLetters_mm = 3.6;  // of which a capital takes 0.72
+  struct Printed {
+    const char* name;
+    double width_mm, height_mm;
+  };
+  constexpr std::array kPrinted = {Printed{"wide", 184, 105}, Printed{"half", 90, 75},
+                                   Printed{"third", 59, 60}};
+  const Printed& printed = kPrinted[static_cast<std::size_t>(size)];
+  const Vector2d drawn = most_ - least_ + Vector2d::Constant(2 * edge());
+  const double mm = std::max(drawn.x() / printed.width_mm, drawn.y() / printed.height_mm);
+  return fmt::format(
+      "<figure class=\"{}\"><svg viewBox=\"{}\" font-size=\"{:.2f}\">{}</svg>"
+      "<figcaption>{}</figcaption></figure>\n",
+      printed.name, view_box(), kLetters_mm * mm, shapes_, xml_text(caption));
 }
 
 std::string SvgPicture::file(const std::string& title) const {

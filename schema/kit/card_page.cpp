@@ -9,13 +9,6 @@
 namespace misalign::schema {
 namespace {
 
-// A sheet of 6 x 6 fits one printed page of A4.
-constexpr const char* kCardStyle =
-    "<style>td.n{white-space:nowrap}.bad{background:#fdd}.pair figure,.pair figure.wide{width:49%}"
-    "@page{size:A4;margin:9mm}@media print{body{font-size:7.5pt;max-width:none;margin:0;padding:0}"
-    "h1{font-size:12pt;margin:0}h2{font-size:9pt;margin:.3em 0}p{margin:.2em 0}"
-    "table{margin:.2em 0}td,th{padding:0 .4em}svg{max-height:17em}}</style>\n";
-
 std::string requirements(const Card& card) {
   std::string text = "<h2>Requirements</h2>\n<table>\n" +
                      table_row({"", "quantity", "required", "actual", "margin"}, 2, "th");
@@ -54,7 +47,7 @@ std::string facts(const Card& card) {
 std::string card_page(const Card& card, const solver::Sheet& sheet,
                       const solver::Actuation& actuation) {
   std::string text =
-      page_begin("Card of " + card.name) + kCardStyle +
+      page_begin("Card of " + card.name, PageStyle::card) +
       fmt::format("<p class=\"{}\">Used between {:.10g}° and flat: {}.</p>\n",
                   card.passes() ? "" : "warning", card.from_deg, xml_text(card.verdict())) +
       requirements(card) + remedies(card) + facts(card) + "<div class=\"pair\">" +

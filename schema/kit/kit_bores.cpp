@@ -13,16 +13,22 @@ namespace {
 using Eigen::Vector2d;
 using solver::OptionFault;
 
-constexpr double kTabSlot_mm = 1;  // drawn between a tab and the panels beside it
-
-double distance_to_edges(const solver::Sheet& sheet, int facet, const Vector2d& point) {
+// The distance from the contour of a panel and its bevels.
+double distance_to_edges(const solver::Sheet& sheet, const PlateEdges& edges, int facet,
+                         const Vector2d& point) {
   const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
   double least = INFINITY;
   for (std::size_t k = 0; k < 4; ++k) {
     const Vector2d from = sheet.point_mm(around[k]),
                    along = (sheet.point_mm(around[(k + 1) % 4]) - from).normalized();
     const Vector2d off = point - from;
-    least = std::min(least, along.x() * off.y() - along.y() * off.x());
+    const PlateEdge& edge = edges.edge(facet, k);
+    least =
+        std::min(least, along.x() * off.y() - along.y() * off.x() - edge.back_mm - edge.bevel_mm);
+    const PanelCorner corner(sheet, facet, around[k]);
+    if (const double trim_mm = edges.trim_mm(facet, k); trim_mm > 0) {
+      least = std::min(least, corner.bisector.dot(off) - trim_mm);
+    }
   }
   return least;
 }
@@ -30,8 +36,11 @@ double distance_to_edges(const solver::Sheet& sheet, int facet, const Vector2d& 
 class FittingsMaker {
  public:
   // `scale` multiplies the diameters.
-  FittingsMaker(const solver::Sheet& sheet, const KitOptions& options, double scale)
-      : sheet_(sheet), options_(options), scale_(scale) {}
+  FittingsMaker(const solver::Sheet& sheet, const KitOptions& options, const PlateEdges& edges,
+                double scale)
+      : sheet_(sheet), options_(options), scale_(scale) {
+    made_.edges = edges;
+  }
 
   KitFittings make() {
     if (options_.joint_bore_mm) {
@@ -56,7 +65,7 @@ class FittingsMaker {
   void add_bore(int facet, int vertex, int spring, double diameter_mm) {
     const PanelCorner corner(sheet_, facet, vertex);
     const double radius_mm = 0.5 * diameter_mm, edge_mm = options_.bore_edge_mm;
-    double away_mm = (radius_mm + edge_mm) / corner.sine;
+    double away_mm = distance_from_corner(facet, vertex, radius_mm + edge_mm, corner);
     for (const Bore& other : made_.bores) {  // which is nearer to the corner
       if (other.facet != facet || other.vertex != vertex) continue;
       away_mm = std::max(away_mm, (other.centre_mm - corner.at_mm).norm() +
@@ -64,6 +73,20 @@ class FittingsMaker {
     }
     made_.bores.push_back(
         {facet, vertex, spring, corner.at_mm + away_mm * corner.bisector, diameter_mm});
+  }
+
+  // The distance of a bore on the bisector of a corner which keeps so far from the contour.
+  double distance_from_corner(int facet, int vertex, double apart_mm,
+                              const PanelCorner& corner) const {
+    const auto& around = sheet_.base().sheet.facets[static_cast<std::size_t>(facet)];
+    const auto k = static_cast<std::size_t>(std::ranges::find(around, vertex) - around.begin());
+    double back_mm = 0;
+    for (const std::size_t side : {k, (k + 3) % 4}) {
+      const PlateEdge& edge = made_.edges.edge(facet, side);
+      back_mm = std::max(back_mm, edge.back_mm + edge.bevel_mm);
+    }
+    const double trim_mm = made_.edges.trim_mm(facet, k);
+    return std::max((apart_mm + back_mm) / corner.sine, trim_mm > 0 ? trim_mm + apart_mm : 0);
   }
 
   // Adds a spring's end at a corner of its hole.
@@ -88,8 +111,10 @@ class FittingsMaker {
     }
     const bool in_joint = loop.passages[static_cast<std::size_t>(loop.arrival[corner])].ball;
     const Vector2d at_mm = sheet_.point_mm(vertex);
-    const double radius_mm = 0.5 * diameter_mm + options_.bore_edge_mm,
-                 clear_mm = radius_mm + kTabSlot_mm + options_.kerf_mm;
+    const double radius_mm = made_.edges.tab_radius_mm(sheet_, facet, vertex,
+                                                       0.5 * diameter_mm + options_.bore_edge_mm),
+                 clear_mm = std::hypot(radius_mm, 0.5 * made_.edges.thickness_mm()) + kTabSlot_mm +
+                            options_.kerf_mm;
     made_.ends.push_back({facet, vertex, spring, at_mm, in_joint ? 0 : clear_mm});
     if (in_joint) return;
     made_.bores.push_back({facet, vertex, spring, at_mm, diameter_mm});
@@ -107,7 +132,7 @@ constexpr double kSlack_mm = 1e-9;  // rounding of sizes in metres
 bool has_room(const solver::Sheet& sheet, const KitFittings& fittings, const Bore& bore,
               double edge_mm) {
   const double reach_mm = 0.5 * bore.diameter_mm + edge_mm - kSlack_mm;
-  if (distance_to_edges(sheet, bore.facet, bore.centre_mm) < reach_mm) return false;
+  if (distance_to_edges(sheet, fittings.edges, bore.facet, bore.centre_mm) < reach_mm) return false;
   return std::none_of(fittings.bores.begin(), fittings.bores.end(), [&](const Bore& other) {
     return &other != &bore && other.facet == bore.facet &&
            (other.centre_mm - bore.centre_mm).norm() < reach_mm + 0.5 * other.diameter_mm;
@@ -167,11 +192,12 @@ std::string misplaced(const solver::Sheet& sheet, const KitFittings& fittings, d
 }
 
 // The largest scale of the diameters that fits.
-double fitting_scale(const solver::Sheet& sheet, const KitOptions& options) {
+double fitting_scale(const solver::Sheet& sheet, const KitOptions& options,
+                     const PlateEdges& edges) {
   double fits = 0, fails = 1;
   for (int k = 0; k < 30; ++k) {
     const double middle = 0.5 * (fits + fails);
-    const KitFittings fittings = FittingsMaker(sheet, options, middle).make();
+    const KitFittings fittings = FittingsMaker(sheet, options, edges, middle).make();
     (misplaced(sheet, fittings, options.bore_edge_mm).empty() ? fits : fails) = middle;
   }
   return fits;
@@ -223,11 +249,12 @@ KitFittings kit_fittings(const solver::Sheet& sheet, const KitOptions& options) 
                     "nothing would be left of a tab round its bore (springs end on vertices)",
                     "take more, or " + parameter("spring_at", "panel")});
   }
-  KitFittings fittings = FittingsMaker(sheet, options, 1).make();
+  const PlateEdges edges(sheet, options);
+  KitFittings fittings = FittingsMaker(sheet, options, edges, 1).make();
   const std::string bad = misplaced(sheet, fittings, options.bore_edge_mm);
   if (bad.empty()) return fittings;
   constexpr double kLeastBore_mm = 0.1;
-  const double scale = fitting_scale(sheet, options);
+  const double scale = fitting_scale(sheet, options, edges);
   const double largest_mm =
       scale * std::max(options.joint_bore_mm.value_or(0), options.spring_bore_mm.value_or(0));
   throw UserError(

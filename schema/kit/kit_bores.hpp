@@ -14,6 +14,9 @@
 // vertex, so that the other hole's spring has the other panel; it lies behind the joint's bore.
 // Such a panel turns with its bore as the sheet folds: see kit_springs.hpp.
 //
+// Plates have tabs with necks as wide as without hinges. Panels beside one are cut clear of all of
+// its thickness, and straight. Bores keep off contours and bevels.
+//
 // A pattern whose springs end beside the vertices (solver::SpringEnds) has its bores at these ends.
 #pragma once
 
@@ -21,6 +24,7 @@
 
 #include "schema/kit/kit_options.hpp"
 #include "schema/kit/panel_corner.hpp"
+#include "schema/kit/plate_edges.hpp"
 
 namespace misalign::schema {
 
@@ -30,6 +34,8 @@ struct Bore {
   Eigen::Vector2d centre_mm;
   double diameter_mm;  ///< diameter of the cut bore
 };
+
+inline constexpr double kTabSlot_mm = 1;  ///< drawn distance of a tab from the panels beside it
 
 /// A disc of a panel round one of its vertices; sizes after cutting.
 struct SpringTab {
@@ -50,6 +56,7 @@ struct KitFittings {
   std::vector<Bore> bores;  ///< joints in the mechanism's order, then springs
   std::vector<SpringTab> tabs;
   std::vector<SpringEnd> ends;  ///< two for each diagonal in order, `from` before `to`
+  PlateEdges edges;             ///< none: panels without thickness
 
   const SpringTab* tab_at(int vertex) const;  ///< null if there is none
 };

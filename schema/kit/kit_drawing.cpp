@@ -4,14 +4,11 @@
 
 #include <algorithm>
 
-#include "schema/kit/kit_notes.hpp"
-#include "schema/kit/kit_pages.hpp"
 #include "schema/kit/part_item.hpp"
 
 namespace misalign::schema {
 namespace {
 
-using Eigen::Vector2d;
 using solver::OptionFault;
 
 void refuse_options(const KitOptions& options) {
@@ -28,132 +25,77 @@ void refuse_options(const KitOptions& options) {
   }
 }
 
-std::string listed(const std::string& what, const std::vector<std::string>& names) {
-  return fmt::format("{}: {}", what, fmt::join(names, ", "));
-}
-
-class Kit {
+class KitMaker {
  public:
-  Kit(const solver::Sheet& sheet, const KitOptions& options, const std::string& title)
+  KitMaker(const solver::Sheet& sheet, const KitOptions& options)
       : sheet_(sheet),
         options_(options),
-        title_(title),
-        fittings_(kit_fittings(sheet, options)),
-        springs_(kit_springs(sheet, fittings_)),
-        warning_(contradiction_of(springs_)) {}
+        layout_(options),
+        fittings_(kit_fittings(sheet, options)) {}
 
-  KitDrawings drawings() {
-    std::vector<KitPart> parts = kit_parts(sheet_, options_.crease);
-    if (options_.crease != CreaseCut::cut) note_loose_panels(parts);
-    if (sheet_.shifts_mm().isZero(0)) notes_.emplace_back("no vertex is shifted");
-    if (!springs_.empty() && options_.spring_at != SpringAt::panel &&
-        sheet_.base().springs.at_vertices()) {
-      notes_.emplace_back("springs end on vertices: in a tab's bore, or in a ball joint's wire");
+  Kit kit(const std::string& title) {
+    Kit kit;
+    kit.springs = kit_springs(sheet_, fittings_, kit_rows(sheet_, options_.from_deg));
+    kit.warning = contradiction_of(kit.springs);
+    for (const KitPart& part : kit_parts(sheet_, options_.crease)) {
+      std::vector<KitPart> pieces = divided_to_fit(part);
+      if (pieces.size() > 1) add_cuts(part, pieces, kit.cuts);
+      for (KitPart& piece : pieces) kit.parts.push_back(std::move(piece));
     }
-    const KitPages pages(options_, title_, [this](std::size_t page, std::size_t count) {
-      return sentences(page, count);
-    });
-    if (options_.bed_mm) parts = fitted(pages, parts);
     std::vector<KitItem> items;
-    for (const KitPart& part : parts) {
-      items.push_back(part_item(sheet_, part, fittings_, options_));
-    }
-    return {laid_out(pages, std::move(items)), warning_};
+    for (const KitPart& part : kit.parts) items.push_back(item_of(part));
+    kit.sheets = layout_.laid_out(items, title);
+    return kit;
   }
 
  private:
-  // Notes panels that no crease holds.
-  void note_loose_panels(const std::vector<KitPart>& parts) {
-    std::vector<std::string> names;
-    for (std::size_t p = 1; p < parts.size(); ++p) {
-      for (const int f : parts[p].facets) names.push_back(panel_label(sheet_, f));
-    }
-    if (!names.empty()) notes_.push_back(listed("panels held by ball joints alone", names));
+  KitItem item_of(const KitPart& part) const {
+    return part_item(sheet_, part, fittings_, options_);
+  }
+  bool fits(const KitPart& part) const {
+    return layout_.has_room(
+        nest_shape(part_outline(sheet_, part, fittings_, options_.kerf_mm).rings, options_.turns));
   }
 
-  std::vector<std::string> sentences(std::size_t bed, std::size_t beds) const {
-    const char* creases = options_.crease == CreaseCut::cut     ? "creases cut"
-                          : options_.crease == CreaseCut::score ? "creases scored"
-                                                                : "creases perforated";
-    std::vector<std::string> lines;
-    if (!warning_.empty()) lines.push_back("WARNING: " + warning_);
-    lines.push_back(title_);
-    lines.push_back(fmt::format("kit to cut (mm), sheet {} of {}; {}; kerf {:g}", bed + 1, beds,
-                                creases, options_.kerf_mm));
-    lines.insert(lines.end(), notes_.begin(), notes_.end());
-    return lines;
-  }
-
-  LayoutBox box_of(const KitPart& part) const {
-    const PartOutline outline = part_outline(sheet_, part, fittings_, options_.kerf_mm);
-    return {outline.most_mm() - outline.least_mm(), true};
-  }
-  bool fit(const std::vector<KitPart>& parts, const Vector2d& room_mm) const {
-    return std::all_of(parts.begin(), parts.end(),
-                       [&](const KitPart& part) { return fits_bed(box_of(part), room_mm); });
-  }
-
-  // Cuts parts that are too large for the bed along creases.
-  std::vector<KitPart> fitted(const KitPages& pages, const std::vector<KitPart>& parts) {
-    std::vector<KitPart> smaller;
-    for (const KitPart& part : parts) {
-      std::vector<KitPart> cut = divided_to_fit(pages, part);
-      if (cut.size() > 1) note_cuts(part, cut);
-      smaller.insert(smaller.end(), cut.begin(), cut.end());
-    }
-    return smaller;
-  }
-
-  // Divides a part by the grid with the fewest cells in which everything fits.
-  std::vector<KitPart> divided_to_fit(const KitPages& pages, const KitPart& part) const {
-    const Vector2d room_mm = pages.room_mm();
+  // Divides a part along creases by the grid with the fewest cells in which everything fits.
+  std::vector<KitPart> divided_to_fit(const KitPart& part) const {
     const auto [rows, columns] = rows_and_columns(sheet_, part);
     for (int cells = 1; cells <= rows * columns; ++cells) {
       for (int down = 1; down <= std::min(cells, rows); ++down) {
         if (cells % down != 0 || cells / down > columns) continue;
-        std::vector<KitPart> smaller = divided(sheet_, part, down, cells / down);
-        if (fit(smaller, room_mm)) return smaller;
+        std::vector<KitPart> pieces = divided(sheet_, part, down, cells / down);
+        if (std::ranges::all_of(pieces, [&](const KitPart& piece) { return fits(piece); })) {
+          return pieces;
+        }
       }
     }
     for (const KitPart& panel : divided(sheet_, part, rows, columns)) {
-      pages.expect_room("panel " + panel_label(sheet_, panel.facets[0]), box_of(panel));
+      layout_.expect_room("panel " + panel_label(sheet_, panel.facets[0]), item_of(panel));
     }
     return {};  // not reached: single panels fit
   }
 
-  void note_cuts(const KitPart& part, const std::vector<KitPart>& smaller) {
+  static void add_cuts(const KitPart& part, const std::vector<KitPart>& pieces,
+                       std::vector<int>& cuts) {
     for (const int c : part.creases) {
-      const bool kept = std::any_of(smaller.begin(), smaller.end(), [&](const KitPart& piece) {
-        return std::binary_search(piece.creases.begin(), piece.creases.end(), c);
+      const bool kept = std::ranges::any_of(pieces, [&](const KitPart& piece) {
+        return std::ranges::binary_search(piece.creases, c);
       });
-      if (!kept) cuts_.push_back(c);
+      if (!kept) cuts.push_back(c);
     }
-  }
-
-  std::vector<LineDrawing> laid_out(const KitPages& pages, std::vector<KitItem> items) const {
-    for (KitItem& block : kit_tables(sheet_, springs_, cuts_, pages.room_mm().y())) {
-      pages.expect_room("a table of the notes", {block.size_mm(), block.may_turn});
-      items.push_back(std::move(block));
-    }
-    return pages.laid_out(items);
   }
 
   const solver::Sheet& sheet_;
   const KitOptions& options_;
-  const std::string title_;
+  const KitLayout layout_;
   const KitFittings fittings_;
-  const std::vector<KitSpring> springs_;
-  const std::string warning_;
-  std::vector<std::string> notes_;
-  std::vector<int> cuts_;  // creases along which parts were cut to fit the bed
 };
 
 }  // namespace
 
-KitDrawings kit_drawings(const solver::Sheet& sheet, const KitOptions& options,
-                         const std::string& title) {
+Kit kit_of(const solver::Sheet& sheet, const KitOptions& options, const std::string& title) {
   refuse_options(options);
-  return Kit(sheet, options, title).drawings();
+  return KitMaker(sheet, options).kit(title);
 }
 
 }  // namespace misalign::schema

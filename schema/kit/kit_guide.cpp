@@ -2,190 +2,91 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "schema/exchange/xml_text.hpp"
-#include "schema/kit/kit_hinges.hpp"
-#include "schema/kit/kit_parts.hpp"
-#include "schema/kit/kit_springs.hpp"
+#include "schema/kit/joint_words.hpp"
+#include "schema/kit/kit_bill.hpp"
+#include "schema/kit/kit_notes.hpp"
+#include "schema/kit/kit_springs_way.hpp"
+#include "schema/kit/kit_steps.hpp"
 #include "schema/kit/page_parts.hpp"
 #include "schema/kit/sheet_pictures.hpp"
-#include "schema/pattern/fill_words.hpp"
-#include "solver/motion/plates.hpp"
-#include "solver/sheet/sheet_filling.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::schema {
 namespace {
 
-using Eigen::Index;
-
-class Guide {
- public:
-  explicit Guide(const GuideInput& input)
-      : input_(input),
-        sheet_(input.sheet),
-        mechanism_(input.sheet.mechanism()),
-        fittings_(kit_fittings(input.sheet, input.options)),
-        springs_(kit_springs(input.sheet, fittings_)) {}
-
-  std::string page() const {
-    std::string text = page_begin(input_.title);
-    if (!input_.warning.empty()) {
-      text += "<p class=\"warning\">" + xml_text(input_.warning) + "</p>\n";
-    }
-    return text + bill() +
-           hinge_table(sheet_, input_.design.thickness_mm, input_.actuation.from_row, from_deg()) +
-           filling() + assembly() + kPageEnd;
+// The sheets of material: their number, its lower bound, pictures, and the registration marks.
+std::string material_sheets(const GuideInput& input) {
+  constexpr double kCm2_mm2 = 100;
+  const KitSheets& sheets = input.kit.sheets;
+  std::string text = fmt::format(
+      "<h2>Sheets of material</h2>\n<p>{} of {} × {}; parts of {:.0f} cm² need at least {}. The "
+      "last "
+      "is used up to a height of {}. Kerf {}. Registration marks, bores of {}, are {} apart along "
+      "the lower edge and {} along the left one: by them a sheet is placed again, or turned over "
+      "to engrave its back.</p>\n",
+      sheets.beds.size(), input.length(sheets.size_mm.x()), input.length(sheets.size_mm.y()),
+      sheets.area_mm2 / kCm2_mm2, sheets.least_beds(), input.length(sheets.used_mm),
+      input.length(input.options.kerf_mm, 2), input.length(kMark_mm),
+      input.length(sheets.marks_mm[1].x() - sheets.marks_mm[0].x(), 2),
+      input.length(sheets.marks_mm[2].y() - sheets.marks_mm[0].y(), 2));
+  for (std::size_t bed = 0; bed < sheets.beds.size(); ++bed) {
+    text += bed_picture(input.sheet, input.kit, bed);
   }
+  return text;
+}
 
- private:
-  double from_deg() const {
-    return input_.actuation.pilot_deg[static_cast<std::size_t>(input_.actuation.from_row)];
+// Layers of the drawings in the order in which a machine follows them.
+std::string layer_table(const GuideInput& input) {
+  std::string text = "<h2>Layers, in the order of the machine</h2>\n<table>\n" +
+                     table_row({"layer", "colour", "work"}, 3, "th");
+  const auto meaning = [](const std::string& name) {
+    return name == "registration"      ? "cut first: bores to place the sheet again"
+           : name == "hinge"           ? "not cut: axes of hinges"
+           : name == "engrave"         ? "engrave: numbers"
+           : name.starts_with("score") ? "score"
+           : name.starts_with("dash")  ? "perforate"
+           : name == "cut"             ? "cut last: outer contours"
+                                       : "cut: inner contours";
+  };
+  for (const LineLayer& layer : input.kit.sheets.beds[0].layers) {
+    text += fmt::format(
+        "<tr><td>{}</td><td><span class=\"swatch\" style=\"background:{}\"></span> {}</td>"
+        "<td>{}</td></tr>\n",
+        layer.name, layer.colour.rgb, layer.colour.rgb, meaning(layer.name));
   }
-
-  std::string bill() const {
-    const char* made = input_.options.crease == CreaseCut::cut     ? "film or textile"
-                       : input_.options.crease == CreaseCut::score ? "scored"
-                                                                   : "perforated";
-    const solver::Plates plates = input_.design.plates();
-    double mass_t = 0;
-    for (const solver::PanelMass& panel :
-         solver::panel_masses(plates, sheet_.panels().corners, sheet_.vertices_mm())) {
-      mass_t += panel.mass_t;
-    }
-    std::string text =
-        "<h2>Parts</h2>\n<table>\n" + table_row({"part", "number", "amount"}, 1, "th");
-    text += table_row({"panels", std::to_string(sheet_.panels().facets.size()),
-                       fmt::format("{:.0f} cm² of sheet", mass_t / plates.area_density() / 100)},
-                      1);
-    if (input_.design.thickness_mm) {
-      text += table_row({fmt::format("  {:g} mm thick, {:g} g/cm³", plates.thickness_mm,
-                                     plates.density_g_per_cm3),
-                         "", fmt::format("{:.1f} g", 1e6 * mass_t)},
-                        1);
-    }
-    for (const bool valley : {false, true}) {
-      const KitHinges hinges(sheet_, valley, input_.actuation.from_row);
-      text += table_row({fmt::format("hinges, {}, {}", hinges.name, made),
-                         std::to_string(hinges.count), fmt::format("{:.0f} mm", hinges.length_mm)},
-                        1);
-    }
-    const auto& bore_mm = input_.options.joint_bore_mm;
-    text +=
-        table_row({"ball joints: loops of wire", std::to_string(mechanism_.balls.size()),
-                   bore_mm ? fmt::format("bores of {:g} mm", *bore_mm) : std::string("no bores")},
-                  1);
-    text += table_row(
-        {fill_words(fill(), mechanism_.diagonal_count()), std::to_string(filling_parts()),
-         fmt::format(
-             "{:.4g} N mm at {:.10g}°",
-             input_.actuation.energy_n_mm[static_cast<std::size_t>(input_.actuation.from_row)],
-             from_deg())},
-        1);
-    text += "</table>\n";
-    if (input_.contact && input_.contact->thickness) {
-      const bool meets = input_.contact->reach_deg < input_.contact->used_from_deg;
-      text +=
-          meets
-              ? fmt::format(
-                    "<p>Panels come into contact at {:.4g}°: plates of no thickness reach "
-                    "{:.10g}°.</p>\n",
-                    input_.contact->reach_deg, input_.contact->used_from_deg)
-              : fmt::format(
-                    "<p>Largest panel thickness to fold to {:.10g}°: {:.3g} mm, with hinges at the "
-                    "mid-plane, edges tapered at creases, and corners trimmed by {:g} mm.</p>\n",
-                    input_.contact->used_from_deg, input_.contact->thickness->thickness_mm,
-                    input_.contact->trim_mm);
-    }
-    return text;
-  }
-
-  const solver::Fill& fill() const { return input_.actuation.actuators.fill; }
-
-  // Number of springs or plates.
-  Index filling_parts() const {
-    const solver::Filling filling = solver::filling_of(sheet_, fill());
-    return filling.is_springs() ? (filling.rates_n_per_mm().array() > 0).count() : filling.holes();
-  }
-
-  std::string filling() const {
-    return filling_table(sheet_, input_.actuation, [&](int d) { return lengths_mm(d); });
-  }
-
-  // Lengths of a spring when flat and at the angle of use; of its diagonal where the kit has no
-  // ends.
-  SpringLengths lengths_mm(int d) const {
-    for (const KitSpring& spring : springs_) {
-      if (spring.from.spring != d) continue;
-      const auto at = static_cast<std::size_t>(input_.actuation.from_row);
-      return {spring.length_mm.front(), spring.length_mm[at]};
-    }
-    return diagonal_lengths(sheet_, input_.actuation, d);
-  }
-
-  std::string assembly() const {
-    const std::vector<KitPart> parts = kit_parts(sheet_, input_.options.crease);
-    std::string text = "<h2>Assembly</h2>\n<ol>\n<li>Cut the parts. Each panel has its number.";
-    std::vector<std::string> loose;
-    for (std::size_t p = 1; p < parts.size() && input_.options.crease != CreaseCut::cut; ++p) {
-      for (const int f : parts[p].facets) loose.push_back(panel_label(sheet_, f));
-    }
-    if (!loose.empty()) {
-      text += fmt::format(" Ball joints alone hold {}.", fmt::join(loose, ", "));
-    }
-    text += "</li>\n" + exploded_picture(sheet_);
-    text += input_.options.crease == CreaseCut::cut
-                ? "<li>Hinge the panels along all creases, at half their thickness.</li>\n"
-                : "<li>Fold each crease once by hand, mountains away from you, valleys towards "
-                  "you.</li>\n";
-    text +=
-        "<li>Tie the ball joints in this order: a loop of wire through both panels at each "
-        "vertex.</li>\n<table>\n" +
-        table_row({"vertex", "panel", "panel"}, 3, "th");
-    for (const solver::BallJoint& ball : mechanism_.balls) {
-      text += table_row({solver::vertex_label(ball.vertex), panel_label(sheet_, ball.from_facet),
-                         panel_label(sheet_, ball.to_facet)},
-                        3);
-    }
-    text += "</table>\n" + assembled_picture(sheet_, input_.design.diagonals_name());
-    text +=
-        "<li>Fold the sheet with empty holes. It has one degree of freedom and these "
-        "shapes:</li>\n" +
-        folded();
-    if (std::holds_alternative<solver::NoFill>(fill())) return text + "</ol>\n";
-    const double rest_deg = solver::rest_deg(fill());
-    const bool is_springs = std::holds_alternative<solver::Springs>(fill());
-    return text + fmt::format(
-                      "<li>{} and {} the {}, which then are {}.</li>\n<li>Fold and release "
-                      "it.</li>\n</ol>\n",
-                      rest_deg == 0 ? std::string("Unfold it flat")
-                                    : fmt::format("Fold it to {:.10g}°", rest_deg),
-                      is_springs ? "attach" : "bond", fill_nouns(fill()).parts,
-                      state_words(fill()));
-  }
-
-  // Shapes at a sixth of the rows, half of them, and the angle of use.
-  std::string folded() const {
-    const Index last = input_.actuation.from_row;
-    std::string text;
-    for (const Index at : {std::max<Index>(1, last / 6), std::max<Index>(1, last / 2), last}) {
-      if (at == 0) continue;
-      const Eigen::Matrix3Xd& shape_mm = sheet_.shapes_mm()[static_cast<std::size_t>(at - 1)];
-      text += folded_picture(sheet_, shape_mm,
-                             input_.actuation.pilot_deg[static_cast<std::size_t>(at)]);
-    }
-    return text;
-  }
-
-  const GuideInput& input_;
-  const solver::Sheet& sheet_;
-  const solver::Mechanism& mechanism_;
-  const KitFittings fittings_;
-  const std::vector<KitSpring> springs_;
-};
+  return text + "</table>\n";
+}
 
 }  // namespace
 
-std::string kit_guide(const GuideInput& input) { return Guide(input).page(); }
+std::string kit_guide(const GuideInput& input) {
+  std::string text = page_begin(input.title, PageStyle::guide);
+  if (!input.kit.warning.empty()) {
+    text += "<p class=\"warning\">" + xml_text(input.kit.warning) + "</p>\n";
+  }
+  const std::optional<double>& from_deg = input.options.from_deg;
+  if (from_deg && solver::beyond_d(input.sheet, *from_deg)) {
+    text += fmt::format(
+        "<p>The angle of use, {:.10g}°, lies beyond D = {:.10g}°, from which the sheet deploys: "
+        "all "
+        "values end at D.</p>\n",
+        *from_deg, input.sheet.deploys_from_deg());
+  }
+  const KitFittings fittings = kit_fittings(input.sheet, input.options);
+  if (const std::string words = fittings.edges.words(); !words.empty()) {
+    text += "<p>" + xml_text(words) + "</p>\n";
+  }
+  return text + kit_bill(input) + material_sheets(input) + layer_table(input) + kit_steps(input) +
+         joint_section(input.sheet, input.options) +
+         springs_way_section(input.sheet, input.design, fittings, input.from_deg()) +
+         hinge_table(input.sheet, input.design.thickness_mm, input.actuation.from_row,
+                     input.from_deg(), input.options.unit) +
+         filling_table(
+             input.sheet, input.actuation,
+             [&](int diagonal) { return kit_spring_lengths(input, diagonal); },
+             input.options.unit) +
+         kit_tables(input.sheet, input.kit, input.options) + kPageEnd;
+}
 
 }  // namespace misalign::schema

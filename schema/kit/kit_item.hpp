@@ -1,36 +1,45 @@
-// An item of a kit's layout, moved as one: a part, or a block of notes, on the kit's layers.
+// An item of a kit's layout, moved as one: a part on the kit's layers.
 #pragma once
 
 #include "schema/exchange/line_drawing.hpp"
+#include "schema/nesting/nest.hpp"
 
 namespace misalign::schema {
 
-/// Layers in the order of cutting: contours, which hold a part, are last.
+/// Layers in the order of cutting: contours that hold a part are last.
 enum class KitLayer {
-  hatch,  ///< hatching of openings; not cut
-  note,   ///< title, gauge and tables
+  registration,  ///< bores by which a bed is placed again
+  hinge,         ///< axes of plates' hinges; not cut
   engrave,
   score_mountain,
   score_valley,
   dash_mountain,
   dash_valley,
   bore,
-  slit,  ///< cuts through a ball joint, where two openings touch
-  cut,
+  slit,     ///< cuts through a ball joint, where two openings touch
+  opening,  ///< inner contours
+  cut,      ///< outer contours
 };
 
 struct KitItem {
   LineDrawing drawing;  ///< has every layer
-  bool may_turn = false;
 
   LineLayer& on(KitLayer layer) { return drawing.layers[static_cast<std::size_t>(layer)]; }
-  Eigen::Vector2d size_mm() const { return drawing.most_mm - drawing.least_mm; }
-  /// Adds the other's lines, with their page's lower left corner at a point; `turned`: by a
-  /// quarter, counter-clockwise.
-  void add(const KitItem& other, const Eigen::Vector2d& at_mm, bool turned);
+  const LineLayer& on(KitLayer layer) const {
+    return drawing.layers[static_cast<std::size_t>(layer)];
+  }
+  /// Size of the box round all outer contours.
+  Eigen::Vector2d size_mm() const;
+  /// The shape of its contours.
+  NestShape shape(NestTurns turns) const;
+  /// Adds the other's lines at a place.
+  void add(const KitItem& other, const Nested& place);
 };
 
-/// An item with every layer, all empty.
-KitItem empty_item(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& most_mm);
+/// An item with every layer, all empty, on a page from the origin.
+KitItem empty_item(const Eigen::Vector2d& size_mm = Eigen::Vector2d::Zero());
+
+/// The drawing without its empty layers.
+LineDrawing without_empty_layers(LineDrawing drawing);
 
 }  // namespace misalign::schema

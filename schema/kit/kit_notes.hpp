@@ -1,25 +1,15 @@
-// Makes the notes of a kit: heading, gauge and tables.
+// Writes the numbers of a kit as tables of a page: shifts, springs, creases that were cut.
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "schema/kit/kit_item.hpp"
-#include "schema/kit/kit_springs.hpp"
+#include "schema/kit/kit_drawing.hpp"
 
 namespace misalign::schema {
 
-/// Sentences wrapped to a width, and below them a gauge of exactly 100 mm between two ticks.
-KitItem kit_heading(const std::vector<std::string>& sentences, double width_mm);
-/// The least width of a heading.
-inline constexpr double kLeastHeading_mm = 120;
-
-/// Tables in blocks of at most a height, if it has room for a row, and no wider than the least
-/// heading for lengths below 10 m: shifts (vertex, dx, dy), springs when flat (number, ends, length
-/// of the diagonal and of the spring), springs up to D (length at D, stroke, trend, trend of the
-/// diagonal), spring lengths every ten degrees, and `cuts`: creases of the mechanism that were cut
-/// for the bed.
-std::vector<KitItem> kit_tables(const solver::Sheet& sheet, const std::vector<KitSpring>& springs,
-                                const std::vector<int>& cuts, double most_height_mm);
+/// Tables: shifts (vertex, dx, dy); springs (number, ends, length of the diagonal and of the spring
+/// when flat, length at the angle of use, stroke, trend, trend of the diagonal); lengths of springs
+/// every ten degrees up to there; creases that were cut for the bed.
+std::string kit_tables(const solver::Sheet& sheet, const Kit& kit, const KitOptions& options);
 
 }  // namespace misalign::schema

@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 
+#include "schema/kit/chords.hpp"
+#include "schema/kit/plate_ring.hpp"
 #include "schema/pattern/plane_geometry.hpp"
 
 namespace misalign::schema {
@@ -76,15 +78,6 @@ Ring ring_of(const solver::Sheet& sheet, const std::vector<int>& walk) {
   return ring;
 }
 
-// The directions of an arc's points seen from its middle, its ends among them.
-std::vector<double> arc(double from_rad, double turn_rad, double radius_mm) {
-  const double most_rad = 2 * std::acos(1 - kChordOff_mm / radius_mm);
-  const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(turn_rad) / most_rad)));
-  std::vector<double> angles_rad;
-  for (int k = 0; k <= chords; ++k) angles_rad.push_back(from_rad + turn_rad * k / chords);
-  return angles_rad;
-}
-
 // A part's contour at a vertex with a tab: round the disc at its own panel, and round the clearance
 // at other panels. `after` is the contour's next vertex.
 Ring round_tab(const solver::Sheet& sheet, const KitPart& part, const SpringTab& tab, int after) {
@@ -114,7 +107,8 @@ Ring round_tab(const solver::Sheet& sheet, const KitPart& part, const SpringTab&
     const double turn_rad =
                      sector->has_tab ? 2 * std::numbers::pi - sector->turn_rad : -sector->turn_rad,
                  radius_mm = sector->has_tab ? tab.radius_mm : tab.clear_mm;
-    for (const double angle : arc(sector->from_rad + sector->turn_rad, turn_rad, radius_mm)) {
+    for (const double angle :
+         chord_angles_rad(sector->from_rad + sector->turn_rad, turn_rad, radius_mm)) {
       ring.emplace_back(at_mm + radius_mm * Vector2d(std::cos(angle), std::sin(angle)));
     }
   }
@@ -215,7 +209,11 @@ PartOutline part_outline(const solver::Sheet& sheet, const KitPart& part,
                          const KitFittings& fittings, double kerf_mm) {
   const std::vector<std::vector<int>> walks = part_walks(sheet, part);
   std::vector<Ring> drawn;
-  for (const auto& walk : walks) drawn.push_back(ring_with_tabs(sheet, part, fittings, walk));
+  if (fittings.edges.are_plates()) {
+    drawn.push_back(plate_contour(sheet, part.facets[0], fittings));
+  } else {
+    for (const auto& walk : walks) drawn.push_back(ring_with_tabs(sheet, part, fittings, walk));
+  }
   PartOutline outline;
   std::map<int, std::vector<Vector2d>> ends_at;  // slits' ends by vertex
   for (std::size_t r = 0; r < drawn.size(); ++r) {
@@ -229,7 +227,7 @@ PartOutline part_outline(const solver::Sheet& sheet, const KitPart& part,
           fmt::format("at most {:.4g} mm fit", 0.999 * widest_kerf_mm(drawn, kerf_mm))});
     }
     outline.rings.push_back(*moved);
-    if (kerf_mm == 0) continue;
+    if (kerf_mm == 0 || fittings.edges.are_plates()) continue;
     const Ring corners = ring_of(sheet, walks[r]);
     for (std::size_t i = 0; i < walks[r].size(); ++i) {
       if (fittings.tab_at(walks[r][i]) != nullptr) continue;  // nothing is left there

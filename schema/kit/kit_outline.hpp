@@ -23,8 +23,8 @@ std::optional<Ring> offset_ring(const Ring& ring, double distance_mm);
 inline constexpr double kMitreLimit = 4;  // corners below 29 degrees
 
 struct PartOutline {
-  /// Contours of part_walks with tabs and their clearances, offset by half a kerf. Arcs are chords
-  /// within kChordOff_mm.
+  /// Contours of part_walks with tabs and their clearances, or of a plate with hinges, offset by
+  /// half a kerf. Arcs are chords within kChordOff_mm.
   std::vector<Ring> rings;
   /// Cuts from a corner of one ring through a ball joint to that of another: where openings touch,
   /// contours half a kerf inside them would leave a neck. None without a kerf.
@@ -33,8 +33,6 @@ struct PartOutline {
   Eigen::Vector2d least_mm() const;
   Eigen::Vector2d most_mm() const;
 };
-
-inline constexpr double kChordOff_mm = 0.005;
 
 /// The outline of a part. UserError (bad_request) if the kerf is too wide.
 PartOutline part_outline(const solver::Sheet& sheet, const KitPart& part,

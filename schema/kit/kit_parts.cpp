@@ -70,7 +70,7 @@ std::array<Span, 2> spans(const solver::Sheet& sheet, const KitPart& part) {
 
 std::vector<KitPart> kit_parts(const solver::Sheet& sheet, CreaseCut crease) {
   return joined(sheet, solver::kept_facets(sheet.base().sheet, sheet.base().holes),
-                [&](const solver::Crease&) { return crease != CreaseCut::cut; });
+                [&](const solver::Crease&) { return !are_apart(crease); });
 }
 
 std::vector<KitPart> divided(const solver::Sheet& sheet, const KitPart& part, int down,

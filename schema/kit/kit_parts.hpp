@@ -13,8 +13,8 @@ struct KitPart {
   std::vector<int> creases;  ///< the mechanism's, within the part; ascending
 };
 
-/// The parts that creases hold together (with CreaseCut::cut: single panels), the largest first,
-/// among equals by their least facet.
+/// The parts that creases hold together (with creases that are apart: single panels), the largest
+/// first, among equals by their least facet.
 std::vector<KitPart> kit_parts(const solver::Sheet& sheet, CreaseCut crease);
 
 /// Cuts a part along creases by a grid with about equal numbers of rows and columns of panels;

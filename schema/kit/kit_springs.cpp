@@ -6,6 +6,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "solver/studies/angle_of_use.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -54,15 +56,19 @@ double KitSpring::stroke_mm() const {
   return *most - *least;
 }
 
-std::vector<KitSpring> kit_springs(const solver::Sheet& sheet, const KitFittings& fittings) {
+Eigen::Index kit_rows(const solver::Sheet& sheet, const std::optional<double>& from_deg) {
+  return sheet.deploys_from_deg() > 0 ? solver::rows_of_use(sheet, from_deg) : sheet.rows_shown();
+}
+
+std::vector<KitSpring> kit_springs(const solver::Sheet& sheet, const KitFittings& fittings,
+                                   Eigen::Index rows) {
   const double band_mm = solver::kInactiveBand_widths * sheet.mechanism().panel_width_mm;
-  const auto rows = static_cast<std::size_t>(sheet.rows_shown());
   std::vector<KitSpring> springs;
   for (std::size_t e = 0; e < fittings.ends.size(); e += 2) {
     const SpringEnd &from = fittings.ends[e], &to = fittings.ends[e + 1];
     KitSpring spring{from, to, {(from.at_mm - to.at_mm).norm()}, {sheet.history().flat_mm[e / 2]},
                      {},   {}};
-    for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
       const Eigen::Matrix3Xd& shape = sheet.shapes_mm()[row];
       spring.length_mm.push_back(
           (folded_point(sheet, from, shape) - folded_point(sheet, to, shape)).norm());

@@ -2,6 +2,7 @@
 // a panel turns with it, so that its spring may differ.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ const char* word_of(LengthTrend trend);
 
 struct KitSpring {
   SpringEnd from, to;
-  /// Lengths when flat, and at each row of the path that is shown (Sheet::rows_shown).
+  /// Lengths when flat, and at each row of the path that is used (kit_rows).
   std::vector<double> length_mm, diagonal_mm;
   LengthTrend trend, diagonal_trend;
 
@@ -29,8 +30,14 @@ struct KitSpring {
   }
 };
 
-/// The springs in the order of diagonals; none without --spring-bore.
-std::vector<KitSpring> kit_springs(const solver::Sheet& sheet, const KitFittings& fittings);
+/// Number of the path's rows that a kit is used in: up to the angle of use (none: D), or of a sheet
+/// that deploys from nothing those that are shown.
+Eigen::Index kit_rows(const solver::Sheet& sheet, const std::optional<double>& from_deg);
+
+/// The springs in the order of diagonals, over the path's first `rows` rows; none without
+/// --spring-bore.
+std::vector<KitSpring> kit_springs(const solver::Sheet& sheet, const KitFittings& fittings,
+                                   Eigen::Index rows);
 
 /// A sentence on springs that contradict the verdict; empty if none does.
 std::string contradiction_of(const std::vector<KitSpring>& springs);

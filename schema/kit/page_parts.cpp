@@ -14,15 +14,31 @@ namespace misalign::schema {
 namespace {
 
 constexpr const char* kStyle =
-    "body{font:14px sans-serif;max-width:46em;margin:1em auto;padding:0 1em}"
-    "table{border-collapse:collapse;margin:.5em 0}td,th{border:1px solid #999;padding:.2em .6em;"
-    "text-align:left}td.n{text-align:right}svg{width:100%;max-height:24em}"
-    "figure{display:inline-block;width:32%;margin:0;vertical-align:top}figure.wide{width:100%}"
-    ".warning{border:2px solid #c00;padding:.5em}@media print{h2{break-after:avoid}}";
+    "@page{size:A4;margin:12mm}"
+    "body{font:10.5pt/1.35 sans-serif;max-width:186mm;margin:1em auto;padding:0 1em}"
+    "h1{font-size:16pt;margin:.2em 0}h2{font-size:13pt;margin:1em 0 "
+    ".3em}h1,h2,h2+p{break-after:avoid}"
+    "table{border-collapse:collapse;margin:.4em 0}td,th{border:1px solid #999;padding:.1em .5em;"
+    "text-align:left}table.beside "
+    "td{white-space:nowrap}th{background:#eee}td.n,th.n{text-align:right}"
+    "table.beside{display:inline-table;margin-right:1em;vertical-align:top}"
+    "table,tr,figure,.step{break-inside:avoid}"
+    "figure{display:inline-block;margin:0;vertical-align:top}figure.wide{width:100%}"
+    "figure.half{width:49%}figure.third{width:32%}svg{width:100%;max-height:60mm}"
+    "figure.half svg{max-height:75mm}figure.wide svg{max-height:105mm}"
+    ".swatch{display:inline-block;width:1.2em;height:.8em;border:1px solid #999}"
+    ".warning{border:2px solid #c00;padding:.5em}"
+    "@media print{body{max-width:none;margin:0;padding:0 .5mm}}";
+// A sheet of 6 x 6 fits one page.
+constexpr const char* kCardStyle =
+    "td.n{white-space:nowrap}.bad{background:#fdd}.pair figure{width:49%}@page{margin:9mm}"
+    "@media print{body{font-size:7.5pt;line-height:normal}h1{font-size:12pt;margin:0}"
+    "h2{font-size:9pt;margin:.3em 0}p{margin:.2em 0}table{margin:.2em 0}td,th{padding:0 .4em}"
+    ".pair figure svg{max-height:17em}}";
 
 // One row for each spring; a diagonal without one has none.
 std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
-                         const std::function<SpringLengths(int)>& lengths) {
+                         const std::function<SpringLengths(int)>& lengths, LengthUnit unit) {
   const solver::Mechanism& mechanism = sheet.mechanism();
   const solver::Fill& fill = actuation.actuators.fill;
   const solver::Filling filling = solver::filling_of(sheet, fill);
@@ -35,8 +51,9 @@ std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& ac
       rest_words(fill, kDegreeSign),
       actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)],
       std::get<solver::Springs>(fill).pull_only ? "" : ", and pushes where it is shorter");
-  text += table_row({"no.", "vertices", "force", "enough", "free (mm)", "flat (mm)", "folded (mm)",
-                     "elongation (%)", "force (N)"},
+  const std::string bracket = fmt::format(" ({})", name_of(unit));
+  text += table_row({"no.", "vertices", "force", "enough", "free" + bracket, "flat" + bracket,
+                     "folded" + bracket, "elongation (%)", "force (N)"},
                     4, "th");
   double largest_n = 0;
   Eigen::Index count = 0;
@@ -56,8 +73,8 @@ std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& ac
          is_slack               ? "slack"
          : folded_mm >= free_mm ? "pulls"
                                 : "pushes",
-         std::ranges::count(few, d) > 0 ? "yes" : "", fmt::format("{:.2f}", free_mm),
-         fmt::format("{:.2f}", flat_mm), fmt::format("{:.2f}", folded_mm),
+         std::ranges::count(few, d) > 0 ? "yes" : "", length_number(free_mm, unit, 2),
+         length_number(flat_mm, unit, 2), length_number(folded_mm, unit, 2),
          fmt::format("{:+.2f}", 100 * (folded_mm / flat_mm - 1)), fmt::format("{:.3g}", force_n)},
         4);
   }
@@ -71,7 +88,8 @@ std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& ac
 }
 
 // One row for each hole: its plate's cut-out, and its diagonals flat and folded.
-std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& actuation) {
+std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
+                        LengthUnit unit) {
   const solver::Fill& fill = actuation.actuators.fill;
   const solver::Filling filling = solver::filling_of(sheet, fill);
   const std::vector<solver::Diagonal>& diagonals = sheet.mechanism().diagonals;
@@ -80,8 +98,10 @@ std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& act
       "of a plate without stress. Folded: pilot angle {:.10g}°.</p>\n<table>\n",
       filling_words(fill, sheet.mechanism().diagonal_count(), kDegreeSign),
       actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)]);
-  text += table_row(
-      {"hole", "diagonals", "cut-out (mm)", "flat (mm)", "folded (mm)", "energy (N mm)"}, 2, "th");
+  const std::string bracket = fmt::format(" ({})", name_of(unit));
+  text += table_row({"hole", "diagonals", "cut-out" + bracket, "flat" + bracket, "folded" + bracket,
+                     "energy (N mm)"},
+                    2, "th");
   for (Eigen::Index h = 0; h < filling.holes(); ++h) {
     const auto first = static_cast<std::size_t>(2 * h);
     const auto pair = [&](const auto& text_of, const char* between) {
@@ -90,8 +110,8 @@ std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& act
     const auto length = [&](double SpringLengths::*state) {
       return pair(
           [&](std::size_t d) {
-            return fmt::format("{:.2f}",
-                               diagonal_lengths(sheet, actuation, static_cast<int>(d)).*state);
+            return length_number(diagonal_lengths(sheet, actuation, static_cast<int>(d)).*state,
+                                 unit, 2);
           },
           " × ");
     };
@@ -105,7 +125,7 @@ std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& act
         {fmt::format("row {}, column {}", place[0], place[1]),
          pair([&](std::size_t d) { return solver::line_label(diagonals[d].from, diagonals[d].to); },
               " × "),
-         pair([&](std::size_t d) { return fmt::format("{:.2f}", actuation.free_mm[d]); }, " × "),
+         pair([&](std::size_t d) { return length_number(actuation.free_mm[d], unit, 2); }, " × "),
          length(&SpringLengths::flat_mm), length(&SpringLengths::folded_mm),
          fmt::format("{:.3g}", filling.hole(h, folded_mm).n_mm)},
         2);
@@ -115,11 +135,11 @@ std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& act
 
 }  // namespace
 
-std::string page_begin(const std::string& title) {
+std::string page_begin(const std::string& title, PageStyle style) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>"
-      "<style>{1}</style></head><body>\n<h1>{0}</h1>\n",
-      xml_text(title), kStyle);
+      "<style>{1}{2}</style></head><body>\n<h1>{0}</h1>\n",
+      xml_text(title), kStyle, style == PageStyle::card ? kCardStyle : "");
 }
 
 std::string table_row(const std::vector<std::string>& cells, std::size_t numbers,
@@ -132,20 +152,36 @@ std::string table_row(const std::vector<std::string>& cells, std::size_t numbers
   return text + "</tr>\n";
 }
 
+std::string page_tables(const std::vector<std::string>& heads,
+                        const std::vector<std::vector<std::string>>& rows, std::size_t numbers) {
+  constexpr std::size_t kMostRows = 24;
+  const std::size_t tables = (rows.size() + kMostRows - 1) / kMostRows;
+  std::string text;
+  for (std::size_t t = 0; t < tables; ++t) {
+    text += "<table class=\"beside\">\n" + table_row(heads, numbers, "th");
+    for (std::size_t r = t * rows.size() / tables; r < (t + 1) * rows.size() / tables; ++r) {
+      text += table_row(rows[r], numbers);
+    }
+    text += "</table>\n";
+  }
+  return text;
+}
+
 std::string hinge_table(const solver::Sheet& sheet, std::optional<double> thickness_mm,
-                        Eigen::Index from_row, double from_deg) {
+                        Eigen::Index from_row, double from_deg, LengthUnit unit) {
   std::string text =
       "<h2>Hinges</h2>\n<table>\n" +
-      table_row(
-          {"hinges", "largest fold angle",
-           thickness_mm ? fmt::format("gap, film at half thickness, {:g} mm panels", *thickness_mm)
-                        : "gap, film at half thickness, per mm",
-           "or bevel of edges"},
-          1, "th");
+      table_row({"hinges", "largest fold angle",
+                 thickness_mm ? fmt::format("gap, film at half thickness, panels of {}",
+                                            length_text(*thickness_mm, unit, 2))
+                              : "gap, film at half thickness, per mm",
+                 "or bevel of edges"},
+                1, "th");
   for (const bool valley : {false, true}) {
     const KitHinges hinges(sheet, valley, from_row);
     text += table_row({hinges.name, fmt::format("{:.1f}°", hinges.fold_deg),
-                       fmt::format("{:.2f} mm", hinges.gap_mm(thickness_mm.value_or(1))),
+                       thickness_mm ? length_text(hinges.gap_mm(*thickness_mm), unit, 2)
+                                    : fmt::format("{:.2f} mm", hinges.gap_mm(1)),
                        fmt::format("{:.1f}°", hinges.bevel_deg())},
                       1);
   }
@@ -171,10 +207,13 @@ SpringLengths diagonal_lengths(const solver::Sheet& sheet, const solver::Actuati
 }
 
 std::string filling_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
-                          const std::function<SpringLengths(int)>& lengths) {
+                          const std::function<SpringLengths(int)>& lengths, LengthUnit unit) {
   const solver::Fill& fill = actuation.actuators.fill;
-  if (std::holds_alternative<solver::Springs>(fill)) return spring_table(sheet, actuation, lengths);
-  return std::holds_alternative<solver::RubberPlates>(fill) ? plate_table(sheet, actuation) : "";
+  if (std::holds_alternative<solver::Springs>(fill)) {
+    return spring_table(sheet, actuation, lengths, unit);
+  }
+  return std::holds_alternative<solver::RubberPlates>(fill) ? plate_table(sheet, actuation, unit)
+                                                            : "";
 }
 
 }  // namespace misalign::schema

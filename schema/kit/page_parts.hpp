@@ -6,22 +6,32 @@
 #include <string>
 #include <vector>
 
+#include "schema/exchange/length_unit.hpp"
 #include "solver/motion/actuation.hpp"
 
 namespace misalign::schema {
 
-/// The page up to its heading, with the common style.
-std::string page_begin(const std::string& title);
+/// Pages of A4, with letters of at least 2.5 mm; or a card, which fits one of them.
+enum class PageStyle { guide, card };
+
+/// The page up to its heading.
+std::string page_begin(const std::string& title, PageStyle style);
 inline constexpr const char* kPageEnd = "</body></html>\n";
 
 /// A table's row; cells from `numbers` on are aligned to the right.
 std::string table_row(const std::vector<std::string>& cells, std::size_t numbers,
                       const char* cell = "td");
 
+/// Tables side by side of at most 24 rows each, about equally many, none of which a page divides;
+/// nothing without rows.
+std::string page_tables(const std::vector<std::string>& heads,
+                        const std::vector<std::vector<std::string>>& rows, std::size_t numbers);
+
 /// The largest fold angles of hinges in the first `from_row` rows, the gaps and bevels of plates,
 /// and the misfit of hinges on faces.
 std::string hinge_table(const solver::Sheet& sheet, std::optional<double> thickness_mm,
-                        Eigen::Index from_row, double from_deg);
+                        Eigen::Index from_row, double from_deg,
+                        LengthUnit unit = LengthUnit::millimetre);
 
 struct SpringLengths {
   double flat_mm, folded_mm;  ///< folded: at the angle of use
@@ -33,6 +43,7 @@ SpringLengths diagonal_lengths(const solver::Sheet& sheet, const solver::Actuati
 /// One row for each spring, and the largest force, or one row for each hole's rubber plate; nothing
 /// for empty holes. `lengths`: between a spring's ends.
 std::string filling_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
-                          const std::function<SpringLengths(int)>& lengths);
+                          const std::function<SpringLengths(int)>& lengths,
+                          LengthUnit unit = LengthUnit::millimetre);
 
 }  // namespace misalign::schema

@@ -20,25 +20,35 @@ double text_width(const std::string& words) {
 }
 
 PanelRoom::PanelRoom(const solver::Sheet& sheet, int facet, const KitFittings& fittings) {
-  for (const int v : sheet.base().sheet.facets[static_cast<std::size_t>(facet)]) {
-    corners_.push_back(sheet.point_mm(v));
+  const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
+  Ring corners;
+  for (const int v : around) {
+    corners.push_back(sheet.point_mm(v));
     if (const SpringTab* tab = fittings.tab_at(v)) {
       fittings_.push_back({sheet.point_mm(v), tab->clear_mm});
     }
   }
-  middle_mm_ = 0.25 * (corners_[0] + corners_[1] + corners_[2] + corners_[3]);
-  size_mm_ = std::sqrt(signed_area_mm2(corners_));
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vector2d along = (corners[(k + 1) % 4] - corners[k]).normalized(),
+                   inwards(-along.y(), along.x());
+    sides_.push_back({corners[k] + fittings.edges.edge(facet, k).back_mm * inwards, inwards});
+    const double trim_mm = fittings.edges.trim_mm(facet, k);
+    if (trim_mm == 0) continue;
+    const Vector2d bisector = PanelCorner(sheet, facet, around[k]).bisector;
+    sides_.push_back({corners[k] + trim_mm * bisector, bisector});
+  }
+  middle_mm_ = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+  size_mm_ = std::sqrt(signed_area_mm2(corners));
   for (const Bore& bore : fittings.bores) {
     if (bore.facet == facet) fittings_.push_back({bore.centre_mm, 0.5 * bore.diameter_mm});
   }
 }
 
 bool PanelRoom::has_room_for(const Box& box) const {
-  for (std::size_t k = 0; k < corners_.size(); ++k) {
-    const Vector2d along = (corners_[(k + 1) % 4] - corners_[k]).normalized(),
-                   inward(-along.y(), along.x());
+  for (const Side& side : sides_) {
     // The depth of the box's farthest corner.
-    const double depth = inward.dot(box.middle - corners_[k]) - inward.cwiseAbs().dot(box.half);
+    const double depth =
+        side.inwards.dot(box.middle - side.at_mm) - side.inwards.cwiseAbs().dot(box.half);
     if (depth < kClear_mm) return false;
   }
   for (const DrawnCircle& fitting : fittings_) {

@@ -30,7 +30,10 @@ class PanelRoom {
   };
   bool has_room_for(const Box& box) const;
 
-  std::vector<Eigen::Vector2d> corners_;
+  struct Side {
+    Eigen::Vector2d at_mm, inwards;
+  };
+  std::vector<Side> sides_;  // with those of trimmed corners
   Eigen::Vector2d middle_mm_;
   double size_mm_;  // root of the area
   std::vector<DrawnCircle> fittings_;

@@ -1,11 +1,11 @@
 #include "schema/kit/part_item.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 
+#include "schema/kit/hinge_marks.hpp"
 #include "schema/kit/panel_room.hpp"
 #include "schema/kit/stroke_font.hpp"
 #include "solver/pattern/crease_pattern.hpp"
@@ -15,9 +15,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPanelNumber_mm = 5, kMark_mm = 2.5;  // largest heights
+constexpr double kPanelNumber_mm = 5, kPanelLabel_mm = 2.5;  // largest heights
 constexpr double kPanelNumberPart = 0.09,
-                 kMarkPart = 0.045;  // largest heights, as shares of a panel's size
+                 kPanelLabelPart = 0.045;  // largest heights, as shares of a panel's size
 
 // Points round a middle, the nearest first.
 std::vector<Vector2d> rings_round(const Vector2d& middle, double first_mm, double step_mm,
@@ -61,6 +61,15 @@ class Marks {
     }
   }
 
+  void add_bevel_angles(const KitFittings& fittings) {
+    for (auto& [facet, room] : rooms_) {
+      for (const DrawnText& text :
+           bevel_angles(sheet_, facet, fittings, mark_height_mm(room), room)) {
+        engrave(text);
+      }
+    }
+  }
+
   void add_spring_numbers(const std::vector<SpringEnd>& ends) {
     for (const SpringEnd& end : ends) {
       const auto room = rooms_.find(end.facet);
@@ -97,7 +106,7 @@ class Marks {
 
  private:
   static double mark_height_mm(const PanelRoom& room) {
-    return std::min(kMark_mm, kMarkPart * room.size_mm());
+    return std::min(kPanelLabel_mm, kPanelLabelPart * room.size_mm());
   }
   bool add(PanelRoom& room, const std::string& words, const std::vector<Vector2d>& middles_mm) {
     const auto text = room.place(words, mark_height_mm(room), middles_mm);
@@ -141,23 +150,22 @@ void add_creases(const solver::Sheet& sheet, const KitPart& part, const KitFitti
 KitItem part_item(const solver::Sheet& sheet, const KitPart& part, const KitFittings& fittings,
                   const KitOptions& options) {
   const PartOutline outline = part_outline(sheet, part, fittings, options.kerf_mm);
-  KitItem item = empty_item(outline.least_mm(), outline.most_mm());
-  item.may_turn = true;
-  for (const Ring& ring : outline.rings) item.on(KitLayer::cut).paths.push_back({ring, true});
-  for (const auto& slit : outline.slits) item.on(KitLayer::slit).paths.push_back({slit, false});
-  for (std::size_t r = 1; r < outline.rings.size(); ++r) {
-    for (DrawnPath& line : hatching(outline.rings[r])) {
-      item.on(KitLayer::hatch).paths.push_back(std::move(line));
-    }
+  KitItem item = empty_item();
+  for (const Ring& ring : outline.rings) {
+    const bool is_outer = &ring == outline.rings.data();
+    item.on(is_outer ? KitLayer::cut : KitLayer::opening).paths.push_back({ring, true});
   }
+  for (const auto& slit : outline.slits) item.on(KitLayer::slit).paths.push_back({slit, false});
   for (const Bore& bore : fittings.bores) {
     if (!std::binary_search(part.facets.begin(), part.facets.end(), bore.facet)) continue;
     item.on(KitLayer::bore)
         .circles.push_back({bore.centre_mm, 0.5 * (bore.diameter_mm - options.kerf_mm)});
   }
   add_creases(sheet, part, fittings, options, item);
+  for (const int facet : part.facets) add_hinges(sheet, facet, fittings, item);
   Marks marks(sheet, part, fittings, item.on(KitLayer::engrave));
   marks.add_panel_numbers();
+  marks.add_bevel_angles(fittings);
   marks.add_spring_numbers(fittings.ends);
   marks.add_vertex_labels();
   return item;
@@ -179,34 +187,6 @@ std::vector<DrawnPath> perforation(const Vector2d& from_mm, const Vector2d& to_m
     dashes.push_back({{from_mm + begin_mm * along, from_mm + end_mm * along}, false});
   }
   return dashes;
-}
-
-std::vector<DrawnPath> hatching(const Ring& ring) {
-  constexpr double kPitch_mm = 5, kClear_mm = 1;  // distance of lines, and from the contour
-  const Vector2d along = Vector2d(1, 1).normalized(), across(-along.y(), along.x());
-  double least = INFINITY, most = -INFINITY;
-  for (const Vector2d& point : ring) {
-    least = std::min(least, across.dot(point));
-    most = std::max(most, across.dot(point));
-  }
-  std::vector<DrawnPath> lines;
-  for (double at = std::ceil(least / kPitch_mm) * kPitch_mm; at < most; at += kPitch_mm) {
-    std::vector<std::array<double, 2>> ends;  // places on the contour, and clearances there
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vector2d &p = ring[i], &q = ring[(i + 1) % ring.size()];
-      const double u = across.dot(p) - at, v = across.dot(q) - at;
-      if ((u > 0) == (v > 0)) continue;
-      ends.push_back({along.dot(p) + u / (u - v) * along.dot(q - p),
-                      kClear_mm * (q - p).norm() / std::abs(u - v)});
-    }
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
-      const double from = ends[k][0] + ends[k][1], to = ends[k + 1][0] - ends[k + 1][1];
-      if (to - from < kClear_mm) continue;  // too short
-      lines.push_back({{at * across + from * along, at * across + to * along}, false});
-    }
-  }
-  return lines;
 }
 
 }  // namespace misalign::schema

@@ -9,7 +9,7 @@
 
 namespace misalign::schema {
 
-/// A part in the sheet's coordinates; its page is the box round its outer contour.
+/// A part in the sheet's coordinates.
 KitItem part_item(const solver::Sheet& sheet, const KitPart& part, const KitFittings& fittings,
                   const KitOptions& options);
 
@@ -18,8 +18,5 @@ KitItem part_item(const solver::Sheet& sheet, const KitPart& part, const KitFitt
 /// bridges are equal.
 std::vector<DrawnPath> perforation(const Eigen::Vector2d& from_mm, const Eigen::Vector2d& to_mm,
                                    const KitOptions& options);
-
-/// Slanting lines within a contour.
-std::vector<DrawnPath> hatching(const Ring& ring);
 
 }  // namespace misalign::schema

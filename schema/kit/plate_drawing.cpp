@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "schema/kit/kit_outline.hpp"
-#include "schema/kit/kit_pages.hpp"
 #include "schema/kit/stroke_font.hpp"
 #include "schema/pattern/plane_geometry.hpp"
 #include "solver/pattern/crease_pattern.hpp"
@@ -41,13 +40,7 @@ KitItem plate_item(const solver::Sheet& sheet, const solver::RubberPlates& plate
                                         "too wide for the plate of hole " + label,
                                         "take narrower bonds"});
   }
-  Vector2d least = outline->front(), most = least;
-  for (const Vector2d& point : *outline) {
-    least = least.cwiseMin(point);
-    most = most.cwiseMax(point);
-  }
-  KitItem item = empty_item(least, most);
-  item.may_turn = true;
+  KitItem item = empty_item();
   item.on(KitLayer::cut).paths.push_back({*outline, true});
   LineLayer& engraved = item.on(KitLayer::engrave);
   engraved.paths.push_back({ring, true});
@@ -85,25 +78,15 @@ std::array<Vector2d, 4> cut_out_mm(const solver::Sheet& sheet, const solver::Rub
           (1 - along_second) * other};
 }
 
-std::vector<LineDrawing> kit_plate_drawings(const solver::Sheet& sheet,
-                                            const solver::RubberPlates& plates,
-                                            const KitOptions& options, const std::string& title) {
-  const KitPages pages(options, title, [&](std::size_t page, std::size_t count) {
-    return std::vector<std::string>{
-        title,
-        fmt::format("rubber plates of {:g} mm, shear modulus {:g} MPa, free of stress (mm), sheet "
-                    "{} of {}; kerf {:g}",
-                    plates.thickness_mm, plates.shear_mpa, page + 1, count, options.kerf_mm),
-        fmt::format("bonds of {:g} mm; stretch each plate until its line lies on the hole's edges",
-                    options.bond_mm)};
-  });
+KitSheets kit_plate_sheets(const solver::Sheet& sheet, const solver::RubberPlates& plates,
+                           const KitOptions& options, const std::string& title) {
+  const KitLayout layout(options);
   std::vector<KitItem> items;
   for (int hole = 0; 2 * hole < sheet.mechanism().diagonal_count(); ++hole) {
     items.push_back(plate_item(sheet, plates, hole, options));
-    pages.expect_room("the plate of hole " + hole_label(sheet, hole),
-                      {items.back().size_mm(), items.back().may_turn});
+    layout.expect_room("the plate of hole " + hole_label(sheet, hole), items.back());
   }
-  return pages.laid_out(items);
+  return layout.laid_out(items, title);
 }
 
 }  // namespace misalign::schema

@@ -3,10 +3,8 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
-#include "schema/exchange/line_drawing.hpp"
-#include "schema/kit/kit_options.hpp"
+#include "schema/kit/kit_layout.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::schema {
@@ -16,11 +14,10 @@ namespace misalign::schema {
 std::array<Eigen::Vector2d, 4> cut_out_mm(const solver::Sheet& sheet,
                                           const solver::RubberPlates& plates, int hole);
 
-/// All plates, on one page if no bed is given: a cut round the bonds, the line to lay on the hole's
-/// edges, which is engraved, and the labels of hole and corners. UserError (bad_request) if one
+/// All plates, nested: a cut round the bonds, the line to lay on the hole's edges, which is
+/// engraved, and the labels of hole and corners. UserError (bad_request) if one
 /// cannot be drawn with its bonds, or does not fit the bed.
-std::vector<LineDrawing> kit_plate_drawings(const solver::Sheet& sheet,
-                                            const solver::RubberPlates& plates,
-                                            const KitOptions& options, const std::string& title);
+KitSheets kit_plate_sheets(const solver::Sheet& sheet, const solver::RubberPlates& plates,
+                           const KitOptions& options, const std::string& title);
 
 }  // namespace misalign::schema

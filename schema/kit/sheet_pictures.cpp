@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "schema/exchange/svg_picture.hpp"
-#include "schema/kit/kit_parts.hpp"
+#include "schema/kit/panel_corner.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -24,22 +24,55 @@ Vector2d middle(const std::vector<Vector2d>& corners) {
   return std::accumulate(corners.begin(), corners.end(), Vector2d(0, 0)) / 4.0;
 }
 
+// A light colour, another one for each of twelve rows.
+std::string row_colour(int row) {
+  constexpr int kHues = 12, kStep_deg = 150;
+  return fmt::format("hsl({},75%,78%)", row % kHues * kStep_deg % 360);
+}
+
 }  // namespace
 
-std::string exploded_picture(const solver::Sheet& sheet) {
-  constexpr double kApart = 0.25;
+std::string row_picture(const solver::Sheet& sheet, int row, const std::string& caption) {
   SvgPicture picture;
-  const Vector2d centre =
-      0.5 * (sheet.vertices_mm().rowwise().minCoeff() + sheet.vertices_mm().rowwise().maxCoeff());
+  const auto& places = sheet.base().sheet.places;
   for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
-    std::vector<Vector2d> corners = corners_mm(sheet, p);
-    const Vector2d offset = kApart * (middle(corners) - centre);
-    for (Vector2d& at : corners) at += offset;
-    picture.polygon(corners, "fill:#eef;stroke:#333;stroke-width:.6");
-    picture.text(middle(corners), panel_label(sheet, sheet.panels().facets[p]),
-                 0.18 * sheet.mechanism().panel_width_mm);
+    const int of_panel = places[static_cast<std::size_t>(sheet.panels().facets[p])][0];
+    picture.polygon(corners_mm(sheet, p), fmt::format("fill:{};stroke:#333;stroke-width:.6",
+                                                      of_panel == row  ? row_colour(row)
+                                                      : of_panel < row ? "#ddd"
+                                                                       : "#fff"));
   }
-  return picture.figure("Exploded view of the panels", true);
+  for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
+    const int facet = sheet.panels().facets[p];
+    if (places[static_cast<std::size_t>(facet)][0] != row) continue;
+    picture.label(middle(corners_mm(sheet, p)), panel_label(sheet, facet));
+  }
+  return picture.figure(caption, FigureSize::half);
+}
+
+std::string bed_picture(const solver::Sheet& sheet, const Kit& kit, std::size_t bed) {
+  SvgPicture picture;
+  const Vector2d& size = kit.sheets.size_mm;
+  picture.polygon({{0, 0}, {size.x(), 0}, size, {0, size.y()}}, "fill:none;stroke:#333");
+  std::vector<std::pair<Vector2d, std::string>> labels;
+  for (std::size_t k = 0; k < kit.parts.size(); ++k) {
+    const Nested& place = kit.sheets.places[k];
+    if (place.bed != bed) continue;
+    for (const int facet : kit.parts[k].facets) {
+      std::vector<Vector2d> corners;
+      for (const int v : sheet.base().sheet.facets[static_cast<std::size_t>(facet)]) {
+        corners.push_back(place(sheet.point_mm(v)));
+      }
+      const int row = sheet.base().sheet.places[static_cast<std::size_t>(facet)][0];
+      picture.polygon(corners, fmt::format("fill:{};stroke:#333;stroke-width:.6", row_colour(row)));
+      labels.emplace_back(middle(corners), panel_label(sheet, facet));
+    }
+  }
+  for (const auto& [at_mm, words] : labels) picture.label(at_mm, words);
+  for (const Vector2d& mark : kit.sheets.marks_mm) picture.dot(mark, 0.5 * kMark_mm);
+  constexpr std::size_t kFew = 2;
+  return picture.figure(fmt::format("Sheet {} of {}", bed + 1, kit.sheets.beds.size()),
+                        kit.sheets.beds.size() <= kFew ? FigureSize::wide : FigureSize::half);
 }
 
 std::string assembled_picture(const solver::Sheet& sheet, const std::string& diagonals) {
@@ -56,16 +89,16 @@ std::string assembled_picture(const solver::Sheet& sheet, const std::string& dia
     const solver::Diagonal& diagonal = mechanism.diagonals[static_cast<std::size_t>(d)];
     const Vector2d from = sheet.point_mm(diagonal.from), to = sheet.point_mm(diagonal.to);
     picture.line(from, to, "stroke:#393");
-    picture.text(from + 0.3 * (to - from), "s" + std::to_string(d),
-                 0.14 * mechanism.panel_width_mm);
+    picture.label(from + 0.38 * (to - from), "s" + std::to_string(d));
   }
   for (const solver::BallJoint& ball : mechanism.balls) {
     picture.dot(sheet.point_mm(ball.vertex), 0.05 * mechanism.panel_width_mm);
-    picture.text(sheet.point_mm(ball.vertex) + Vector2d(0, 0.08 * mechanism.panel_width_mm),
-                 solver::vertex_label(ball.vertex), 0.14 * mechanism.panel_width_mm);
+    picture.label(sheet.point_mm(ball.vertex) + Vector2d(0, 0.14 * mechanism.panel_width_mm),
+                  solver::vertex_label(ball.vertex));
   }
   return picture.figure(
-      "Mountains: red; valleys: blue, dashed; " + diagonals + ": green; ball joints: dots", true);
+      "Mountains: red; valleys: blue, dashed; " + diagonals + ": green; ball joints: dots",
+      FigureSize::wide);
 }
 
 // Draws the farthest panels first.
@@ -95,7 +128,7 @@ std::string folded_picture(const solver::Sheet& sheet, const Eigen::Matrix3Xd& s
     picture.polygon(panel.corners, panel.from_above ? "fill:#dde;stroke:#333;stroke-width:.6"
                                                     : "fill:#fe9;stroke:#333;stroke-width:.6");
   }
-  return picture.figure(fmt::format("Pilot angle {:.10g}°", pilot_deg), false);
+  return picture.figure(fmt::format("Pilot angle {:.10g}°", pilot_deg), FigureSize::third);
 }
 
 }  // namespace misalign::schema

@@ -1,14 +1,17 @@
-// Draws a sheet for printed pages: exploded, assembled and folded.
+// Draws a sheet for printed pages: assembled, row by row, on its sheets of material, and folded.
 #pragma once
 
 #include <string>
 
-#include "solver/sheet/sheet.hpp"
+#include "schema/kit/kit_drawing.hpp"
 
 namespace misalign::schema {
 
-/// All panels with their numbers, their distances from the middle enlarged by a quarter.
-std::string exploded_picture(const solver::Sheet& sheet);
+/// The flat sheet with a row of panels in colour, numbered, and the rows before it in grey.
+std::string row_picture(const solver::Sheet& sheet, int row, const std::string& caption);
+/// The panels of a kit on a sheet of material, each row of the sheet in a colour of its own, with
+/// the registration marks.
+std::string bed_picture(const solver::Sheet& sheet, const Kit& kit, std::size_t bed);
 /// The flat sheet with mountains and valleys, ball joints and diagonals, which the caption calls
 /// `diagonals`.
 std::string assembled_picture(const solver::Sheet& sheet, const std::string& diagonals);

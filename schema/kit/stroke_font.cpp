@@ -38,6 +38,8 @@ std::string_view strokes_of(char letter) {
       return "01 10 30 41 45 36 16 05 04 13 43";
     case 'A':
       return "00 04 26 44 40/02 42";
+    case 'b':
+      return "06 00 30 41 43 34 04";
     case 'c':
       return "43 34 14 03 01 10 30 41";
     case 'r':

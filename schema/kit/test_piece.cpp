@@ -1,10 +1,9 @@
 #include "schema/kit/test_piece.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 
+#include "schema/kit/chords.hpp"
 #include "schema/kit/part_item.hpp"
 
 namespace misalign::schema {
@@ -12,57 +11,86 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLeastSide_mm = 30, kText_mm = 2.5;
+constexpr double kLeastSide_mm = 30;
+
+// An arc round a middle, its ends among the points; counter-clockwise where the turn is positive.
+void add_arc(const Vector2d& middle, double radius_mm, double from_deg, double turn_deg,
+             Ring& ring) {
+  const double from_rad = from_deg * solver::kRadPerDeg, turn_rad = turn_deg * solver::kRadPerDeg;
+  for (const double rad : chord_angles_rad(from_rad, turn_rad, radius_mm)) {
+    ring.emplace_back(middle + radius_mm * Vector2d(std::cos(rad), std::sin(rad)));
+  }
+}
 
 class TestPiece {
  public:
   explicit TestPiece(const KitOptions& options)
       : options_(options),
-        from_corner_mm_(std::numbers::sqrt2 *
-                        (0.5 * options.joint_bore_mm.value_or(0) + options.bore_edge_mm)),
-        side_mm_(std::max(kLeastSide_mm, 4 * from_corner_mm_)),
-        item_(empty_item({0, 0}, {0, 0})) {}
+        from_corner_mm_(0.5 * options.joint_bore_mm.value_or(0) + options.bore_edge_mm),
+        tab_mm_(options.spring_bore_mm ? 0.5 * *options.spring_bore_mm + options.bore_edge_mm : 0),
+        clear_mm_(tab_mm_ > 0 ? tab_mm_ + kTabSlot_mm + options.kerf_mm : 0),
+        side_mm_(std::max({kLeastSide_mm, 4 * from_corner_mm_, 4 * clear_mm_})) {}
 
   LineDrawing drawing(const std::string& title) {
     const double apart_mm = options_.gap_mm + options_.kerf_mm;
-    const bool is_cut = options_.crease == CreaseCut::cut;
-    const double second_mm = side_mm_ + (is_cut ? apart_mm : 0);  // where the second square begins
-    const Vector2d corner(second_mm + side_mm_, side_mm_),
+    const bool is_cut = are_apart(options_.crease);
+    const Vector2d upper(0, side_mm_ + (is_cut ? apart_mm + tab_mm_ : 0)),
+        corner = upper + Vector2d(side_mm_, side_mm_),
         third = corner + Vector2d(apart_mm, apart_mm);
+    Ring lower_ring = lower(), upper_ring = square_above(upper);
     if (is_cut) {
-      cut({0, 0}, {side_mm_, side_mm_});
-      cut({second_mm, 0}, corner);
+      cut(lower_ring);
+      cut(upper_ring);
     } else {
-      cut({0, 0}, corner);
-      crease({side_mm_, 0}, {side_mm_, side_mm_});
+      // One contour: the lower one's from its right side to the tab, then the upper one's.
+      lower_ring.erase(lower_ring.begin() + 2);
+      if (tab_mm_ == 0) upper_ring.pop_back();  // the lower one's corner, too
+      lower_ring.insert(lower_ring.begin() + 2, upper_ring.begin() + 1, upper_ring.end());
+      cut(lower_ring);
+      crease({clear_mm_, side_mm_}, {side_mm_, side_mm_});
     }
-    cut(third, third + Vector2d(side_mm_, side_mm_));
-    bore(corner, -1);
-    bore(third, 1);
-    const std::string words[] = {
-        title,
-        fmt::format("test piece (mm); kerf {:g}; squares of {:g}", options_.kerf_mm, side_mm_),
-        "fold the crease; tie the corners"};
-    double below_mm = 0;
-    for (const std::string& line : words) {
-      below_mm += 2 * kText_mm;
-      item_.on(KitLayer::note).texts.push_back({{0, -below_mm}, line, kText_mm});
+    cut({third, third + Vector2d(side_mm_, 0), third + Vector2d(side_mm_, side_mm_),
+         third + Vector2d(0, side_mm_)});
+    if (tab_mm_ > 0) bore({0, side_mm_}, *options_.spring_bore_mm);
+    if (options_.joint_bore_mm) {
+      const Vector2d off = Vector2d::Constant(from_corner_mm_);
+      bore(corner - off, *options_.joint_bore_mm);
+      bore(third + off, *options_.joint_bore_mm);
     }
     LineDrawing drawing = item_.drawing;
     const Vector2d margin_mm = Vector2d::Constant(options_.margin_mm + options_.kerf_mm);
     drawing.title = title;
-    drawing.least_mm = Vector2d(0, -below_mm) - margin_mm;
+    drawing.unit = options_.unit;
+    drawing.least_mm = Vector2d(-tab_mm_, 0) - margin_mm;
     drawing.most_mm = third + Vector2d(side_mm_, side_mm_) + margin_mm;
-    std::erase_if(drawing.layers, [](const LineLayer& layer) { return layer.is_empty(); });
-    return drawing;
+    return without_empty_layers(std::move(drawing));
   }
 
  private:
-  void cut(const Vector2d& least, const Vector2d& most) {
-    const Vector2d offset = Vector2d::Constant(0.5 * options_.kerf_mm), from = least - offset,
-                   to = most + offset;
+  // The lower square, from its lower left corner, with the tab round its upper left one.
+  Ring lower() const {
+    Ring ring = {{0, 0}, {side_mm_, 0}, {side_mm_, side_mm_}};
+    if (tab_mm_ > 0) {
+      add_arc({0, side_mm_}, tab_mm_, 0, 270, ring);
+    } else {
+      ring.emplace_back(0, side_mm_);
+    }
+    return ring;
+  }
+  // The upper square, from its lower right corner, cut clear of the tab at its lower left one.
+  Ring square_above(const Vector2d& least) const {
+    Ring ring = {least + Vector2d(side_mm_, 0), least + Vector2d(side_mm_, side_mm_),
+                 least + Vector2d(0, side_mm_)};
+    if (tab_mm_ > 0) {
+      add_arc(least, clear_mm_, 90, -90, ring);
+    } else {
+      ring.push_back(least);
+    }
+    return ring;
+  }
+  void cut(const Ring& ring) {
     item_.on(KitLayer::cut)
-        .paths.push_back({{from, {to.x(), from.y()}, to, {from.x(), to.y()}}, true});
+        .paths.push_back({offset_ring(ring, 0.5 * options_.kerf_mm).value(), true});
   }
   void crease(const Vector2d& from, const Vector2d& to) {
     if (options_.crease == CreaseCut::score) {
@@ -71,17 +99,13 @@ class TestPiece {
       item_.on(KitLayer::dash_valley).paths = perforation(from, to, options_);
     }
   }
-  // Adds a bore on a square's diagonal; the square lies on `side` of its corner.
-  void bore(const Vector2d& corner, double side) {
-    if (!options_.joint_bore_mm) return;
-    const Vector2d at = corner + side * from_corner_mm_ / std::numbers::sqrt2 * Vector2d(1, 1);
-    item_.on(KitLayer::bore)
-        .circles.push_back({at, 0.5 * (*options_.joint_bore_mm - options_.kerf_mm)});
+  void bore(const Vector2d& centre_mm, double diameter_mm) {
+    item_.on(KitLayer::bore).circles.push_back({centre_mm, 0.5 * (diameter_mm - options_.kerf_mm)});
   }
 
   const KitOptions& options_;
-  const double from_corner_mm_, side_mm_;
-  KitItem item_;
+  const double from_corner_mm_, tab_mm_, clear_mm_, side_mm_;  // distances, radii, a length
+  KitItem item_ = empty_item();
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Draws a test piece to cut before a kit: one hinge and one ball joint, made like the kit's.
+// Draws a test piece to cut before a kit: one hinge, one ball joint and one spring's tab, made like
+// the kit's.
 #pragma once
 
 #include "schema/exchange/line_drawing.hpp"
@@ -6,8 +7,9 @@
 
 namespace misalign::schema {
 
-/// Two squares that a crease joins (two parts if creases are cut), and a third to tie to a corner
-/// of them: with the crease, kerf, bores and edges of a kit. Empty layers are left out.
+/// Two squares that a crease joins (two parts if creases are cut), the upper one cut clear of the
+/// lower one's tab at the crease's left end; and a third to tie to the upper one's right corner:
+/// with the crease, kerf, bores and edges of a kit. Empty layers are left out.
 LineDrawing kit_test_piece(const KitOptions& options, const std::string& title);
 
 }  // namespace misalign::schema

@@ -46,6 +46,16 @@ constexpr DesignNumber kNumbers[] = {
      "try 0.05, or null where none is known"},
     {"", "play_mm", &Design::play_mm, 1e-9, 1e6, std::nullopt,
      "try 0.01, or null where none is known"},
+    {"joints", "bore_mm", &Design::joint_bore_mm, 1e-3, 1e3, std::nullopt,
+     "write the diameter of the bores, such as 1.2, or null"},
+    {"joints", "wire_mm", &Design::wire_mm, 1e-3, 1e3, std::nullopt,
+     "write the diameter of the wire, such as 1, or null"},
+    {"joints", "edge_mm", &Design::joint_edge_mm, 0, 1e3, std::nullopt,
+     "write the distance of bores from the sides of panels, such as 2, or null"},
+    {"joints", "clearance_mm", &Design::joint_clearance_mm, 0, 1e3, std::nullopt,
+     "write the diametral clearance of balls in sockets, such as 0.4, or null"},
+    {"joints", "strip_mm", &Design::strip_mm, 1e-3, 1e3, std::nullopt,
+     "write the free length of tabs, such as 2, or null"},
     {"wanted", "static_margin", &Design::static_margin, 0, 1e9, solver::kWantedMargin,
      "write 1, as AIAA S-114 asks at every position"},
     {"wanted", "margin_to_deg", &Design::margin_to_deg, 0.1, 180, solver::kMarginTo_deg,
@@ -104,6 +114,7 @@ Design Design::merged_over(Design other) const {
   take(&Design::springs_on);
   if (!single_springs.empty()) other.single_springs = single_springs;
   if (!cut_outs.empty()) other.cut_outs = cut_outs;
+  take(&Design::joint_kind);
   take(&Design::hinge_kind);
   take(&Design::hinge_name);
   take(&Design::film);

@@ -18,6 +18,10 @@
 #include "solver/motion/film_hinge.hpp"
 #include "solver/motion/plates.hpp"
 
+namespace misalign::solver {
+enum class JointKind;
+}  // namespace misalign::solver
+
 namespace misalign::schema {
 
 /// A design, outside the identity of a campaign: it changes no draw and no verdict. Studies have
@@ -36,6 +40,10 @@ struct Design : DesignFill {
   std::optional<Material> material;       ///< material of the panels
   std::optional<double> miscut_mm;        ///< largest cutting error of vertices
   std::optional<double> play_mm;  ///< radius of the ball in which each joint settles (backlash)
+  /// "joints": ball joints as they are made (joint_play.hpp), which give the play where it is not
+  /// given.
+  std::optional<solver::JointKind> joint_kind;
+  std::optional<double> joint_bore_mm, wire_mm, joint_edge_mm, joint_clearance_mm, strip_mm;
   std::optional<std::array<int, 2>> hold;  ///< row and column of the held panel
   std::optional<bool> hold_flat;           ///< true: a stop, latch or frame holds the sheet at flat
   std::optional<std::array<double, 3>> gravity;  ///< x, y, z in standard gravities

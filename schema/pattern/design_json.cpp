@@ -9,12 +9,13 @@
 #include "schema/files/json_values.hpp"
 #include "schema/pattern/design_numbers.hpp"
 #include "schema/pattern/fill_json.hpp"
+#include "schema/pattern/joint_kind.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
 namespace {
 
-constexpr std::string_view kBlocks[] = {"hinges", "wanted"};
+constexpr std::string_view kBlocks[] = {"hinges", "joints", "wanted"};
 
 // Numbers of springs that files with "actuators" can have.
 constexpr std::string_view kOlderNumbers[] = {"stiffness_n_per_mm", "stroke_limit", "preload_n",
@@ -98,6 +99,7 @@ Design read_design(const Json& value, const std::string& where, InputFaults& fau
     ObjectReader part(part_of(reader, name.c_str()), reader.name(name), faults);
     read_numbers(part, block, design);
     if (block == "hinges") read_hinges(part, design);
+    if (block == "joints") read_joint_kind(part, "kind", design.joint_kind);
     part.refuse_unknown_keys();
   }
   if (const Json* material = reader.said("material")) {
@@ -137,6 +139,7 @@ Json design_json(const Design& design) {
   } else {
     json["fill"] = fill_json(design);
   }
+  json["joints"]["kind"] = joint_kind_json(design.joint_kind);
   json["hinges"]["kind"] = crease_json(design.hinge_kind);
   if (design.hinge_name) json["hinges"]["name"] = *design.hinge_name;
   json["hinges"]["film"] = design.film ? film_json(*design.film) : Json();

@@ -18,12 +18,12 @@ constexpr double kLoss = 0.02;
 constexpr double kPin_mm = 0.5;
 
 constexpr HingeRow pin_row(std::string_view name, double coefficient, std::string_view source) {
-  return {name, {}, kNoValue, coefficient * kPin_mm, kNoValue, CreaseCut::cut, source};
+  return {name, {}, kNoValue, coefficient * kPin_mm, kNoValue, CreaseCut::pin, source};
 }
 
 constexpr HingeRow film_row(std::string_view name, solver::FilmHinge strip,
                             std::string_view source) {
-  return {name, strip, kNoValue, kNoValue, kNoValue, CreaseCut::cut, source};
+  return {name, strip, kNoValue, kNoValue, kNoValue, CreaseCut::film, source};
 }
 
 constexpr HingeRow kHinges[] = {
@@ -50,7 +50,7 @@ constexpr HingeRow kHinges[] = {
      kNoValue,
      kNoValue,
      0.2,
-     CreaseCut::cut,
+     CreaseCut::pin,
      "makers of printed hinges: diametral clearance mostly 0.3 to 0.5 mm"},
     pin_row("steel pin 1 mm in steel, dry", 0.7,
             "friction tables of mechanical engineering handbooks: 0.4 to 0.7"),

@@ -13,6 +13,7 @@
 #include "search/python/made.hpp"
 #include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
+#include "search/sheets/bought_springs.hpp"
 #include "search/sheets/card_limits.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/row_certifier.hpp"
@@ -91,6 +92,33 @@ std::string choose_springs(const PatternSource& source, const std::string& desig
     input.options.fewest_margin = fewest_margin;
     input.options.equal_lengths_share = equal_lengths_share;
     return chosen_springs(subject.sheet, subject.model.design(), input);
+  });
+}
+
+std::string buy_springs(const PatternSource& source, const std::string& design,
+                        const std::optional<std::string>& springs,
+                        const std::optional<double>& static_margin, const std::string& least,
+                        bool push, double link_step_mm, double least_link_mm) {
+  schema::check_parameter("actuators", "link_step_mm", link_step_mm);
+  schema::check_parameter("actuators", "least_link_mm", least_link_mm);
+  if (static_margin) {
+    schema::check_design("static_margin", "wanted.static_margin", *static_margin);
+  }
+  const std::optional<solver::StockGoal> goal = goal_of_purchase(least);
+  if (!goal) {
+    throw schema::UserError(solver::OptionFault{"least", schema::printable(least),
+                                                "is no objective of springs to buy",
+                                                "choose types or price"});
+  }
+  return json_of_study(source, design, [&](const Subject& subject) {
+    BuyInput input;
+    if (springs) input.table = schema::read_spring_table(*springs);
+    input.links = {.step_mm = link_step_mm, .least_mm = least_link_mm, .largest_force_n = {}};
+    input.pushes = push;
+    input.goal = *goal;
+    schema::Design with = subject.model.design();
+    if (static_margin) with.static_margin = static_margin;
+    return bought_springs(subject.sheet, with, input);
   });
 }
 
@@ -215,6 +243,8 @@ void bind_studies(py::module_& module) {
              "most_rate_n_per_mm"_a, "rates_n_per_mm"_a, "free_within"_a, "pull_only"_a,
              "one_a_hole"_a, "never_both"_a, "most_springs"_a, "fewest_margin"_a,
              "equal_lengths_share"_a);
+  module.def("buy_springs", made(&buy_springs), "sheet"_a, "design"_a, py::kw_only(), "springs"_a,
+             "static_margin"_a, "least"_a, "push"_a, "link_step_mm"_a, "least_link_mm"_a);
   module.def("check_design", &schema::check_design, "name"_a, "design_key"_a, "value"_a);
   module.def("tolerance", made(&tolerance), "sheet"_a, "design"_a, "trials"_a, "jobs"_a);
 }

@@ -7,6 +7,7 @@
 
 #include "schema/pattern/perforation_check.hpp"
 #include "search/sheets/backlash.hpp"
+#include "search/sheets/joint_of_design.hpp"
 #include "search/sheets/tolerance.hpp"
 
 namespace misalign::search {
@@ -107,22 +108,23 @@ std::vector<CardLine> copy_lines(const CardSheet& on, const CopyTrials& copies) 
       }
     }
   }
-  if (design.play_mm && is_overconstrained) {
+  const std::optional<double> play_mm = play_of(design, sheet);
+  if (play_mm && is_overconstrained) {
     lines.push_back({"play_mm",
                      "Largest joint clearance",
                      "mm",
-                     design.play_mm,
+                     play_mm,
                      {},
                      Bound::at_least,
                      "the joints of an overconstrained sheet allow none"});
-  } else if (design.play_mm) {
+  } else if (play_mm) {
     const std::vector<Eigen::Matrix2Xd> shifts_mm = {chosen.shifts_mm};
     const BacklashStudy study(campaign, shifts_mm, {.used_from_deg = used_deg});
-    const auto loose = study.run({*design.play_mm, copies.trials, copies.jobs}).front();
+    const auto loose = study.run({*play_mm, copies.trials, copies.jobs}).front();
     lines.push_back(
         {"play_mm",
          fmt::format("Largest joint clearance, from {:g}° to {:g}°", loose.from_deg, loose.to_deg),
-         "mm", design.play_mm, loose.largest_mm, Bound::at_least, ""});
+         "mm", play_mm, loose.largest_mm, Bound::at_least, ""});
   }
   return lines;
 }

@@ -20,10 +20,14 @@
 #include "schema/kit/plate_drawing.hpp"
 #include "schema/kit/test_piece.hpp"
 #include "schema/pattern/design_json.hpp"
+#include "schema/print/printed_kit.hpp"
+#include "schema/print/solid_files.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_input.hpp"
+#include "search/sheets/plate_contact.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/terminal/terminal.hpp"
+#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
 namespace {
@@ -44,6 +48,8 @@ const char* ending(ExportFormat format) {
       return ".dxf";
     case ExportFormat::stl:
       return ".stl";
+    case ExportFormat::three_mf:
+      return ".3mf";
     case ExportFormat::obj:
       return ".obj";
     case ExportFormat::mjcf:
@@ -145,17 +151,17 @@ void ExportFiles::write(const solver::Sheet& sheet, const ExportLabel& label,
     case ExportFormat::inp:
       return write_file(stem, simulated(sheet, label));
     case ExportFormat::stl:
-      return write_plates(sheet, label);
+      return options_.kit ? write_print(sheet, label) : write_plates(sheet, label);
+    case ExportFormat::three_mf:
+      return write_print(sheet, label);
   }
 }
 
 std::string ExportFiles::simulated(const solver::Sheet& sheet, const ExportLabel& label) const {
   const schema::SimulatedSheet released = release(model_, sheet, options_.release, label.title);
   if (options_.format == ExportFormat::inp) return schema::calculix_deck(released, options_.deck);
-  const std::optional<double>& friction = options_.friction_n_mm_per_mm;
   schema::MjcfOptions mjcf;
-  mjcf.friction_n_mm_per_mm =
-      friction ? *friction : hinge_friction_n_mm_per_mm(model_.design(), sheet);
+  mjcf.friction_n_mm_per_mm = hinge_friction_n_mm_per_mm(model_.design(), sheet);
   return schema::mjcf_model(released, mjcf);
 }
 
@@ -217,40 +223,43 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
                                       model_.base(), sheet.vertices_mm(), sheet.mechanism(),
                                       label.title, model_.design().diagonals_name())));
   }
-  const schema::KitDrawings kit = schema::kit_drawings(sheet, *options_.kit, label.title);
+  const schema::KitOptions options = kit_of(sheet);
+  const schema::Kit kit = schema::kit_of(sheet, options, label.title);
   if (!kit.warning.empty() && options_.warn) options_.warn(sheet.name() + ": " + kit.warning);
   std::vector<schema::LineDrawing> plate_beds;
   const solver::Fill fill = model_.design().actuators(model_.base().base).fill;
   if (const auto* plates = std::get_if<solver::RubberPlates>(&fill)) {
-    plate_beds = schema::kit_plate_drawings(sheet, *plates, *options_.kit, label.title);
+    plate_beds = schema::kit_plate_sheets(sheet, *plates, options, label.title).beds;
   }
-  const std::string guide = options_.kit->guide ? guide_of(sheet, label, kit.warning) : "";
+  const std::string guide = guide_of(sheet, label, options, kit);
   const auto write_beds = [&](const std::string& stem,
                               const std::vector<schema::LineDrawing>& beds) {
     for (std::size_t k = 0; k < beds.size(); ++k) {
-      write_file(options_.kit->bed_mm ? fmt::format("{}-{}", stem, k + 1) : stem, text_of(beds[k]));
+      write_file(options.bed_mm ? fmt::format("{}-{}", stem, k + 1) : stem, text_of(beds[k]));
     }
   };
-  write_beds(label.stem + "-kit", kit.beds);
+  write_beds(label.stem + "-kit", kit.sheets.beds);
   write_beds(label.stem + "-kit-plates", plate_beds);
-  if (options_.kit->test_piece) {
-    write_file(label.stem + "-kit-test",
-               text_of(schema::kit_test_piece(*options_.kit, label.title)));
+  if (options.test_piece) {
+    write_file(label.stem + "-kit-test", text_of(schema::kit_test_piece(options, label.title)));
   }
-  if (options_.kit->guide) write_named(label.stem + "-kit.html", guide);
+  write_named(label.stem + "-kit.html", guide);
 }
 
 std::string ExportFiles::guide_of(const solver::Sheet& sheet, const ExportLabel& label,
-                                  const std::string& warning) {
-  const schema::Design& design = model_.design();
+                                  const schema::KitOptions& options, const schema::Kit& kit) {
+  schema::Design design = model_.design();
+  if (!options.must_reach && design.from_deg && solver::beyond_d(sheet, *design.from_deg)) {
+    design.from_deg.reset();
+  }
   const solver::Actuation actuation = actuated(sheet, design);
   std::optional<solver::Sheet> another;
   std::optional<solver::ContactStudy> contact;
   if (actuation.from_row > 0) {
     contact = contact_of(at_samples(sheet, another), {{}, design.from_deg});
   }
-  return schema::kit_guide({sheet, *options_.kit, design, actuation, contact ? &*contact : nullptr,
-                            label.title, warning});
+  return schema::kit_guide(
+      {sheet, options, kit, design, actuation, contact ? &*contact : nullptr, label.title});
 }
 
 void ExportFiles::write_states(const solver::Sheet& sheet, const ExportLabel& label) const {
@@ -266,22 +275,10 @@ void ExportFiles::write_states(const solver::Sheet& sheet, const ExportLabel& la
 void ExportFiles::write_plates(const solver::Sheet& sheet, const ExportLabel& label) {
   const auto rows = sheet.rows_to_show(options_.step_deg);
   check_shapes(sheet, rows);
-  std::optional<solver::Sheet> another;
-  const solver::ContactStudy study =
-      contact_of(at_samples(sheet, another), {options_.trim_mm, options_.release.from_deg});
-  const double largest_mm = study.thickness ? study.thickness->thickness_mm : 0;
   const double thickness_mm = options_.release.plates.thickness_mm;
-  if (!(thickness_mm <= largest_mm)) {
-    throw schema::UserError(solver::OptionFault{
-        "thickness_mm", fmt::format("{:g}", thickness_mm),
-        fmt::format(
-            "too thick (plates of {} fold to {} up to a thickness of {:.4g} mm, trimmed by "
-            "{:g} mm)",
-            sheet.name(),
-            options_.release.from_deg ? fmt::format("{:.10g} deg", study.used_from_deg) : "D",
-            largest_mm, study.trim_mm),
-        "take thinner plates, or trim more by " + schema::parameter("trim_mm")});
-  }
+  std::optional<solver::Sheet> another;
+  const solver::ContactStudy study = contact_of_plates(
+      at_samples(sheet, another), {options_.trim_mm, options_.release.from_deg}, thickness_mm);
   const auto solids = solver::plate_solids(sheet.panels(), sheet.vertices_mm(), thickness_mm,
                                            study.trim_mm, study.thickness->largest_rad);
   each_state(sheet, rows, [&](double pilot_deg, const Eigen::Matrix3Xd& shape_mm) {
@@ -289,6 +286,22 @@ void ExportFiles::write_plates(const solver::Sheet& sheet, const ExportLabel& la
         label.stem + of_state(pilot_deg),
         schema::plate_stl(model_.base(), sheet.panels(), sheet.vertices_mm(), solids, shape_mm));
   });
+}
+
+// Writes the plates of a kit to print: a file for each, NAME-kit-r1c2, or all in one.
+void ExportFiles::write_print(const solver::Sheet& sheet, const ExportLabel& label) {
+  const std::vector<schema::Solid> solids = schema::printed_kit(sheet, kit_of(sheet));
+  if (options_.format == ExportFormat::three_mf) {
+    return write_file(label.stem + "-kit", schema::three_mf(solids, label.title));
+  }
+  for (const schema::Solid& solid : solids) {
+    write_file(label.stem + "-kit-" + solid.name, schema::binary_stl(solid));
+  }
+}
+
+schema::KitOptions ExportFiles::kit_of(const solver::Sheet& sheet) {
+  std::optional<solver::Sheet> another;
+  return trimmed_kit(at_samples(sheet, another), *options_.kit, options_.trim_mm);
 }
 
 void ExportFiles::write_file(const std::string& stem, const std::string& text) const {

@@ -10,41 +10,45 @@
 #include "schema/exchange/history_table.hpp"
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/output_file.hpp"
-#include "schema/kit/kit_options.hpp"
+#include "schema/kit/kit_drawing.hpp"
 #include "search/sheets/release.hpp"
 #include "solver/kinematics/filler.hpp"
 
 namespace misalign::search {
 
-enum class ExportFormat { json, csv, mat, fold, svg, dxf, obj, stl, mjcf, inp };
+enum class ExportFormat { json, csv, mat, fold, svg, dxf, obj, stl, three_mf, mjcf, inp };
 
 struct ExportOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
   std::string directory;
   ExportFormat format = ExportFormat::json;
-  double step_deg = 10;                          ///< step between states of `fold`, `obj`, `stl`
-  bool joined = false;                           ///< fillers join all panels of `fold`
-  bool creases = false;                          ///< also a table of fold angles beside `csv`
-  double every_deg = 0;                          ///< rows of `csv`, see diagonal_rows()
-  SimulationStart release;                       ///< `mjcf` and `inp` use it, `stl` its plates
-  std::optional<double> friction_n_mm_per_mm;    ///< `mjcf` uses it before the design's
-  schema::DeckOptions deck;                      ///< `inp` uses it
-  std::optional<schema::KitOptions> kit;         ///< replaces the crease pattern of `svg`, `dxf`
+  double step_deg = 10;      ///< step between states of `fold`, `obj`, `stl`
+  bool joined = false;       ///< fillers join all panels of `fold`
+  bool creases = false;      ///< also a table of fold angles beside `csv`
+  double every_deg = 0;      ///< rows of `csv`, see diagonal_rows()
+  SimulationStart release;   ///< `mjcf` and `inp` use it, `stl` its plates
+  schema::DeckOptions deck;  ///< `inp` uses it
+  /// Replaces the crease pattern of `svg` and `dxf`, the folded plates of `stl`.
+  std::optional<schema::KitOptions> kit;
   bool only_cut = false;                         ///< leaves other layers out of `svg`, `dxf`
   std::function<void(const std::string&)> warn;  ///< gets warnings
-  /// Trim of the plates' corners in `stl` (none: that of ContactOptions).
+  /// Trim of the plates' corners in `stl` and kits (none: that of ContactOptions).
   std::optional<double> trim_mm;
 
   bool in_states() const {
     return format == ExportFormat::fold || format == ExportFormat::obj ||
-           format == ExportFormat::stl;
+           (format == ExportFormat::stl && !kit);
+  }
+  /// Returns whether a kit is one of solids to print.
+  bool is_printed() const {
+    return format == ExportFormat::stl || format == ExportFormat::three_mf;
   }
   bool is_drawn() const { return format == ExportFormat::svg || format == ExportFormat::dxf; }
   bool is_simulated() const { return format == ExportFormat::mjcf || format == ExportFormat::inp; }
   /// Returns whether files depend on the angle of use.
   bool knows_angle_of_use() const {
     return format == ExportFormat::json || format == ExportFormat::fold ||
-           format == ExportFormat::stl || is_simulated() || (kit && kit->guide);
+           format == ExportFormat::stl || is_simulated() || kit.has_value();
   }
   /// Step of the stations that a history needs beside samples; 0: none.
   double look_deg() const { return in_states() ? step_deg : 0; }
@@ -77,8 +81,10 @@ class ExportFiles {
   std::string simulated(const solver::Sheet& sheet, const ExportLabel& label) const;
   void write_drawings(const solver::Sheet& sheet, const ExportLabel& label);
   std::string guide_of(const solver::Sheet& sheet, const ExportLabel& label,
-                       const std::string& warning);
+                       const schema::KitOptions& options, const schema::Kit& kit);
   void write_states(const solver::Sheet& sheet, const ExportLabel& label) const;
+  schema::KitOptions kit_of(const solver::Sheet& sheet);
+  void write_print(const solver::Sheet& sheet, const ExportLabel& label);
   void write_plates(const solver::Sheet& sheet, const ExportLabel& label);
   void write_file(const std::string& stem, const std::string& text) const;
   void write_named(const std::string& name, const std::string& text) const;

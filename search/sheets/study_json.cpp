@@ -40,6 +40,13 @@ schema::Json study_json(const Subject& subject, const solver::SpringChoice& choi
                 {"choice", schema::spring_choice_json(sheet.base(), sheet.mechanism(), choice)}});
 }
 
+schema::Json study_json(const Subject& subject, const schema::SpringOrder& order) {
+  const solver::Sheet& sheet = subject.sheet;
+  return with_key(subject,
+                  {{"deploys_from_deg", sheet.deploys_from_deg()},
+                   {"bought", schema::spring_order_json(sheet.base(), sheet.mechanism(), order)}});
+}
+
 schema::Json study_json(const Subject& subject, const ReleasedSheet& released) {
   schema::Json json = schema::deployment_history_json(subject.sheet, released.motion);
   json["deploys_from_deg"] = subject.sheet.deploys_from_deg();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "schema/exchange/card_json.hpp"
+#include "schema/exchange/stock_choice_json.hpp"
 #include "search/sheets/better_sheet.hpp"
 #include "search/sheets/studies.hpp"
 
@@ -11,6 +12,7 @@ namespace misalign::search {
 schema::Json study_json(const Subject& subject, const solver::ContactStudy& study);
 schema::Json study_json(const Subject& subject, const solver::Actuation& springs);
 schema::Json study_json(const Subject& subject, const solver::SpringChoice& choice);
+schema::Json study_json(const Subject& subject, const schema::SpringOrder& order);
 schema::Json study_json(const Subject& subject, const ReleasedSheet& released);
 schema::Json study_json(const Subject& subject, const schema::Card& card);
 schema::Json study_json(Subject& subject, const ProvenBetter& better);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "schema/exchange/bent_panels_json.hpp"
+#include "schema/exchange/stock_choice_json.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "search/sheets/better_sheet.hpp"
 #include "search/sheets/stress_study.hpp"
@@ -48,6 +49,9 @@ std::string deployment_text(const solver::Mechanism& mechanism,
 
 /// The friction that chosen springs overcome, its bounds, and each spring.
 std::string spring_choice_text(const solver::Sheet& sheet, const solver::SpringChoice& choice);
+
+/// Springs to buy: price, friction overcome, equal springs, and each spring's lengths.
+std::string bought_springs_text(const solver::Sheet& sheet, const schema::SpringOrder& order);
 
 /// The pin friction that it overcomes, a line for each place of pins.
 std::string pins_text(const solver::PinStudy& study);

@@ -11,6 +11,7 @@
 #include "search/sheets/study_texts.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/purchase.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -21,6 +22,8 @@ struct ActuatorsCall : SheetCall {
   bool chooses = false;
   SpringChoiceInput choice;
   std::vector<const CLI::Option*> of_springs;  // limits of --choose
+  const CLI::Option* friction = nullptr;
+  PurchaseCall purchase;
 };
 
 void refuse_limits_of_springs(const ActuatorsCall& call) {
@@ -33,9 +36,18 @@ void refuse_limits_of_springs(const ActuatorsCall& call) {
   }
 }
 
+void refuse_idle_friction(const ActuatorsCall& call) {
+  if (call.chooses || call.purchase.wanted || call.friction->count() == 0) return;
+  throw schema::UserError(schema::Cause::bad_request,
+                          "--friction: is overcome by springs that are chosen, and none are; add "
+                          "--choose or --buy");
+}
+
 void show_actuators(const ActuatorsCall& call) {
+  refuse_idle_friction(call);
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
   const auto& [chosen, model, sheet] = subject;
+  if (call.purchase.wanted) return show_purchase(call.purchase, subject, call.json);
   schema::Design design = model.design();
   const solver::Fill fill = design.fill(sheet.base());
   const auto* const plates = std::get_if<solver::RubberPlates>(&fill);
@@ -107,10 +119,10 @@ void add_choice(CLI::App& verb, ActuatorsCall& call) {
   add_value(verb, "--most-springs", options.most_springs, "largest number of springs",
             counted("actuators", "most_springs"), "N")
       ->needs(choose);
-  add_value(verb, "--friction", call.design.friction_n_mm_per_mm,
-            "dry friction of creases, N mm/mm [the design's, or 0]",
-            within("hinges.friction_n_mm_per_mm"), "N")
-      ->needs(choose);
+  call.friction = add_value(
+      verb, "--friction", call.design.friction_n_mm_per_mm,
+      "dry friction of creases that chosen springs overcome, N mm/mm [the design's, or 0]",
+      within("hinges.friction_n_mm_per_mm"), "N");
   add_value(verb, "--fewest", options.fewest_margin,
             "as few springs as have this static margin over the friction",
             within("actuators", "fewest_margin"), "MARGIN")
@@ -120,7 +132,8 @@ void add_choice(CLI::App& verb, ActuatorsCall& call) {
             a_share(equal.least, equal.most), "SHARE")
       ->needs(choose);
   for (const CLI::Option* const option : std::as_const(verb).get_options()) {
-    if (option->get_needs().contains(choose)) call.of_springs.push_back(option);
+    const bool is_limit = option->get_needs().contains(choose) || option == call.friction;
+    if (is_limit) call.of_springs.push_back(option);
   }
 }
 
@@ -140,13 +153,15 @@ Action actuators_verb(CLI::App& verb) {
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
       "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --from 140 --stroke-limit 0.08\n"
       "  misalign actuators search/patterns/table1.json\n"
-      "  misalign actuators search/patterns/table1.json --choose --most-rate 1 --one-a-hole");
+      "  misalign actuators search/patterns/table1.json --choose --most-rate 1 --one-a-hole\n"
+      "  misalign actuators search/patterns/table1.json --buy --from 120 --friction 0.000002");
   auto call = std::make_shared<ActuatorsCall>();
   add_sheet(verb, *call);
   add_from(verb, call->design.from_deg);
   add_springs(verb, call->design);
   add_fill(verb, call->design);
   add_choice(verb, *call);
+  add_purchase(verb, call->purchase, call->design);
   verb.add_flag("--json", call->json, "as JSON, with all histories");
   return showing(call, show_actuators);
 }

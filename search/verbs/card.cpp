@@ -87,6 +87,7 @@ Action card_verb(CLI::App& verb) {
   number("--miscut", design.miscut_mm, "largest cutting error of a vertex, mm", "miscut_mm", "MM");
   number("--play", design.play_mm, "radius of the ball in which each joint settles, mm", "play_mm",
          "MM");
+  add_joints(verb, design);
   add_material(verb, call->material);
   add_hinge(verb, call->hinge);
   add_default(verb, "--trials", call->options.trials,
@@ -94,9 +95,7 @@ Action card_verb(CLI::App& verb) {
               counted("card", "trials"), "N");
   add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
             counted("", "jobs"), "N");
-  verb.add_flag_callback(
-      "--hold-flat", [&design] { design.hold_flat = true; },
-      "a stop, latch or frame holds the sheet at flat [the design's]");
+  add_hold_flat(verb, design.hold_flat);
   verb.add_flag("--no-remedies", call->without_remedies,
                 "seek no change that would meet a requirement which fails");
   verb.add_option("--output", call->output, "HTML file to write")->type_name("FILE");

@@ -44,7 +44,8 @@ void write_kit(const DesignCall& call, const Subject& subject) {
   files.warn = [](const std::string& words) { spdlog::warn("{}", words); };
   schema::KitOptions& kit = files.kit.emplace();
   kit.crease = subject.model.design().crease_or(kit.crease);
-  kit.guide = kit.test_piece = true;
+  kit.test_piece = true;
+  kit.from_deg = subject.model.design().from_deg;
   try {
     ExportFiles(subject.model, files)
         .write(subject.sheet, {"best", "misalign: " + subject.sheet.name()},

@@ -27,14 +27,14 @@ struct ExportCall {
   ReleaseCall release;
   DeckCall deck;
   KitCall kit;
-  std::optional<double> friction_n_mm_per_mm;  // of mjcf
+  std::string hinge;  // a name of the hinge table
 
   // Takes over the sheets' design, into which typed options are merged already.
   void take(const schema::Design& design) {
     files.release = release.of(design);
     files.deck = deck.of(design);
-    files.friction_n_mm_per_mm = friction_n_mm_per_mm;
     files.kit = chosen_kit(kit, design);
+    if (files.kit) files.kit->must_reach = release.design.from_deg.has_value();
   }
 };
 
@@ -134,21 +134,30 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
         schema::Cause::bad_request,
         std::string(option) + " has no meaning without " + with + "; take it out, or add that");
   };
-  only_with("--step", files.in_states(), "--format fold, obj or stl");
+  only_with("--step", files.in_states() && !(kit.wanted && files.is_printed()),
+            "--format fold, obj or stl (without --kit)");
   only_with("--joined", files.format == ExportFormat::fold, "--format fold");
   for (const char* option : {"--creases", "--every"}) {
     only_with(option, files.format == ExportFormat::csv, "--format csv");
   }
-  for (const char* option : {"--rest-deg", "--density"}) {
-    only_with(option, files.is_simulated(), "--format mjcf or inp");
+  only_with("--rest-deg", files.is_simulated() || kit.wanted, "--format mjcf or inp, or --kit");
+  only_with("--density", files.is_simulated(), "--format mjcf or inp");
+  only_with("--from", files.knows_angle_of_use() || kit.wanted,
+            "--format json, fold, stl, mjcf or inp, or --kit");
+  only_with("--thickness", files.is_simulated() || files.format == ExportFormat::stl || kit.wanted,
+            "--format stl, mjcf or inp, or --kit");
+  only_with("--trim", files.format == ExportFormat::stl || kit.wanted, "--format stl, or --kit");
+  only_with("--hinge", kit.wanted || files.format == ExportFormat::mjcf, "--kit, or --format mjcf");
+  for (const char* option : {"--hold-flat", "--joint", "--wire"}) {
+    only_with(option, kit.wanted, "--kit");
   }
-  only_with("--from", files.knows_angle_of_use() || kit.options.guide,
-            "--format json, fold, stl, mjcf or inp, or --kit --guide");
-  only_with("--thickness", files.is_simulated() || files.format == ExportFormat::stl,
-            "--format stl, mjcf or inp");
-  only_with("--trim", files.format == ExportFormat::stl, "--format stl");
-  for (const char* option : {"--kit", "--only-cut"}) {
+  only_with("--kit", files.is_drawn() || files.is_printed(), "--format svg, dxf, stl or 3mf");
+  only_with("--only-cut", files.is_drawn(), "--format svg or dxf");
+  for (const char* option : {"--guide", "--test-piece", "--bed", "--kerf", "--grain", "--units"}) {
     only_with(option, files.is_drawn(), "--format svg or dxf");
+  }
+  for (const char* option : {"--pin", "--slot"}) {
+    only_with(option, files.is_printed(), "--format stl or 3mf");
   }
   for (const char* option : kKitOptions) only_with(option, verb.count("--kit") > 0, "--kit");
   only_with("--bore-edge", kit.options.joint_bore_mm || kit.options.spring_bore_mm,
@@ -163,8 +172,13 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
 
 void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) {
   const std::string& path = call.files.read_from;
+  if (call.files.format == ExportFormat::three_mf && !call.kit.wanted) {
+    throw schema::UserError(schema::Cause::bad_request,
+                            "--format 3mf is of plates to print; add --kit");
+  }
   refuse_idle_options(call.files, call.kit, verb);
   read_material(call.deck.material, call.release.design);
+  read_hinge(call.hinge, call.release.design);
   call.files.warn = [](const std::string& words) { spdlog::warn("{}", words); };
   const std::string chosen_by = first_given(choice);
   if (is_pattern_file(path)) {
@@ -198,7 +212,8 @@ constexpr const char* kExportFooter =
     "  dxf   the same for CAD (AutoCAD 2000, mm)\n"
     "  obj   one file for each folded state\n"
     "  stl   the same of plates with --thickness, tapered and trimmed as in `contact`: a\n"
-    "        closed solid for each panel\n"
+    "        closed solid for each panel; with --kit the plates of a kit, flat, to print\n"
+    "  3mf   with --kit: the same plates in one file\n"
     "  mjcf  the sheet folded to --from, ready for release, for MuJoCo: rigid panels, hinges,\n"
     "        ball joints, springs as tendons\n"
     "  inp   the same for CalculiX: elastic panels\n"
@@ -210,8 +225,11 @@ constexpr const char* kExportFooter =
     "A kit to cut (svg and dxf, --kit; NAME-kit, with --bed NAME-kit-1, NAME-kit-2, ...):\n"
     "  Panels that creases join are one part; those that ball joints alone hold lie beside it.\n"
     "  Panel r1c2 is [1, 2] of pattern files and catalogues, A10 a vertex, s3 diagonal 3.\n"
-    "  Layers: cut and bore (closed contours), slit, score or dash (_mountain, _valley); not to\n"
-    "  be cut: engrave (numbers, as lines), hatch (waste), note (title, 100 mm gauge, tables).\n"
+    "  Layers in order: registration, engrave, score or dash (_mountain, _valley), bore, slit,\n"
+    "  opening (inner contours), cut (outer ones), in colours of LightBurn's palette; not to\n"
+    "  be cut: engrave (numbers, as lines). Three registration marks, bores of 3 mm, serve to\n"
+    "  place a sheet again. Outlines lie close together, --gap apart, turned as fits (--grain: by\n"
+    "  half turns alone).\n"
     "  Where two holes meet, the part's contours touch in the ball joint's point. With --kerf\n"
     "  they do not quite; slit cuts through there.\n"
     "  With --joint-bore each ball joint has a bore in both of its panels, on the bisector of the\n"
@@ -220,9 +238,10 @@ constexpr const char* kExportFooter =
     "  across has a tab, a disc with the bore in its middle, which its neighbours are cut clear\n"
     "  of; at a ball joint the spring hangs in the joint's wire. --spring-at panel: in bores\n"
     "  inside panels near the vertices, which turn with them. A kit whose springs contradict the\n"
-    "  verdict says so first; tables have the lengths of all from flat to D. --guide adds\n"
-    "  NAME-kit.html: parts, each spring with its force at --from and which are enough, the\n"
-    "  maximum panel thickness, and the assembly with pictures.\n\n"
+    "  verdict says so first. NAME-kit.html is a guide to print: parts to buy, the sheets of\n"
+    "  material, the assembly row by row with pictures, and tables of shifts, springs and hinges\n"
+    "  up to --from. --thickness, --material, --hinge, --stiffness, --preload, --rest-deg, --fill\n"
+    "  and --hold-flat override the design's.\n\n"
     "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
@@ -257,6 +276,7 @@ Action export_verb(CLI::App& verb) {
                                         {"dxf", ExportFormat::dxf},
                                         {"obj", ExportFormat::obj},
                                         {"stl", ExportFormat::stl},
+                                        {"3mf", ExportFormat::three_mf},
                                         {"mjcf", ExportFormat::mjcf},
                                         {"inp", ExportFormat::inp}}));
   add_value(verb, "--step", files.step_deg,
@@ -272,10 +292,13 @@ Action export_verb(CLI::App& verb) {
   add_springs(verb, call->release.design);
   add_release(verb, call->release);
   add_fill(verb, call->release.design);
-  add_value(verb, "--friction", call->friction_n_mm_per_mm,
+  add_value(verb, "--friction", call->release.design.friction_n_mm_per_mm,
             "mjcf: dry friction of the hinges in the tree, N mm/mm [the design's, or 0]",
-            within(0, 1e6), "N");
+            within("hinges.friction_n_mm_per_mm"), "N");
+  add_hinge(verb, call->hinge);
+  add_hold_flat(verb, call->release.design.hold_flat);
   add_deck(verb, call->deck);
+  add_joint(verb, call->release.design);
   verb.add_flag("--only-cut", files.only_cut,
                 "svg and dxf: without the layers that are not to be cut, for programs that follow "
                 "hidden layers and marks, too");

@@ -4,12 +4,13 @@
 
 #include <regex>
 
+#include "schema/pattern/joint_kind.hpp"
 #include "search/verbs/options.hpp"
 
 namespace misalign::search {
 namespace {
 
-constexpr double kMost_mm = 1e5;
+constexpr double kMost_mm = 1e5, kPinClearance_mm = 0.2;
 
 CLI::Validator a_bed() {
   return CLI::Validator(
@@ -21,6 +22,71 @@ CLI::Validator a_bed() {
       "");
 }
 
+// Plates of a design whose hinges are of this kind; none where contours depend on no thickness.
+std::optional<schema::PlateOptions> plates_of(const KitCall& call, const schema::Design& design,
+                                              schema::CreaseCut crease) {
+  const bool is_pin = crease == schema::CreaseCut::pin;
+  if (!schema::has_axes_within(crease) && crease != schema::CreaseCut::butt) return std::nullopt;
+  if (!design.thickness_mm) {
+    if (!call.crease) return std::nullopt;
+    throw schema::UserError(solver::OptionFault{
+        "crease", schema::crease_name(crease),
+        "is of plates with a thickness, and neither the design nor an option has one",
+        "add " + schema::parameter("thickness_mm")});
+  }
+  schema::PlateOptions plates = call.plates;
+  plates.thickness_mm = *design.thickness_mm;
+  plates.from_deg = design.from_deg;
+  if (design.film) {
+    plates.film_mm = design.film->length_mm;
+    plates.film_thickness_mm = design.film->thickness_mm;
+  }
+  plates.barrel_mm = call.barrel_mm.value_or(plates.thickness_mm);
+  plates.clearance_mm = call.clearance_mm.value_or(is_pin ? kPinClearance_mm : 0);
+  return plates;
+}
+
+// Options of plates with hinges.
+void add_plates(CLI::App& verb, KitCall& call) {
+  const auto millimetres = [&](const char* name, auto& value, const std::string& meaning,
+                               double least) {
+    add_value(verb, name, value, meaning, within(least, kMost_mm), "MM");
+  };
+  millimetres("--barrel", call.barrel_mm,
+              "with --kit and pin hinges: outer diameter of barrels [the thickness]", 1e-2);
+  millimetres("--clearance", call.clearance_mm,
+              fmt::format("with --kit and hinges of plates: clearance in hinges [{:g} of pins, 0]",
+                          kPinClearance_mm),
+              0);
+  millimetres("--pin", call.plates.pin_mm,
+              fmt::format("with --kit to print and pin hinges: diameter of pins [{:g}]",
+                          call.plates.pin_mm),
+              1e-2);
+  millimetres("--slot", call.plates.slot_mm,
+              fmt::format("with --kit to print and film hinges: depth of the films' slots [{:g}]",
+                          call.plates.slot_mm),
+              0.1);
+  verb.add_flag("--allow-misfit", call.plates.allows_misfit,
+                "with --kit and butt hinges: consent to plates that miss by more than a tenth of "
+                "their thickness");
+}
+
+// Ball joints of a design, with the kit's bores, which it has where the design gives their
+// diameter.
+void take_joints(schema::Design design, schema::KitOptions& kit) {
+  if (!design.joint_kind) return;
+  const bool has_bores = design.joint_kind != solver::JointKind::ball;
+  if (kit.joint_bore_mm && !has_bores) {
+    throw schema::UserError(solver::OptionFault{
+        "joint_bore_mm", schema::shown_number(*kit.joint_bore_mm),
+        "is of loops and tabs, and balls in sockets have no bores", "leave it out"});
+  }
+  if (has_bores && !kit.joint_bore_mm) kit.joint_bore_mm = design.joint_bore_mm;
+  if (kit.joint_bore_mm) design.joint_bore_mm = kit.joint_bore_mm;
+  design.joint_edge_mm = kit.bore_edge_mm;
+  kit.joints = schema::KitJoints{*schema::joints_of(design), design.from_deg};
+}
+
 }  // namespace
 
 void add_kit(CLI::App& verb, KitCall& call) {
@@ -29,18 +95,20 @@ void add_kit(CLI::App& verb, KitCall& call) {
     add_value(verb, name, value, meaning, within(least, kMost_mm), "MM");
   };
   verb.add_flag("--kit", call.wanted, "svg and dxf: numbered parts to cut, see above");
-  verb.add_flag("--guide", kit.guide,
-                "with --kit: also NAME-kit.html, parts and assembly with pictures");
-  verb.add_flag("--test-piece", kit.test_piece,
-                "with --kit: also NAME-kit-test, one hinge and one ball joint to cut first");
+  verb.add_flag_callback(
+      "--guide", [] {}, "with --kit: NAME-kit.html, which is written with or without this");
+  verb.add_flag(
+      "--test-piece", kit.test_piece,
+      "with --kit: also NAME-kit-test, one hinge, one ball joint and one tab to cut first");
   Names<schema::CreaseCut> creases;
   for (const schema::CreaseCutName& crease : schema::kCreaseCuts) {
     creases.emplace_back(crease.name, crease.cut);
   }
   verb.add_option("--crease", call.crease,
-                  "with --kit: cut (every panel is a part), score (lines) or dash (perforated) "
-                  "[the design's, its material's, or score]")
+                  "with --kit: cut (every panel is a part), score (lines), dash (perforated); of "
+                  "plates: film, bevel, pin or butt [the design's, its material's, or score]")
       ->transform(one_of<schema::CreaseCut>(creases));
+  add_plates(verb, call);
   verb.add_option_function<std::vector<double>>(
           "--dash-mm",
           [&kit](const std::vector<double>& lengths) {
@@ -76,6 +144,12 @@ void add_kit(CLI::App& verb, KitCall& call) {
             "with --kit: width and height of the machine's bed, mm; a file for each, larger "
             "parts cut along creases [one sheet for all]",
             a_bed(), "WxH");
+  verb.add_flag_callback(
+      "--grain", [&kit] { kit.turns = schema::NestTurns::half; },
+      "with --kit: the material has a grain; parts are turned by 180 degrees alone");
+  verb.add_option("--units", kit.unit, "with --kit: units of the files, mm or in [mm]")
+      ->transform(one_of<schema::LengthUnit>(
+          {{"mm", schema::LengthUnit::millimetre}, {"in", schema::LengthUnit::inch}}));
   add_mm("--margin", kit.margin_mm,
          fmt::format("with --kit: margin round all parts [{:g}]", kit.margin_mm), 0);
   add_mm("--bond", kit.bond_mm,
@@ -93,6 +167,10 @@ std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::
                             "is of springs, and the design's holes have none", "leave it out"});
   }
   kit.crease = call.crease.value_or(design.crease_or(kit.crease));
+  kit.from_deg = design.from_deg;
+  kit.plates = plates_of(call, design, kit.crease);
+  take_joints(design, kit);
+  if (schema::are_apart(kit.crease) && !kit.plates) kit.crease = schema::CreaseCut::cut;
   if (!call.bed.empty()) {
     const std::size_t x = call.bed.find('x');
     kit.bed_mm.emplace(std::stod(call.bed.substr(0, x)), std::stod(call.bed.substr(x + 1)));

@@ -6,6 +6,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/draw_range.hpp"
 #include "schema/pattern/fill_json.hpp"
+#include "schema/pattern/joint_kind.hpp"
 #include "solver/contact/contact.hpp"
 #include "solver/motion/deploy.hpp"
 
@@ -110,6 +111,12 @@ void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm) {
             within("thickness_mm"), "MM");
 }
 
+void add_hold_flat(CLI::App& verb, std::optional<bool>& hold_flat) {
+  verb.add_flag_callback(
+      "--hold-flat", [&hold_flat] { hold_flat = true; },
+      "a stop, latch or frame holds the sheet at flat [the design's]");
+}
+
 SimulationStart ReleaseCall::of(const schema::Design& whole) const {
   SimulationStart release{whole.from_deg, whole.rest_deg.value_or(0), whole.plates()};
   if (density_g_per_cm3) release.plates.density_g_per_cm3 = *density_g_per_cm3;
@@ -164,6 +171,27 @@ void read_hinge(const std::string& typed, schema::Design& design) {
   const schema::HingeRow* row = schema::find_hinge(typed);
   if (!row) throw schema::UserError(schema::unknown_hinge(typed));
   design.take_hinge(*row);
+}
+
+CLI::Option* add_joint(CLI::App& verb, schema::Design& design) {
+  Names<solver::JointKind> kinds;
+  for (const schema::JointKindName& row : schema::kJointKinds)
+    kinds.emplace_back(row.name, row.kind);
+  add_value(verb, "--wire", design.wire_mm,
+            "diameter of the wire of --joint loop, mm [the design's, or 1]",
+            within("joints.wire_mm"), "MM");
+  return verb
+      .add_option("--joint", design.joint_kind,
+                  "ball joints, whose play follows: loop (of wire), ball (in a socket) or tab (a "
+                  "flexible strip) [the design's]")
+      ->transform(one_of<solver::JointKind>(kinds));
+}
+
+CLI::Option* add_joints(CLI::App& verb, schema::Design& design) {
+  add_value(verb, "--joint-bore", design.joint_bore_mm,
+            "diameter of the bores of --joint loop or tab, mm [the design's, or 1.2]",
+            within("joints.bore_mm"), "MM");
+  return add_joint(verb, design);
 }
 
 CLI::Option* add_criterion(CLI::App& verb, std::optional<solver::CertifiedBy>& criterion) {

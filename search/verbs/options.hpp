@@ -45,6 +45,8 @@ CLI::Option* add_from(CLI::App& verb, std::optional<double>& from_deg,
 void add_release_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg);
 /// --thickness of its panels.
 void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm);
+/// --hold-flat, which overrides the design's.
+void add_hold_flat(CLI::App& verb, std::optional<bool>& hold_flat);
 inline constexpr double kLeastDensity_g_per_cm3 = 1e-3, kMostDensity_g_per_cm3 = 100;
 
 /// The options of a released sheet: those, --rest-deg and --density.
@@ -73,6 +75,10 @@ void read_material(const std::string& typed, schema::Design& design);
 /// none. UserError (bad_request).
 void add_hinge(CLI::App& verb, std::string& typed);
 void read_hinge(const std::string& typed, schema::Design& design);
+/// --joint, --joint-bore and --wire, of ball joints; returns the first.
+CLI::Option* add_joints(CLI::App& verb, schema::Design& design);
+/// --joint and --wire alone.
+CLI::Option* add_joint(CLI::App& verb, schema::Design& design);
 /// --fill, JSON as of `design.fill`. Called after the options of springs, which it excludes.
 void add_fill(CLI::App& verb, schema::DesignFill& fill);
 /// --criterion: how sheets are judged.

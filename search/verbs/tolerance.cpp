@@ -10,6 +10,7 @@
 #include "schema/pattern/fill_json.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/ranks/run_info.hpp"
+#include "search/sheets/joint_of_design.hpp"
 #include "search/sheets/tolerance_text.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/terminal.hpp"
@@ -103,15 +104,18 @@ void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
 }
 
 // Takes the typed error, or else the design's: miscuts before play.
-void take_subject(const schema::Design& design, ToleranceCall& call) {
+void take_subject(const ToleranceTargets& sheets, ToleranceCall& call) {
   if (!call.amplitude_mm && !call.backlash_mm) {
-    call.amplitude_mm = design.miscut_mm;
-    if (!call.amplitude_mm) call.backlash_mm = design.play_mm;
+    call.amplitude_mm = call.design.joint_kind ? std::nullopt : sheets.design.miscut_mm;
+    if (!call.amplitude_mm) {
+      call.backlash_mm = play_of(sheets.design, sheets.campaign, sheets.shifts_mm);
+    }
   }
   if (!call.amplitude_mm && !call.backlash_mm) {
-    throw UserError(schema::Cause::bad_request,
-                    "tolerance: no error is named (the design has neither miscut_mm nor play_mm); "
-                    "add --amplitude MM for cutting errors, or --backlash MM for joints with play");
+    throw UserError(
+        schema::Cause::bad_request,
+        "tolerance: no error is named (the design has neither miscut_mm, play_mm nor "
+        "joints); add --amplitude MM for cutting errors, or --backlash MM for joints with play");
   }
   if (call.backlash_mm) check_backlash(call);
 }
@@ -126,7 +130,7 @@ int run(ToleranceCall call) {
   ToleranceTargets sheets = file ? chosen_sheet(call, *file) : choose_sheets(call);
   sheets.design = call.design.merged_over(std::move(sheets.design));
   schema::check_fill(sheets.design, sheets.campaign.pattern.base);
-  take_subject(sheets.design, call);
+  take_subject(sheets, call);
   if (schema::is_overconstrained(sheets.campaign.pattern.base)) {
     run_gaps(call, sheets);
   } else if (call.backlash_mm) {
@@ -151,6 +155,7 @@ void add_subject(CLI::App& verb, ToleranceCall& call) {
                              within("play_mm"), "MM")
                        ->excludes(amplitude)
                        ->excludes(vertices);
+  add_joints(verb, call.design)->excludes(amplitude)->excludes(backlash);
   add_rest(verb, call.design.rest_deg);
   add_fill(verb, call.design);
   add_value(verb, "--friction", call.design.friction_n_mm_per_mm,

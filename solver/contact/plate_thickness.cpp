@@ -19,18 +19,6 @@ constexpr int kAnglesPerStation = 4;
 // Number of places of the first guess of the least distance, which rules out most pairs at once.
 constexpr int kGuesses = 6;
 
-// Corners of each panel at which it meets another one in that point alone.
-std::vector<std::array<bool, 4>> trimmed_corners(const Panels& panels) {
-  std::vector<std::array<bool, 4>> trimmed(panels.corners.size());
-  for (const PanelPair& pair : pairs_of(panels)) {
-    if (pair.kind != ContactKind::vertex) continue;
-    for (const int panel : {pair.a, pair.b}) {
-      trimmed[panel][corner_of(panels.corners[panel], pair.joint)] = true;
-    }
-  }
-  return trimmed;
-}
-
 std::array<Vector3d, 4> corners_of(const Panels& panels, std::size_t panel,
                                    const FlatVertices& vertices_mm) {
   std::array<Vector3d, 4> corners_mm;
@@ -99,6 +87,17 @@ std::vector<double> largest_angles(const Panels& panels, const PanelMotion& moti
 }
 
 }  // namespace
+
+std::vector<std::array<bool, 4>> trimmed_corners(const Panels& panels) {
+  std::vector<std::array<bool, 4>> trimmed(panels.corners.size());
+  for (const PanelPair& pair : pairs_of(panels)) {
+    if (pair.kind != ContactKind::vertex) continue;
+    for (const int panel : {pair.a, pair.b}) {
+      trimmed[panel][corner_of(panels.corners[panel], pair.joint)] = true;
+    }
+  }
+  return trimmed;
+}
 
 std::vector<PolygonCorners> trimmed_panels(const Panels& panels, const FlatVertices& vertices_mm,
                                            double trim_mm) {

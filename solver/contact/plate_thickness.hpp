@@ -20,6 +20,8 @@
 
 namespace misalign::solver {
 
+/// Corners of each panel at which it meets another one in that point alone: those that are trimmed.
+std::vector<std::array<bool, 4>> trimmed_corners(const Panels& panels);
 /// Mid-planes, trimmed: corners in turn, mm on the flat sheet (A1 at the origin).
 std::vector<PolygonCorners> trimmed_panels(const Panels& panels, const FlatVertices& vertices_mm,
                                            double trim_mm);

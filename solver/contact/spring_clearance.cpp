@@ -93,18 +93,6 @@ SpringClearance::Apart apart_at(const PanelMotion& motion, const Mechanism& mech
   return apart;
 }
 
-std::optional<OptionFault> nothing_left(const Sheet& sheet, const SpringBodies& bodies,
-                                        const FoldingWay& way) {
-  const double half_mm = way.flat_mm().size() > 0 ? way.flat_mm().minCoeff() / 2 : kNoPair;
-  if (bodies.left_out_mm() < half_mm) return {};
-  const bool is_given = bodies.end_mm.has_value();
-  return OptionFault{is_given ? "end_mm" : "diameter_mm",
-                     shown("%g", is_given ? *bodies.end_mm : bodies.diameter_mm),
-                     "leaves nothing of the shortest spring of " + sheet.name() +
-                         " between its ends of " + shown("%.4g", bodies.left_out_mm()) + " mm",
-                     "take shorter ends or thinner springs"};
-}
-
 }  // namespace
 
 const SpringMeeting* closest_meeting(const SpringClearance& clearance) {
@@ -132,6 +120,18 @@ std::vector<SpringAxis> spring_axes(const Mechanism& mechanism, const Panels& pa
   return axes;
 }
 
+std::optional<OptionFault> nothing_left_of_springs(const Sheet& sheet, const SpringBodies& bodies,
+                                                   const FoldingWay& way) {
+  const double half_mm = way.flat_mm().size() > 0 ? way.flat_mm().minCoeff() / 2 : kNoPair;
+  if (bodies.left_out_mm() < half_mm) return {};
+  const bool is_given = bodies.end_mm.has_value();
+  return OptionFault{is_given ? "end_mm" : "diameter_mm",
+                     shown("%g", is_given ? *bodies.end_mm : bodies.diameter_mm),
+                     "leaves nothing of the shortest spring of " + sheet.name() +
+                         " between its ends of " + shown("%.4g", bodies.left_out_mm()) + " mm",
+                     "take shorter ends or thinner springs"};
+}
+
 SpringMeetings springs_that_meet(const PanelMotion& motion, const std::vector<SpringAxis>& axes,
                                  const SpringBodies& bodies, double end) {
   std::vector<BodyPair> pairs;
@@ -149,7 +149,7 @@ StudyResult<SpringClearance> spring_clearance(const Sheet& sheet, const PanelMot
                                               const std::vector<PolygonCorners>& outlines,
                                               const SpringBodies& bodies, double end,
                                               const std::vector<double>& pilot_deg) {
-  if (auto fault = nothing_left(sheet, bodies, motion.way())) return *fault;
+  if (auto fault = nothing_left_of_springs(sheet, bodies, motion.way())) return *fault;
   const auto axes = spring_axes(sheet.mechanism(), sheet.panels(), motion.way(), bodies);
   SpringClearance study{bodies,
                         sheet.mechanism().diagonals,
@@ -169,7 +169,7 @@ StudyResult<std::vector<std::pair<int, int>>> touching_springs(const Sheet& shee
   if (auto fault = beyond_d(sheet, from_deg)) return *fault;
   const std::optional<PanelMotion> motion = resolved_motion(sheet);
   if (!motion) return NoResult::path_lost;
-  if (auto fault = nothing_left(sheet, bodies, motion->way())) return *fault;
+  if (auto fault = nothing_left_of_springs(sheet, bodies, motion->way())) return *fault;
   SpringBodies everywhere = bodies;
   everywhere.fill = Springs{};
   const FoldingWay& way = motion->way();

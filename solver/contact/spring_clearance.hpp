@@ -72,6 +72,10 @@ std::vector<int> sprung_diagonals(const Filling& filling);
 std::vector<SpringAxis> spring_axes(const Mechanism& mechanism, const Panels& panels,
                                     const FoldingWay& way, const SpringBodies& bodies);
 
+/// Fault (end_mm, diameter_mm): the ends that are left out leave nothing of the shortest spring.
+std::optional<OptionFault> nothing_left_of_springs(const Sheet& sheet, const SpringBodies& bodies,
+                                                   const FoldingWay& way);
+
 /// Springs that touch between flat and `end` (x, where the motion is resolved).
 SpringMeetings springs_that_meet(const PanelMotion& motion, const std::vector<SpringAxis>& axes,
                                  const SpringBodies& bodies, double end);

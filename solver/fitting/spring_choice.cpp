@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "solver/fitting/driven_range.hpp"
 #include "solver/fitting/spring_search.hpp"
 
 namespace misalign::solver {
@@ -16,25 +17,12 @@ using Eigen::VectorXd;
 constexpr double kNoFriction = 1e-9;
 constexpr int kHalvings = 12;
 
-std::optional<OptionFault> fault_of(const Sheet& sheet, const FoldingWay& way, double from_deg,
+std::optional<OptionFault> fault_of(const Sheet& sheet, const FoldingWay& way,
                                     const SpringChoiceOptions& options) {
-  const double most_deg = std::min(way.end_deg(), way.over_folded_deg().value_or(180));
-  if (from_deg > most_deg + kSameAngle_deg) {
-    return OptionFault{"from_deg", shown("%.10g", from_deg),
-                       sheet.name() + " folds to " + shown("%.6g", most_deg) + " deg",
-                       "name that or a smaller angle"};
-  }
-  if (from_deg <= options.to_deg) {
-    return OptionFault{"from_deg", shown("%.10g", from_deg),
-                       "springs are chosen down to " + shown("%.6g", options.to_deg) + " deg",
-                       "name a larger angle"};
-  }
-  if (options.fewest_margin && options.friction_n_mm_per_mm <= 0) {
-    return OptionFault{"fewest", shown("%.10g", *options.fewest_margin),
-                       "is a margin over the friction of the creases, which is 0",
-                       "give a friction"};
-  }
-  return {};
+  if (auto fault = driven_range_fault(sheet, way, options.from_deg, options.to_deg)) return fault;
+  if (!options.fewest_margin || options.friction_n_mm_per_mm > 0) return {};
+  return OptionFault{"fewest", shown("%.10g", *options.fewest_margin),
+                     "is a margin over the friction of the creases, which is 0", "give a friction"};
 }
 
 SpringRules rules_of(const FoldingWay& way, const SpringProgram& program,
@@ -207,13 +195,6 @@ std::vector<ChosenSpring> springs_of(const ProgrammedSprings& best) {
   return springs;
 }
 
-double angle_of_use(const Sheet& sheet, const FoldingWay& way, const SpringChoiceOptions& options) {
-  if (options.from_deg) return *options.from_deg;
-  const double d_deg = sheet.deploys_from_deg();
-  return d_deg > options.to_deg ? d_deg
-                                : std::min(way.end_deg(), way.over_folded_deg().value_or(180));
-}
-
 }  // namespace
 
 Springs SpringChoice::filling(const Mechanism& mechanism) const {
@@ -232,10 +213,8 @@ Springs SpringChoice::filling(const Mechanism& mechanism) const {
 StudyResult<SpringChoice> choose_springs(const Sheet& sheet, const SpringChoiceOptions& options) {
   const FoldingWay* const way = sheet.way();
   if (!way) return NoResult::path_lost;
-  const double from_deg = std::min(angle_of_use(sheet, *way, options), way->end_deg());
-  if (const auto fault = fault_of(sheet, *way, options.from_deg.value_or(from_deg), options)) {
-    return *fault;
-  }
+  if (const auto fault = fault_of(sheet, *way, options)) return *fault;
+  const double from_deg = driven_from_deg(sheet, *way, options.from_deg, options.to_deg);
   SpringProgram program(*way, from_deg, options.to_deg);
   const SpringRules rules = rules_of(*way, program, options);
   SpringSearch search = search_springs(

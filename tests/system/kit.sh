@@ -1,5 +1,5 @@
 # Kits to cut, as readers of DXF and SVG have them, beside the sheet of the FOLD export: lengths, kerf,
-# areas, numbers, bores, tabs, springs, beds. KIT_LONG=1: five patterns in every form, with what was measured.
+# areas, numbers, bores, tabs, springs, beds, gaps of outlines; and the page of each. KIT_LONG=1: five patterns in every form, with what was measured.
 . "$(dirname "$0")/lib.sh"
 patterns=$source_dir/search/patterns
 for python in /usr/bin/python3 python3 none; do
@@ -115,26 +115,54 @@ grep -q "the pattern says where its springs end" err || fail "--spring-at: $(cat
 # On a narrow bed pieces are turned.
 sheet=sheets/draw.fold
 check draw.json "--bed 200 400 --turned" --bed 200x400
+# Inches; a grain; an angle of use, at which tables end.
+# shellcheck disable=SC2086
+check draw.json "--units in --kerf 0.2 $bores" --units in --kerf 0.2 $bores
+# shellcheck disable=SC2086
+check draw.json "--grain --crease cut $bores" --grain --crease cut $bores
+# shellcheck disable=SC2086
+check draw.json "--from 60 $bores" --from 60 $bores
+# Options override the design in the guide: 2 mm of 2.7 g/cm3, springs of 30 N/mm, a latch, hinges of a named kind.
+"$program" export draw.json --format svg --kit --output own > /dev/null || fail "the design's kit"
+"$program" export draw.json --format svg --kit --thickness 2 --stiffness 30 --hold-flat --material "birch plywood" \
+  --output typed > /dev/null || fail "overrides of a kit"
+grep -q "2.00 mm thick" typed/draw-kit.html && grep -q "30 N/mm" typed/draw-kit.html && grep -q birch typed/draw-kit.html &&
+  grep -q "Add the stop, latch or frame" typed/draw-kit.html && ! grep -q "score_" typed/draw-kit.svg ||
+  fail "overrides are not in the guide"
+grep -q " mm thick\|Add the stop\|30 N/mm" own/draw-kit.html && fail "a guide of another design"
+# A design's angle of use that the sheet does not reach is no fault of its kit: the guide says so, and ends at D.
+"$program" export "$patterns/dome-6x6.json" --format svg --kit --output unreached > /dev/null || fail "a kit that does not deploy"
+grep -q "lies beyond D = 0°" unreached/dome-6x6-kit.html || fail "the guide of a sheet that does not deploy"
+# Parts lie close together: the length they take of a strip is at most 35 % above the bound by their area.
+for nest in "$patterns/table1.json" 8x6.json "$patterns/turned-quads-6x6.json"; do
+  "$program" export "$nest" --format dxf --kit --crease cut --gap 3 --bed 600x2000 --output "nest-$(basename "$nest" .json)" \
+    > names || fail "$nest: nest"
+  grep 'dxf$' names | sort -V | PYTHONPATH=$source_dir/tests/system xargs "$python" -B \
+    "$source_dir/tests/system/nest_measure.py" 1.35 5 > nested || fail "$nest is nested loosely: $(cat nested)"
+  [ -z "${KIT_LONG-}" ] || echo "$nest: $(cat nested)"
+done
 # The catalogue's draw and its exported candidate are one kit.
 "$program" export a.db --draw "$draw" --format svg --kit --output one > names || fail "kit of a draw"
 "$program" export draw.json --format svg --kit --output other > other_names || fail "kit of a candidate"
-diff <(grep -v 'misalign' "$(cat names)") <(grep -v 'misalign' "$(cat other_names)") > /dev/null ||
+diff <(grep -v 'misalign' "$(head -1 names)") <(grep -v 'misalign' "$(head -1 other_names)") > /dev/null ||
   fail "a draw and its exported candidate are two kits"
 
 # What sees nothing wrong must be able to.
 sheet=sheets/table1.fold
 # shellcheck disable=SC2086
 "$program" export "$patterns/table1.json" --format dxf --kit $bores --output spoilt > names
-echo "$sheet $bores $(cat names) --spoil open twice corner crease valley number swapped label opening knot hatch gauge
-  shift bore bores far scale tab history way" | tr -d '\n' >> checks
+echo "$sheet $bores $(tr '\n' ' ' < names) --spoil open twice corner crease valley number swapped label opening knot mark
+  shift bore bores far scale tab history way" | tr '\n' ' ' >> checks
 echo >> checks
 # shellcheck disable=SC2086
 "$program" export "$patterns/table1.json" --format dxf --kit $bores $panel --output spoilt-panel > names 2> /dev/null
-echo "$sheet $bores $panel $(cat names) --spoil bore bores history way warning" >> checks
+echo "$sheet $bores $panel $(tr '\n' ' ' < names) --spoil bore bores history way warning" >> checks
 "$program" export "$patterns/table1.json" --format dxf --kit --kerf 0.23 --output kerf > names
-echo "$sheet --wrong --kerf 0.2 $(cat names)" >> checks
+echo "$sheet --wrong --kerf 0.2 $(tr '\n' ' ' < names)" >> checks
+"$program" export "$patterns/table1.json" --format dxf --kit --crease cut --gap 4.9 --output near > names
+echo "$sheet --wrong --crease cut $(tr '\n' ' ' < names)" >> checks
 "$program" export "$patterns/table1.json" --format dxf --kit --crease dash --output dash > names
-echo "$sheet --wrong --crease dash --dash 4.1 1 $(cat names)" >> checks
+echo "$sheet --wrong --crease dash --dash 4.1 1 $(tr '\n' ' ' < names)" >> checks
 # A crease pattern as DXF is that of the SVG.
 for format in dxf svg; do
   "$program" export "$patterns/table1.json" --format $format --output plain > /dev/null || fail "plain $format"
@@ -154,7 +182,7 @@ grep -q '^SPRINGS\|^LABELS\|^ENGRAVE\|^NOTE\|^HATCH' only/*.dxf && fail "layers 
 PYTHONPATH=$source_dir/tests/system "$python" -B - << 'END' || fail "--only-cut"
 from kit_drawing import Drawing
 for name, cuts in (("table1", ["cut", "mountain", "valley"]),
-                   ("table1-kit", ["bore", "cut", "dash_mountain", "dash_valley"])):
+                   ("table1-kit", ["bore", "cut", "dash_mountain", "dash_valley", "opening", "registration"])):
     for ending in ("dxf", "svg"):
         only, plain = (Drawing(f"{folder}/{name}.{ending}") for folder in ("only", "plain"))
         assert sorted({*only.paths, *only.circles, *only.texts}) == cuts, (name, ending, only.paths.keys())
@@ -189,7 +217,17 @@ for kind, letter in (("mountain", "M"), ("valley", "V")):
                  for (a, b), k in zip(sheet["edges_vertices"], sheet["edges_assignment"]) if k == letter)
     said = [row for row in rows if row and row[0].startswith(f"hinges, {kind}")]
     assert len(said) == 1 and abs(float(said[0][2].split()[0]) - length) <= 0.5, (said, length)
-assert page.count("<svg") == 5 and "pilot" in page.lower()
+assert page.count("<svg") == 1 + 6 + 1 + 3 and "pilot" in page.lower()  # sheet, rows, assembled, folded
+# Printed letters: a capital is 0.72 of a size, and at least 2.5 mm high in every picture and in the text.
+sizes = {"wide": (184, 105), "half": (90, 75), "third": (59, 60)}  # of figures on A4 with margins of 12 mm
+for kind, box, size in re.findall(r'<figure class="(\w+)"><svg viewBox="([^"]+)" font-size="([\d.]+)"', page):
+    width, height = (float(n) for n in box.split()[2:])
+    assert 0.72 * float(size) * min(sizes[kind][0] / width, sizes[kind][1] / height) > 2.5, (kind, box, size)
+for size in re.findall(r"font(?:-size)?:([\d.]+)pt", page):
+    assert 0.72 * float(size) * 25.4 / 72 > 2.5, size
+assert "@page{size:A4" in page
+for table in re.findall(r'<table class="beside">(.*?)</table>', page, re.S):
+    assert table.count("<tr>") <= 25, "a table that a page divides"
 # Hinges: the sharpest fold up to the angle of use, by normals of the folded panels.
 def normal(at, face):
     u, v = ([at[face[k]][i] - at[face[0]][i] for i in range(3)] for k in (1, 2))
@@ -221,23 +259,51 @@ assert float(missed) > odd - 0.006, (missed, odd)
 assert "butted" not in page and "looks up" not in page
 END
 
-# What to cut first: squares with half the kerf round them, bores on their diagonals.
-"$program" export "$patterns/table1.json" --format dxf --kit --kerf 0.2 --joint-bore 1.2 --test-piece --output first \
-  > names || fail "--test-piece"
-[ "$(tail -1 names)" = first/table1-kit-test.dxf ] || fail "--test-piece writes $(cat names)"
-"$python" - first/table1-kit-test.dxf << 'END' || fail "the test piece"
-import sys
+# Layers in the order of the machine, in colours of LightBurn's palette.
+"$python" -B - guide/table1-kit.svg << 'END' || fail "layers of a kit"
+import re, sys
+with open(sys.argv[1], encoding="utf8") as file:
+    groups = re.findall(r'<g id="(\w+)"[^>]*stroke="(#\w+)"', file.read())
+assert groups == [("registration", "#00e0e0"), ("engrave", "#00e000"), ("score_mountain", "#ff0000"),
+                  ("score_valley", "#0000ff"), ("opening", "#ff8000"), ("cut", "#000000")], groups
+END
+# What to cut first: squares with half the kerf round them, bores on their diagonals; a tab's bore on the corner, a disc
+# round it, and the square above cut clear of the disc.
+for crease in score cut dash; do
+  "$program" export "$patterns/table1.json" --format dxf --kit --kerf 0.2 $bores --crease $crease --test-piece \
+    --output first-$crease > names || fail "--test-piece"
+  grep -qx first-$crease/table1-kit-test.dxf names || fail "--test-piece writes $(cat names)"
+  "$python" - first-$crease/table1-kit-test.dxf $crease << 'END' || fail "the test piece, $crease"
+import math, sys
 import ezdxf
-drawing = ezdxf.readfile(sys.argv[1]).modelspace()
+drawing, crease = ezdxf.readfile(sys.argv[1]).modelspace(), sys.argv[2]
 cuts = [[(p[0], p[1]) for p in line.get_points()] for line in drawing.query('LWPOLYLINE[layer=="CUT"]')]
 bores = [(c.dxf.center.x, c.dxf.center.y, c.dxf.radius) for c in drawing.query('CIRCLE[layer=="BORE"]')]
-boxes = sorted((min(x for x, _ in c), min(y for _, y in c), max(x for x, _ in c), max(y for _, y in c)) for c in cuts)
-assert [tuple(round(x, 6) for x in (b[2] - b[0], b[3] - b[1])) for b in boxes] == [(60.2, 30.2), (30.2, 30.2)], boxes
-corners = [(boxes[0][2] - 0.1, boxes[0][3] - 0.1, -1), (boxes[1][0] + 0.1, boxes[1][1] + 0.1, 1)]
-assert len(bores) == 2 and drawing.query('*[layer=="SCORE_VALLEY"]')
-for (x, y, radius), (at_x, at_y, way) in zip(sorted(bores), corners):
-    assert abs(x - at_x - way * 2.6) < 1e-6 and abs(y - at_y - way * 2.6) < 1e-6 and abs(radius - 0.5) < 1e-9
+box = lambda ring: [f(p[k] for p in ring) for f in (min, max) for k in (0, 1)]
+parts = sorted(cuts, key=lambda ring: box(ring)[1])
+assert len(parts) == (3 if crease == "cut" else 2), len(parts)
+lower, upper, third = parts[0], parts[-2], parts[-1]
+b, t = box(lower), box(third)
+assert abs(t[2] - t[0] - 30.2) < 1e-6 and abs(t[3] - t[1] - 30.2) < 1e-6 and len(third) == 4, t
+# From the right side of the lower square: its lower left corner, and the tab's middle.
+x, y = b[2] - 30.1, b[1] + 30.1
+(tab,) = [c for c in bores if math.dist(c[:2], (x, y)) < 1e-6]
+assert abs(tab[2] - 0.65) < 1e-9  # 1.5 mm less the kerf
+disc = [p for p in lower if math.dist(p, (x, y)) < 3.5]
+assert len(disc) > 20 and all(2.75 <= math.dist(p, (x, y)) + 0.01 and math.dist(p, (x, y)) < 2.86 for p in disc
+                              if p[0] < x or p[1] > y + 0.1), "a disc of 1.5 / 2 + 2 mm, and half the kerf"
+corner = (box(upper)[2] - 0.1, box(upper)[3] - 0.1)
+at = (corner[0] - 30, corner[1] - 30)  # the upper square's lower left corner, cut clear
+clear = [p for p in upper if 3.6 < math.dist(p, at) < 4.2 and p[0] > at[0] + 0.1 and p[1] > at[1] + 0.2]
+assert len(clear) > 10 and all(abs(math.dist(p, at) - 3.85) < 0.01 for p in clear), "clear by 2.75 + 1 + kerf, less half"
+joint = sorted(c for c in bores if c != tab)
+assert len(joint) == 2 and all(abs(c[2] - 0.5) < 1e-9 for c in joint), joint
+for (u, v, _), (p, q), way in zip(joint, (corner, (t[0] + 0.1, t[1] + 0.1)), (-1, 1)):
+    assert abs(u - p - way * 2.6) < 1e-6 and abs(v - q - way * 2.6) < 1e-6, (u, v, p, q)
+lines = drawing.query('*[layer=="SCORE_VALLEY"]') or drawing.query('*[layer=="DASH_VALLEY"]')
+assert bool(lines) == (crease != "cut")
 END
+done
 
 # One sentence, exit code 2, and no file, for what cannot be cut.
 while IFS='|' read -r words meant; do
@@ -246,7 +312,7 @@ while IFS='|' read -r words meant; do
   [ $? = 2 ] && [ "$(wc -l < err)" = 1 ] && [ ! -s out ] || fail "$words: $(cat err)"
   grep -q -- "$meant" err || fail "no '$meant' for: $words: $(cat err)"
 done << 'END'
---format obj --kit|--kit has no meaning without --format svg or dxf
+--format obj --kit|--kit has no meaning without --format svg, dxf, stl or 3mf
 --format svg --kerf 0.2|--kerf has no meaning without --kit
 --format dxf --kit --dash-mm 3,1|--dash-mm has no meaning without --crease dash
 --format dxf --kit --bore-edge 3|--bore-edge has no meaning without --joint-bore or --spring-bore
@@ -263,7 +329,11 @@ done << 'END'
 --format dxf --kit --joint-bore 1 --spring-at panel|--spring-at has no meaning without --spring-bore
 --format dxf --spring-at panel|has no meaning without
 --format dxf --kit --bed 130x130|does not fit, turned or not
---format dxf --kit --bed 120x500|too small for the title and a gauge
+--format dxf --kit --bed 40x30|does not fit, turned or not
+--format dxf --grain|--grain has no meaning without --kit
+--format dxf --kit --units cm|'cm' is none of mm, in
+--format dxf --hinge tape|--hinge has no meaning without --kit
+--format dxf --thickness 2|--thickness has no meaning without --format stl, mjcf or inp, or --kit
 --format dxf --kit --bed 600|is no width and height in mm
 --format dxf --guide|--guide has no meaning without --kit
 --format dxf --test-piece|--test-piece has no meaning without --kit

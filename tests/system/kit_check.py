@@ -1,12 +1,12 @@
 """Kits to cut beside the sheet that they are cut from, as the FOLD export has it. Standard input has a line for each:
 
     SHEET.fold [--kerf K] [--crease score|cut|dash] [--dash CUT BRIDGE] [--joint-bore D] [--spring-bore D]
-    [--spring-at vertex|panel] [--attached] [--point VERTEX PANEL]... [--against N] [--edge E] [--bed W H] [--plain] [--wrong] [--numbers] [--turned] KIT...
+    [--spring-at vertex|panel] [--attached] [--point VERTEX PANEL]... [--against N] [--edge E] [--bed W H] [--units in] [--from DEG] [--grain] [--plain] [--wrong] [--numbers] [--turned] KIT...
     [--spoil HOW...]
 
-The files are one kit. Prints what is wrong, and ends with 1 if anything is. --wrong: something must be; --spoil: one
+The files are one kit, drawings and its page. Prints what is wrong, and ends with 1 if anything is. --wrong: something must be; --spoil: one
 thing is spoilt first, and must be seen; --plain: only that DXF and SVG are one drawing; --numbers: also what was
-measured; --turned: some part must be; --against: so many springs must contradict the verdict; --attached: that is about the springs as the pattern
+measured; --turned: some part must be; --grain: all lie along the sheet's first side; --against: so many springs must contradict the verdict; --attached: that is about the springs as the pattern
 attaches them, and not about its diagonals; --point: on this panel one has a point of its own. Geometry is its own: shoelace, distances of parallel
 lines; springs by the drawn bores, placed in the folded panels of the sheet's frames (one for each degree)."""
 
@@ -18,12 +18,13 @@ import random
 import re
 import sys
 
-from kit_drawing import Drawing
+from kit_drawing import Drawing, turns_of
+from kit_page import Page
 
 NEAR = 0.01  # mm, of what the issue asks
 STILL = 5e-6  # mm: a length that varies by less is constant; SVG has six decimals
 SLOT = 1  # mm, as it is drawn, between a tab and the panels beside it
-CUTS = ("cut", "slit", "score_mountain", "score_valley", "dash_mountain", "dash_valley")
+CUTS = ("cut", "opening", "slit", "score_mountain", "score_valley", "dash_mountain", "dash_valley")
 
 
 def sides(points, closed=True):
@@ -66,6 +67,28 @@ def without_tabs(ring):
     return [p[1] if p[1] == q[0] else crossing(*p, *q) for p, q in zip(long[-1:] + long, long)]
 
 
+def nearest(at, p, q):
+    """The point of a side that is nearest to another."""
+    u = (q[0] - p[0], q[1] - p[1])
+    share = max(0, min(1, ((at[0] - p[0]) * u[0] + (at[1] - p[1]) * u[1]) / (u[0] ** 2 + u[1] ** 2)))
+    return (p[0] + share * u[0], p[1] + share * u[1])
+
+
+def apart_of(one, other):
+    """The distance of two parts' contours; 0 where they overlap."""
+    least = math.inf
+    for a, b in itertools.product(one.rings(), other.rings()):
+        for (p, q), (r, s) in itertools.product(sides(a), sides(b)):
+            if max(min(p[0], q[0]) - max(r[0], s[0]), min(r[0], s[0]) - max(p[0], q[0]),
+                   min(p[1], q[1]) - max(r[1], s[1]), min(r[1], s[1]) - max(p[1], q[1])) > 6:
+                continue
+            if cross_each_other(p, q, r, s):
+                return 0.0
+            least = min(least, *(math.dist(at, nearest(at, u, v))
+                                 for at, u, v in ((p, r, s), (q, r, s), (r, p, q), (s, p, q))))
+    return 0.0 if one.holds(other.outer[0]) or other.holds(one.outer[0]) else least
+
+
 def way_of(lengths):
     risen = max(b - a for a, b in zip(itertools.accumulate(lengths, min), lengths))
     fallen = max(a - b for a, b in zip(itertools.accumulate(lengths, max), lengths))
@@ -86,16 +109,22 @@ class Sheet:
         self.points = [tuple(point) for point in fold["vertices_coords"]]
         row = sorted(fold["faces_vertices"][0])
         across = row[2] - row[0]  # vertices in a row of the sheet
+        self.directions = []  # of sides, apart by a degree at least, modulo half a turn
         self.faces = {}
         for face in fold["faces_vertices"]:
             ring = [self.points[v] for v in face]
             if shoelace(ring) < 0:
                 face = face[::-1]
             self.faces["r%dc%d" % divmod(min(face), across)] = face
+        for (x, y), (u, v) in ((self.points[a], self.points[b]) for a, b in fold["edges_vertices"]):
+            way = math.atan2(v - y, u - x) % math.pi
+            if all(0.02 < abs(way - other) < math.pi - 0.02 for other in self.directions):
+                self.directions.append(way)
         self.assigned = {frozenset(edge): letter
                          for edge, letter in zip(fold["edges_vertices"], fold["edges_assignment"])}
         pattern = fold["misalign:pattern"]
         self.shifts = pattern.get("displacements_mm", {})
+        self.is_unshifted = not self.shifts
         self.diagonals = fold["misalign:data"]["diagonals"]
         self.frames = [(0.0, [(x, y, 0.0) for x, y in self.points])] + \
             [(frame["misalign:pilot_deg"], frame["vertices_coords"]) for frame in fold["file_frames"]]
@@ -214,13 +243,18 @@ class Part:
         drawn = sorted(rings, key=lambda ring: -abs(shoelace(ring)))
         if sorted(map(len, wanted)) != sorted(map(len, drawn)):
             return f"contours of {sorted(map(len, drawn))} corners, not {sorted(map(len, wanted))}"
-        for turned in (False, True):
-            points = [(-y, x) if turned else (x, y) for x, y in sheet.points]
-            rows = []
-            for ring in drawn:
-                rows.append(min((self.shifted_lines(walk, ring, points, kerf, 0.0, 0.0) for walk in wanted),
-                                key=lambda found: found[0])[1])
-            a = [line for lines in rows for line in lines]
+        for turn in turns_of(self.outer, sheet.directions):
+            for _ in range(2):  # the second time with the turn itself
+                c, s = math.cos(turn), math.sin(turn)
+                points = [(c * x - s * y, s * x + c * y) for x, y in sheet.points]
+                a, off, weight = [], 0.0, 0.0
+                for ring in drawn:
+                    _, lines, turned, length = min((self.shifted_lines(walk, ring, points, kerf) for walk in wanted),
+                                                   key=lambda found: found[0])
+                    a, off, weight = a + lines, off + turned, weight + length
+                if not a:
+                    break
+                turn += off / weight
             if not a:
                 continue
             # Least squares for the shift (two unknowns) of distances along normals.
@@ -229,50 +263,54 @@ class Part:
             det = sxx * syy - sxy * sxy
             shift = ((syy * bx - sxy * by) / det, (sxx * by - sxy * bx) / det)
             worst = max(abs(l[2] - l[0] * shift[0] - l[1] * shift[1]) for l in a)
-            if worst < self.residual:
-                self.residual, self.turned, self.shift = worst, turned, shift
+            if worst < self.residual - 1e-9:
+                self.residual, self.turn, self.shift = worst, turn, shift
                 self.sheet_points = [(x + shift[0], y + shift[1]) for x, y in points]
         return None if self.residual <= NEAR else f"off by {self.residual:.4f} mm"
 
     def on_sheet(self, at):
         """Where a point of the drawing is on the sheet."""
         x, y = at[0] - self.shift[0], at[1] - self.shift[1]
-        return (y, -x) if self.turned else (x, y)
+        c, s = math.cos(self.turn), math.sin(self.turn)
+        return (c * x + s * y, c * y - s * x)
 
     @staticmethod
-    def shifted_lines(walk, ring, points, kerf, *_):
-        """Of the rotation of the walk whose sides are parallel to the ring's: how unlike, and (nx, ny, distance)."""
-        if len(walk) != len(ring):
-            return math.inf, []
+    def shifted_lines(walk, ring, points, kerf):
+        """Of the rotation of the walk whose sides are parallel to the ring's: how unlike, (nx, ny, distance), and the
+        turn from its sides to the ring's times their length, and that length."""
+        best = (math.inf, [], 0.0, 1.0)
         wanted = [points[v] for v in walk]
-        best = (math.inf, [])
-        drawn_sides = sides(ring)
-        forward = shoelace(ring) > 0
-        if (shoelace(wanted) > 0) != forward:
+        if len(walk) != len(ring) or (shoelace(wanted) > 0) != (shoelace(ring) > 0):
             return best
+        drawn_sides = sides(ring)
         for k in range(len(ring)):
-            lines, unlike = [], 0.0
+            lines, unlike, turned, total = [], 0.0, 0.0, 0.0
             for (p, q), (r, s) in zip(sides(wanted[k:] + wanted[:k]), drawn_sides):
                 length, along = math.dist(p, q), math.dist(r, s)
                 t = ((q[0] - p[0]) / length, (q[1] - p[1]) / length)
-                unlike += math.dist(t, ((s[0] - r[0]) / along, (s[1] - r[1]) / along)) + 1e-3 * abs(length - along)
+                u = ((s[0] - r[0]) / along, (s[1] - r[1]) / along)
+                unlike += math.dist(t, u) + 1e-3 * abs(length - along)
                 if unlike > best[0]:
                     break
+                turned += length * math.asin(max(-1, min(1, t[0] * u[1] - t[1] * u[0])))
+                total += length
                 normal = (t[1], -t[0])  # away from the material
                 for a in (r, s):  # both ends: parallel, too
                     lines.append((*normal, (a[0] - p[0]) * normal[0] + (a[1] - p[1]) * normal[1] - kerf / 2))
             else:
-                best = (unlike, lines)
+                best = (unlike, lines, turned, total)
         return best
 
 
 class Check:
-    def __init__(self, sheet, drawings, wish):
-        self.sheet, self.drawings, self.wish = sheet, drawings, wish
+    def __init__(self, sheet, drawings, wish, page):
+        self.sheet, self.drawings, self.wish, self.page = sheet, drawings, wish, page
+        for drawing in drawings:
+            drawing.read_words(sheet.directions)
         self.faults = [fault for drawing in drawings for fault in drawing.faults]
         self.parts = []
         self.worst = dict.fromkeys(("length", "offset", "bore", "spring"), 0.0)
-        self.tabs = []
+        self.tabs, self.closest = [], math.inf
         if wish.spring_bore and wish.spring_at == "vertex":
             self.tabs = sorted({v for ends in sheet.ends() for v in ends} - set(sheet.balls))
         self.radius = wish.spring_bore / 2 + wish.edge
@@ -292,7 +330,8 @@ class Check:
             self.worst["offset"] = max(self.worst["offset"], part.residual)
         if self.faults:
             return
-        self.expect(not self.wish.turned or any(part.turned for part in self.parts), "no part is turned")
+        self.expect(not self.wish.turned or any(abs(math.sin(part.turn)) > 0.01 for part in self.parts), "no part is turned")
+        self.expect(not self.wish.grain or all(abs(math.sin(part.turn)) < 1e-6 for part in self.parts), "across the grain")
         self.whole_parts()
         self.areas()
         self.creases()
@@ -306,7 +345,7 @@ class Check:
     def contours(self, drawing):
         """Closed, simple, none twice; which of them are parts."""
         rings = []
-        for points, closed in drawing.paths.get("cut", []):
+        for points, closed in drawing.paths.get("cut", []) + drawing.paths.get("opening", []):
             self.expect(closed, "an open contour")
             self.expect(len(points) >= 3, "a contour of two points")
             rings.append(points)
@@ -322,14 +361,15 @@ class Check:
                     self.expect(key not in seen, f"a line twice: {p} {q}")
                     self.expect(len(key) == 2, f"a line of no length at {p}")
                     seen.add(key)
+        self.expect(all(shoelace(ring) > 0 for ring, _ in drawing.paths.get("cut", [])), "an opening among outer contours")
         parts = [Part(drawing, ring) for ring in rings if shoelace(ring) > 0]
         for ring in rings:
             if shoelace(ring) > 0:
                 continue
             owners = [part for part in parts if all(inside(point, part.outer) for point in ring)]
-            self.expect(len(owners) == 1, "an opening in no part")
-            for part in owners:
-                part.inner.append(ring)
+            self.expect(owners, "an opening in no part")
+            if owners:  # the smallest: a part may lie in another's opening
+                min(owners, key=lambda part: shoelace(part.outer)).inner.append(ring)
         self.parts += parts
 
     def numbering(self):
@@ -362,7 +402,8 @@ class Check:
                 self.expect(part, f"{words} is on no part")
                 if part is None:
                     continue
-                self.expect(abs(turned - (90 if part.turned else 0)) < 1e-9, f"{words} is turned by {turned}")
+                off = math.radians(turned) - part.turn
+                self.expect(math.cos(off) > 0.99 or self.sheet.is_unshifted, f"{words} is turned by {turned}")
                 panel = next((label for label in part.labels if inside((x, y), self.on_panel(part, label))), None)
                 self.expect(panel, f"{words} is on no panel")
                 if panel is None:
@@ -531,7 +572,7 @@ class Check:
 
     def springs(self):
         """Lengths between drawn ends in every folded state, beside the tables; and what is said of them first."""
-        flat, ends, histories = self.spring_tables()
+        springs, histories = self.page.springs(), self.page.histories()
         against = 0
         for d, (diagonal, (a, b)) in enumerate(zip(self.sheet.diagonals, self.sheet.ends())):
             if not self.wish.spring_bore:
@@ -546,98 +587,74 @@ class Check:
             own = lengths if self.wish.attached else [math.dist(points[a], points[b]) for _, points in self.sheet.frames]
             name = f"s{d}"
             against += way_of(own) != "reverses" and way_of(own) != way_of(lengths)
-            if name not in flat or name not in ends or name not in histories:
+            if name not in springs or name not in histories:
                 self.expect(False, f"{name} is not in the tables")
                 continue
-            self.near(name, flat[name][1:], [own[0], lengths[0]])
-            self.near(name, ends[name][:2], [lengths[-1], max(lengths) - min(lengths)])
-            self.expect(ends[name][2:] == [way_of(lengths), way_of(own)],
-                        f"{name}: {ends[name][2:]}, not {[way_of(lengths), way_of(own)]}")
+            flat, ends, ways = springs[name]
+            self.near(name, flat + ends, [own[0], lengths[0], lengths[-1], max(lengths) - min(lengths)])
+            self.expect(ways == [way_of(lengths), way_of(own)], f"{name}: {ways}, not {[way_of(lengths), way_of(own)]}")
             at = {round(deg, 6): length for (deg, _), length in zip(self.sheet.frames, lengths)}
             shown = [deg for deg in at if deg % 10 == 0 or deg == max(at)]
             self.expect(sorted(histories[name]) == shown, f"{name}: degrees {sorted(histories[name])}")
             self.near(name, histories[name].values(), [at[deg] for deg in histories[name]])
         self.against = against
         self.expect(self.wish.against in (None, against), f"{against} springs contradict the verdict")
-        for drawing in self.drawings:
-            texts = [text for text in drawing.texts.get("note", []) if text[2].startswith("WARNING: ")]
-            self.expect(len(texts) == (1 if against else 0), f"{len(texts)} warnings")
-            for x, y, words, _ in texts:
-                self.expect(words.startswith(f"WARNING: {against} of {len(self.sheet.diagonals)} springs contradict"),
-                            f"{words}, not {against}")
-                heading = [text for text in drawing.texts["note"] if text[2].startswith("misalign: ")]
-                self.expect(heading and all(abs(text[0] - x) < NEAR and text[1] < y for text in heading),
-                            "the warning is not first")
+        self.expect(len(self.page.warnings) == (1 if against else 0), f"{len(self.page.warnings)} warnings")
+        for words in self.page.warnings:
+            self.expect(words.startswith(f"{against} of {len(self.sheet.diagonals)} springs contradict"),
+                        f"{words}, not {against}")
+            self.expect(self.page.text.index(words) < self.page.text.index("<h2"), "the warning is not first")
 
-    def near(self, name, printed, wanted):
+    def near(self, name, printed, wanted, within=NEAR):
         for one, other in zip(printed, wanted):
-            self.worst["spring"] = max(self.worst["spring"], abs(float(one) - other))
-            self.expect(abs(float(one) - other) < NEAR, f"{name}: {one}, not {other:.4f} mm")
-
-    def spring_tables(self):
-        """Of each spring: vertices, two flat lengths; length, stroke, ways at the end; lengths by degree."""
-        flat, ends, histories = {}, {}, {}
-        for drawing in self.drawings:
-            texts = drawing.texts.get("note", [])
-            for x, y, words, _ in texts:
-                if words not in ("no.", "deg"):
-                    continue
-                heads = self.row_at(texts, x, y)
-                for k in itertools.count(1):
-                    row = self.row_at(texts, x, y - 4.5 * k)[:len(heads)]
-                    if len(row) < len(heads) or not re.fullmatch(r"s\d+|[\d.]+", row[0]):
-                        break
-                    if words == "deg":
-                        for name, length in zip(heads[1:], row[1:]):
-                            histories.setdefault(name, {})[round(float(row[0]), 6)] = length
-                    else:
-                        (flat if heads[1] == "ends" else ends)[row[0]] = row[1:]
-        return flat, ends, histories
-
-    @staticmethod
-    def row_at(texts, x, y):
-        """The words of a line from there on, until another table's begins."""
-        row = [text for text in sorted(texts) if abs(text[1] - y) < NEAR and text[0] > x - NEAR]
-        last = next((k for k, text in enumerate(row) if k and text[2] in
-                     ("no.", "deg", "vertex", "crease")), len(row))
-        return [text[2] for text in row[:last]]
+            if within == NEAR:
+                self.worst["spring"] = max(self.worst["spring"], abs(float(one) - other))
+            self.expect(abs(float(one) - other) < within, f"{name}: {one}, not {other:.4f} mm")
 
     def places(self):
-        """Parts keep apart, and on their bed."""
+        """Outlines keep apart, and on their bed; registration marks, and what the page says of all that."""
+        marks = set()
         for drawing in self.drawings:
-            boxes = [box(part.outer) for part in self.parts if part.drawing is drawing]
+            parts = [part for part in self.parts if part.drawing is drawing]
+            boxes = {id(part): box(part.outer) for part in parts}
             if self.wish.bed:
-                self.expect(math.dist(drawing.size, self.wish.bed) < 1e-6, f"a page of {drawing.size}")
-            for b in boxes:
-                self.expect(min(b[0], b[1], drawing.size[0] - b[2], drawing.size[1] - b[3]) > 5 - 1e-6,
+                self.expect(math.dist(drawing.size, self.wish.bed) < 2e-5, f"a page of {drawing.size}")
+            for b in boxes.values():
+                self.expect(min(b[0], b[1], drawing.size[0] - b[2], drawing.size[1] - b[3]) > 5 - 1e-5,
                             "a part in the margin")
-            for a, b in itertools.combinations(boxes, 2):
-                apart = max(a[0] - b[2], b[0] - a[2], a[1] - b[3], b[1] - a[3])
-                self.expect(apart > 5 - 1e-6, f"parts {apart} mm apart")
+            for one, other in itertools.combinations(parts, 2):
+                a, b = boxes[id(one)], boxes[id(other)]
+                if max(a[0] - b[2], b[0] - a[2], a[1] - b[3], b[1] - a[3]) > 5:
+                    continue
+                apart = apart_of(one, other)
+                self.closest = min(self.closest, apart)
+                self.expect(apart > 5 - 1e-5, f"parts {apart} mm apart")
+            circles = drawing.circles.get("registration", [])
+            self.expect(len(circles) == 3, f"{len(circles)} registration marks")
+            for x, y, radius in circles:
+                self.expect(abs(2 * radius + self.wish.kerf - 3) < 1e-5, f"a mark of {2 * radius} mm")
+                off = min(math.dist((x, y), at) for part in parts for p, q in sides(part.outer)
+                          for at in [nearest((x, y), p, q)])
+                self.expect(off > 1.5 + 5 - 1e-5 and not any(part.holds((x, y)) for part in parts),
+                            f"a mark {off} mm from a part")
+            marks.add(tuple((round(x, 4), round(y, 4)) for x, y, _ in circles))
+        self.expect(len(marks) == 1, "marks at other places on another sheet")
+        if {len(circles) for circles in marks} != {3}:
+            return
+        (low, right, high), (count, area, least, apart) = min(marks), self.page.sheets()
+        self.near("marks", apart, (math.dist(low, right), math.dist(low, high)), 0.02)
+        total = sum(shoelace(ring) for part in self.parts for ring in part.rings())
+        room = (self.drawings[0].size[0] - 10) * (self.drawings[0].size[1] - 10)
+        self.expect(count == len(self.drawings) and least == math.ceil(total / room), f"{count} sheets, at least {least}")
+        self.near("area", [area], [total], 51)
 
     def notes(self):
         for drawing in self.drawings:
-            gauges = [points for points, _ in drawing.paths.get("note", [])
-                      if abs(math.dist(*points[:2]) - 100) < 1e-5]
-            self.expect(len(gauges) == 1, "no gauge of 100 mm")
-            hatched = [points for points, _ in drawing.paths.get("hatch", [])]
-            parts = [part for part in self.parts if part.drawing is drawing]
-            for ends in hatched:
-                self.expect(any(inside(at, ring) for part in parts for ring in part.inner for at in [self.middle(ends)])
-                            and not any(part.holds(at) for part in parts for at in ends), "hatching on a part")
-            for part in parts:
-                for ring in part.inner:
-                    self.expect(sum(inside(self.middle(ends), ring) for ends in hatched) > 2, "waste without hatching")
-        rows = {}
-        for drawing in self.drawings:
-            for x, y, words, _ in drawing.texts.get("note", []):
-                rows.setdefault((drawing.path, round(y, 3)), []).append((x, words))
-        lines = [[words for _, words in sorted(row)] for row in rows.values()]
+            self.expect(not drawing.texts.get("note") and set(drawing.texts) <= {"engrave"}, "texts in a drawing")
+        shifts = self.page.shifts()
         for vertex, shift in self.sheet.shifts.items():
-            good = any(line[k:k + 1] == [vertex] and len(line) > k + 2 and
-                       all(abs(float(line[k + 1 + i]) - shift[i]) < 1e-4 for i in (0, 1))
-                       for line in lines for k in range(len(line)))
-            self.expect(good, f"the shift of {vertex} is not in the table")
+            self.expect(vertex in shifts, f"the shift of {vertex} is not in the table")
+            self.near(vertex, shifts.get(vertex, (math.inf,)), shift, 1e-4)
 
 
 def same(one, other):
@@ -660,7 +677,7 @@ def same(one, other):
                         yield f"{kind} on {layer}: {p} and {q}"
 
 
-def spoil(drawing, how):
+def spoil(drawing, page, how):
     """One thing that a check is to see."""
     random.seed(1)
     cut = drawing.paths["cut"]
@@ -675,6 +692,11 @@ def spoil(drawing, how):
         x, y, words, turned = engrave[k]
         engrave[k] = change(x, y, words, turned)
 
+    def tables(form, change):
+        for table in page.tables:
+            for row in table[1:]:
+                row[:] = [change(words) if re.fullmatch(form, words) else words for words in row]
+
     panel = lambda words: words.startswith("r")
     {
         "open": lambda: cut.__setitem__(0, (cut[0][0], False)),
@@ -685,27 +707,19 @@ def spoil(drawing, how):
         "number": lambda: rename(panel, lambda x, y, words, t: (x, y, engrave[-1][2], t)),
         "swapped": lambda: rename(lambda w: w == "r0c1", lambda x, y, w, t: (engrave[0][0], engrave[0][1], w, t)),
         "label": lambda: rename(lambda w: w == "A1", lambda x, y, w, t: (x, y, "A20", t)),
-        "opening": lambda: cut.pop(),
+        "opening": drawing.paths["opening"].pop,
         "knot": lambda: cut.__setitem__(0, (cut[0][0][:2] + cut[0][0][2:9][::-1] + cut[0][0][9:], True)),
-        "hatch": lambda: drawing.paths["hatch"].append(([engrave[0][:2], engrave[1][:2]], False)),
-        "gauge": lambda: drawing.paths.pop("note"),
-        "shift": lambda: drawing.texts.__setitem__(
-            "note", [t if not re.fullmatch(r"[+-]0\.4000", t[2]) else (*t[:2], "+0.3000", t[3])
-                     for t in drawing.texts["note"]]),
+        "shift": lambda: tables(r"[+-]0\.4000", lambda words: "+0.3000"),
+        "mark": lambda: drawing.circles["registration"].pop(),
         "bore": lambda: drawing.circles["bore"].__setitem__(
             0, (drawing.circles["bore"][0][0] + 1, *drawing.circles["bore"][0][1:])),
         "bores": lambda: drawing.circles["bore"].pop(),
-        "tab": lambda: drawing.paths["cut"].__setitem__(
-            slice(None), [([(x + 0.05 * (math.dist((x, y), drawing.circles["bore"][-1][:2]) < 3.5), y)
-                            for x, y in points], closed) for points, closed in cut]),
-        "history": lambda: drawing.texts.__setitem__(
-            "note", [(x, y, f"{float(words) + 0.02:.3f}" if re.fullmatch(r"\d+\.\d{3}", words) else words, t)
-                     for x, y, words, t in drawing.texts["note"]]),
-        "way": lambda: drawing.texts.__setitem__(
-            "note", [(x, y, {"lengthens": "shortens"}.get(words, words), t)
-                     for x, y, words, t in drawing.texts["note"]]),
-        "warning": lambda: drawing.texts.__setitem__(
-            "note", [text for text in drawing.texts["note"] if not text[2].startswith("WARNING")]),
+        "tab": lambda: [drawing.paths.__setitem__(
+            layer, [([(x + 0.05 * (math.dist((x, y), drawing.circles["bore"][-1][:2]) < 3.5), y) for x, y in points],
+                     closed) for points, closed in drawing.paths.get(layer, [])]) for layer in ("cut", "opening")],
+        "history": lambda: tables(r"\d+\.\d{3}", lambda words: f"{float(words) + 0.02:.3f}"),
+        "way": lambda: tables("lengthens", lambda words: "shortens"),
+        "warning": page.warnings.clear,
         "far": lambda: drawing.__setattr__("size", (0.5 * drawing.size[0], drawing.size[1])),
         "scale": lambda: drawing.paths.__setitem__(
             "cut", [([(1.0002 * x, 1.0002 * y) for x, y in points], closed) for points, closed in cut]),
@@ -725,8 +739,10 @@ def arguments():
     words.add_argument("--point", nargs=2, action="append", default=[])
     words.add_argument("--crease", default="score")
     words.add_argument("--dash", nargs=2, type=float, default=(4, 1))
+    words.add_argument("--units", default="mm")
+    words.add_argument("--from", type=float, dest="from_deg")
     words.add_argument("--bed", nargs=2, type=float)
-    for name in ("--plain", "--wrong", "--numbers", "--turned"):
+    for name in ("--plain", "--wrong", "--numbers", "--turned", "--grain"):
         words.add_argument(name, action="store_true")
     words.add_argument("--spoil", nargs="*", default=[])
     return words
@@ -734,9 +750,10 @@ def arguments():
 
 def spoilt(sheet, wish):
     for how in wish.spoil:
-        drawing = Drawing(wish.kit[0])
-        spoil(drawing, how)
-        check = Check(sheet, [drawing], wish)
+        drawing, page = Drawing(wish.kit[0]), Page(wish.page)
+        drawing.read_words(sheet.directions)
+        spoil(drawing, page, how)
+        check = Check(sheet, [drawing], wish, page)
         check.run()
         if not check.faults:
             yield f"nothing sees that it is spoilt ({how})"
@@ -744,6 +761,9 @@ def spoilt(sheet, wish):
 
 def faults_of(wish):
     sheet = Sheet(wish.sheet)
+    if wish.from_deg:
+        sheet.frames = [frame for frame in sheet.frames if frame[0] < wish.from_deg + 1e-6]
+    wish.page = next((path for path in wish.kit if path.endswith(".html")), None)
     if wish.spoil:
         yield from spoilt(sheet, wish)
         return
@@ -755,7 +775,10 @@ def faults_of(wish):
             yield from (fault for drawing in drawings for fault in drawing.faults)
         if not drawings or wish.plain:
             continue
-        check = Check(sheet, drawings, wish)
+        page = Page(wish.page)
+        check = Check(sheet, drawings, wish, page)
+        check.expect(all(drawing.unit == (25.4 if wish.units == "in" else 1) for drawing in drawings), "another unit")
+        check.expect(page.unit == drawings[0].unit or not (page.springs() or page.shifts()), "the page has another unit")
         check.run()
         yield from (f"{ending[1:]}: {fault}" for fault in check.faults)
         if wish.numbers and not check.faults:

@@ -9,7 +9,7 @@ PICTURES = {
     "4": "...#. ..##. .#.#. #..#. ##### ...#. ...#.", "5": "##### #.... ####. ....# ....# #...# .###.",
     "6": ".###. #.... #.... ####. #...# #...# .###.", "7": "##### ....# ...#. ..#.. .#... .#... .#...",
     "8": ".###. #...# #...# .###. #...# #...# .###.", "9": ".###. #...# #...# .#### ....# ....# .###.",
-    "A": "..#.. .#.#. #...# #...# ##### #...# #...#", "c": ".###. #...# #.... #.... #.... #...# .###.",
+    "A": "..#.. .#.#. #...# #...# ##### #...# #...#", "b": "#.... #.... #.... ####. #...# #...# ####.", "c": ".###. #...# #.... #.... #.... #...# .###.",
     "r": "#.##. ##..# #.... #.... #.... #.... #....", "s": ".###. #...# #.... .###. ....# #...# .###."}
 
 
@@ -32,11 +32,12 @@ def far(some, others):
     return sum(min(math.dist(p, q) for q in others) for p in some) / len(some)
 
 
-def letter_of(strokes, turned):
+def letter_of(strokes, turn):
     """How unlike the likest letter is, and that letter: mean distances of its dots and of points on the strokes."""
+    c, s = math.cos(turn), math.sin(turn)
     points = [(a[0] + k / 12 * (b[0] - a[0]), a[1] + k / 12 * (b[1] - a[1]))
               for stroke in strokes for a, b in zip(stroke, stroke[1:]) for k in range(13)]
-    points = dots([(y, -x) for x, y in points] if turned else points)
+    points = dots([(c * x + s * y, c * y - s * x) for x, y in points])
     return likest(tuple((round(x, 2), round(y, 2)) for x, y in points))
 
 
@@ -57,16 +58,21 @@ def letters_of(paths):
     return letters
 
 
-def words_of(paths):
-    """(x, y, words, turned_deg) of each word, in the order of strokes; every one begins with A, r or s."""
+def words_of(paths, turns):
+    """(x, y, words, turned_deg) of each word, in the order of strokes; every one begins with A, b, r or s. All are turned
+    by the same of these angles (radians): that at which they are likest letters."""
+    letters = letters_of(paths)
+    some = letters[:12]
+    turn = min(turns, key=lambda turn: sum(letter_of(letter, turn)[0] for letter in some)) if len(turns) > 1 else turns[0]
     words = []
-    for letter in letters_of(paths):
-        read = [letter_of(letter, turned) for turned in (False, True)]
-        if min(read)[1] in "Ars" or not words:
-            words.append([])
-        words[-1].append((read, sum(letter, [])))
-    for word in words:
-        turned = min((sum(read[way][0] for read, _ in word), way) for way in (0, 1))[1]
-        left, low, right, high = box(sum((points for _, points in word), []))
-        middle = (right, (low + high) / 2) if turned else ((left + right) / 2, low)  # of its base line
-        yield (*middle, "".join(read[turned][1] for read, _ in word), 90.0 * turned)
+    for letter in letters:
+        read = letter_of(letter, turn)[1]
+        if read in "Abrs" or not words:
+            words.append(["", []])
+        words[-1][0] += read
+        words[-1][1] += sum(letter, [])
+    c, s = math.cos(turn), math.sin(turn)
+    for read, points in words:
+        left, low, right, _ = box([(c * x + s * y, c * y - s * x) for x, y in points])
+        x, y = (left + right) / 2, low  # the middle of its base line
+        yield (c * x - s * y, s * x + c * y, read, math.degrees(turn))

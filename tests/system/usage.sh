@@ -34,7 +34,7 @@ certify nothing.json --from=185|^misalign: --from: 185 is not a number from 0.01
 contact json.db 1 --trim=-1|-1 is not a number from 0 to 1000000;
 contact json.db 1 --trim 100|--trim 100: leaves nothing of an edge of draw 1
 contact json.db|no DRAW is given
-export json.db --best 1 --thickness 2 --output out|--thickness has no meaning without --format stl, mjcf or inp;
+export json.db --best 1 --thickness 2 --output out|--thickness has no meaning without --format stl, mjcf or inp, or --kit;
 search quick.json --relative-error 5|a share, not percent; did you mean 0.05?
 status json.db other.db|two files match (json.db, other.db) and status takes one; name one;
 query json.db other.db best|two files match (json.db, other.db)

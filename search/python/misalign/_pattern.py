@@ -222,6 +222,30 @@ class Pattern:
             never_both=[never_both] if isinstance(never_both, str) else list(never_both), most_springs=most_springs, fewest_margin=fewest_margin,
             equal_lengths_share=equal_lengths_share))
 
+    def buy_springs(self, springs: str | os.PathLike[str] | None = None, from_deg: float | None = None,
+                    friction_n_mm_per_mm: float | None = None, static_margin: float | None = None,
+                    thickness_mm: float | None = None, least: str = "types", push: bool = False,
+                    link_step_mm: float = 1, least_link_mm: float = 5) -> dict[str, Any]:
+        """Chooses springs to buy, each with a link of wire: the JSON of `misalign actuators --buy`.
+
+        Values not given are the design's.
+
+        `springs`        a table of springs, a CSV file; None for common springs
+        `static_margin`  margin over the friction; None for the design's, or 1
+        `thickness_mm`   with a thickness the margin is that of panels that bend
+        `least`          "types": as few types as can be, then the least price; "price": the least price
+        `push`           True if springs that push may be taken, too
+        `link_step_mm`, `least_link_mm`  links are multiples of the first, and not shorter than the second
+
+        >>> bought = misalign.read("search/patterns/table1.json").buy_springs(from_deg=120)["bought"]
+        >>> bought["drives"], len(bought["groups"]) <= len(bought["springs"]), bought["fill"]["kind"]
+        (True, True, 'springs')
+        """
+        return _said(_misalign.buy_springs(
+            self._sheet, _design(from_deg, None, None, friction_n_mm_per_mm, thickness_mm),
+            springs=None if springs is None else os.fspath(springs), static_margin=static_margin, least=least,
+            push=push, link_step_mm=link_step_mm, least_link_mm=least_link_mm))
+
     def judged_by(self, by: str, fill: dict[str, Any] | None = None) -> Pattern:
         """Returns the pattern judged by another criterion: "diagonals", or "energy" of a filling.
 

@@ -1,14 +1,14 @@
-// Pieces on beds: nothing overlaps, everything is within; perforations; DXF of hostile words.
+// Items on beds with registration marks; perforations; DXF in inches, and of hostile words.
 #include "schema/kit/kit_layout.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <random>
+#include <sstream>
 
 #include "schema/exchange/dxf_pen.hpp"
 #include "schema/kit/kit_drawing.hpp"
-#include "schema/kit/kit_notes.hpp"
 #include "schema/kit/part_item.hpp"
 #include "tests/schema/kit/kit_fixture.hpp"
 
@@ -17,69 +17,84 @@ namespace {
 
 using Eigen::Vector2d;
 
-TEST(KitLayout, NothingOverlapsAndEverythingIsOnABed) {
-  const unsigned seed = 19;
-  RecordProperty("seed", static_cast<int>(seed));
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> size(5, 120), gap_size(0, 10);
-  for (int trial = 0; trial < 300; ++trial) {
-    const double gap = gap_size(random);
-    const Vector2d bed(150, trial % 3 == 0 ? INFINITY : 125);
-    std::vector<LayoutBox> boxes;
-    for (int k = 0; k < 30; ++k) boxes.push_back({{size(random), size(random)}, k % 2 == 0});
-    boxes.push_back({{40, 140}, true});  // turned where the bed is lower
-    std::vector<std::tuple<int, Vector2d, Vector2d>> corners;
-    const auto laid = lay_out(boxes, bed, gap);
-    ASSERT_EQ(laid.size(), boxes.size());
-    for (std::size_t k = 0; k < laid.size(); ++k) {
-      ASSERT_TRUE(!laid[k].turned || boxes[k].may_turn);
-      Vector2d extent = boxes[k].size_mm;
-      if (laid[k].turned) std::swap(extent.x(), extent.y());
-      const Vector2d least = laid[k].at_mm, most = least + extent;
-      EXPECT_GE(least.minCoeff(), 0);
-      EXPECT_LE((most - bed).maxCoeff(), 1e-6);
-      for (const auto& [other_bed, other_least, other_most] : corners) {
-        if (other_bed != laid[k].bed) continue;
-        const double apart =
-            std::max((least - other_most).maxCoeff(), (other_least - most).maxCoeff());
-        ASSERT_GE(apart, gap - 1e-6);
-      }
-      corners.emplace_back(laid[k].bed, least, most);
-    }
-    EXPECT_EQ(laid.back().turned, std::isfinite(bed.y()));
-  }
-  EXPECT_FALSE(fits_bed({{151, 10}, true}, {150, 125}));
-  EXPECT_TRUE(fits_bed({{125, 150}, true}, {150, 125}));
-  EXPECT_FALSE(fits_bed({{125, 150}, false}, {150, 125}));
+KitItem panel_item(double width_mm, double height_mm) {
+  KitItem item = empty_item();
+  item.on(KitLayer::cut)
+      .paths.push_back({{{0, 0}, {width_mm, 0}, {width_mm, height_mm}, {0, height_mm}}, true});
+  return item;
 }
 
-TEST(KitTables, FitTheNarrowestBedInBlocks) {
-  const KitFixture kit(6, 6);
+const LineLayer& layer_named(const LineDrawing& drawing, const std::string& name) {
+  return *std::ranges::find(drawing.layers, name, &LineLayer::name);
+}
+
+// Twelve panels of 60 x 60 with gaps of 5 on beds of 200 x 150: six on each, and marks in three
+// corners, which six leave free.
+TEST(KitLayout, MarksAreInThreeCornersOfEachBed) {
+  KitOptions options;
+  options.kerf_mm = 0.2;
+  options.bed_mm = Vector2d(220, 155);
+  const std::vector<KitItem> items(12, panel_item(60, 60));
+  const KitSheets sheets = KitLayout(options).laid_out(items, "marks");
+  EXPECT_EQ(sheets.beds.size(), 2U);
+  EXPECT_NEAR(sheets.area_mm2, 12 * 3600, 1e-9);
+  EXPECT_EQ(sheets.least_beds(), 2U);  // 43200 of 30450
+  for (const LineDrawing& bed : sheets.beds) {
+    const auto& marks = layer_named(bed, "registration").circles;
+    ASSERT_EQ(marks.size(), 3U);
+    const std::vector<Vector2d> centres = {{6.5, 6.5}, {213.5, 6.5}, {6.5, 148.5}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_LT((marks[k].centre_mm - centres[k]).norm(), 1e-9);
+      EXPECT_NEAR(marks[k].radius_mm, 1.4, 1e-9);
+      for (const DrawnPath& contour : layer_named(bed, "cut").paths) {
+        Vector2d least = contour.points_mm[0], most = least;
+        for (const Vector2d& point : contour.points_mm) {
+          least = least.cwiseMin(point);
+          most = most.cwiseMax(point);
+        }
+        const Vector2d off = (least - centres[k]).cwiseMax(centres[k] - most).cwiseMax(0);
+        EXPECT_GE(off.norm(), 1.5 + options.gap_mm - 1e-9);
+      }
+    }
+  }
+}
+
+TEST(KitLayout, AnItemLargerThanTheBedIsNamed) {
+  KitOptions options;
+  options.bed_mm = Vector2d(100, 80);
+  const KitLayout layout(options);
+  EXPECT_TRUE(layout.has_room(panel_item(40, 85).shape(options.turns)));  // turned
+  layout.expect_room("panel r0c0", panel_item(40, 85));
+  try {
+    layout.expect_room("panel r0c0", panel_item(91, 30));
+    FAIL() << "an item beyond its bed";
+  } catch (const UserError& error) {
+    EXPECT_EQ(error.cause(), Cause::bad_request);
+    EXPECT_NE(std::string(error.what()).find("panel r0c0 does not fit"), std::string::npos);
+  }
+}
+
+// One page holds all items where there is no bed, and a strip for marks above and below them.
+TEST(KitLayout, OneSheetIsAsLargeAsItsItemsNeed) {
+  const KitOptions options;
+  const KitSheets sheets = KitLayout(options).laid_out({panel_item(200, 80)}, "one");
+  ASSERT_EQ(sheets.beds.size(), 1U);
+  EXPECT_LT((sheets.size_mm - Vector2d(210, 80 + 2 * 8 + 10)).norm(), 1e-6);
+}
+
+TEST(KitSprings, EndAtTheAngleOfUse) {
+  const KitFixture kit(4, 4);
+  const double d_deg = kit.sheet.deploys_from_deg();
+  ASSERT_GT(d_deg, 20);
+  EXPECT_EQ(kit_rows(kit.sheet, std::nullopt), kit.sheet.rows_up_to_d());
+  const Eigen::Index rows = kit_rows(kit.sheet, 20.0);
+  EXPECT_NEAR(kit.sheet.history().stations[static_cast<std::size_t>(rows - 1)].pilot_deg, 20, 1e-9);
   KitOptions options;
   options.spring_bore_mm = 1.5;
-  const auto springs = kit_springs(kit.sheet, kit_fittings(kit.sheet, options));
-  for (const double height_mm : {14.0, 30.0, 70.0}) {
-    for (const KitItem& table : kit_tables(kit.sheet, springs, {0, 1, 2, 3}, height_mm)) {
-      EXPECT_LE(table.size_mm().x(), kLeastHeading_mm);
-      EXPECT_LE(table.size_mm().y(), height_mm);
-    }
+  options.from_deg = 20;
+  for (const KitSpring& spring : kit_of(kit.sheet, options, "").springs) {
+    EXPECT_EQ(spring.length_mm.size(), static_cast<std::size_t>(rows) + 1);
   }
-}
-
-TEST(KitTables, ABedThatIsTooLowForThemIsRefused) {
-  const KitFixture kit(4, 4, "checkerboard-odd", 0.1, 10);  // smaller than a table of one row
-  KitOptions options;
-  int refused = 0, laid_out = 0;
-  for (double height_mm = 30; height_mm < 60; ++height_mm) {
-    options.bed_mm = Vector2d(130, height_mm);
-    try {
-      laid_out += !kit_drawings(kit.sheet, options, "low").beds.empty();
-    } catch (const UserError& error) {
-      refused += std::string(error.what()).find("a table of the notes does not fit (") < 100;
-    }
-  }
-  EXPECT_GT(refused, 0);
-  EXPECT_GT(laid_out, 0);
 }
 
 TEST(KitPerforation, BeginsAndEndsWithABridge) {
@@ -106,20 +121,6 @@ TEST(KitPerforation, BeginsAndEndsWithABridge) {
   }
 }
 
-TEST(KitHatching, StaysWithinAContour) {
-  const Ring hook = {{0, 0}, {0, 50}, {50, 50}, {50, 40}, {10, 40}, {10, 0}};
-  const auto lines = hatching(hook);
-  EXPECT_GT(lines.size(), 8u);
-  for (const DrawnPath& line : lines) {
-    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      const Vector2d at = line.points_mm[0] + share * (line.points_mm[1] - line.points_mm[0]);
-      EXPECT_TRUE(at.x() > 0 && at.y() > 0 && at.x() < 50 && at.y() < 50 &&
-                  (at.x() < 10 || at.y() > 40))
-          << at.transpose();
-    }
-  }
-}
-
 // Words of unknown origin stay one value on one line: nothing begins another group or a code.
 TEST(DxfPen, WordsAreOneLineOfAscii) {
   LineDrawing drawing{"", {0, 0}, {100, 100}, {{"note", kCyan, LayerUse::mark, {}, {}, {}}}};
@@ -127,6 +128,26 @@ TEST(DxfPen, WordsAreOneLineOfAscii) {
   const std::string dxf = dxf_of(drawing);
   EXPECT_NE(dxf.find("a\\u000a  0\\u000aLINE 50% % d ^ J \\U+00E4 ?"), std::string::npos);
   for (const char c : dxf) EXPECT_TRUE(c == '\n' || c == '\r' || (c >= ' ' && c <= '~'));
+}
+
+// A length in inches is the number of millimetres by 25.4; header, page and entities agree.
+TEST(DxfPen, InchesAreInHeaderAndEntities) {
+  LineDrawing drawing{"", {0, 0}, {254, 127}, {{"cut", kBlack, LayerUse::cut, {}, {}, {}}}};
+  drawing.layers[0].circles.push_back({{50.8, 25.4}, 12.7});
+  drawing.unit = LengthUnit::inch;
+  const std::string dxf = dxf_of(drawing);
+  const auto follows = [&](const std::string& name, int value) {
+    std::istringstream rest(dxf.substr(dxf.find(name) + name.size()));
+    int code = 0, number = -1;
+    rest >> code >> number;
+    return code == 70 && number == value;
+  };
+  EXPECT_TRUE(follows("$INSUNITS", 1));
+  EXPECT_TRUE(follows("$MEASUREMENT", 0));
+  EXPECT_NE(dxf.find("CIRCLE"), std::string::npos);
+  for (const char* number : {" 10\n2.0\n", " 20\n1.0\n", " 40\n0.5\n", " 10\n10.0\n"}) {
+    EXPECT_NE(dxf.find(number), std::string::npos) << number;
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "schema/kit/chords.hpp"
 #include "tests/schema/kit/kit_fixture.hpp"
 
 namespace misalign::schema {

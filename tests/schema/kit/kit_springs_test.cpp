@@ -15,7 +15,7 @@ std::vector<KitSpring> springs_of(const KitFixture& kit, SpringAt at) {
   KitOptions options;
   options.spring_bore_mm = 1.5;
   options.spring_at = at;
-  return kit_springs(kit.sheet, kit_fittings(kit.sheet, options));
+  return kit_springs(kit.sheet, kit_fittings(kit.sheet, options), kit.sheet.rows_shown());
 }
 
 // A point of a panel where a shape has it: by the turn and shift that put four corners on four.

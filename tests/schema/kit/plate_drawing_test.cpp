@@ -60,7 +60,7 @@ TEST(PlateDrawing, BondsGoRoundEveryPlate) {
   options.bond_mm = 6;
   options.kerf_mm = 0.2;
   const std::vector<LineDrawing> pages =
-      kit_plate_drawings(kit.sheet, plates_with_a_cut_out(), options, "plates");
+      kit_plate_sheets(kit.sheet, plates_with_a_cut_out(), options, "plates").beds;
   ASSERT_EQ(pages.size(), 1U);
   const LineDrawing& drawing = pages.front();
   const auto layer = [&](const std::string& name) -> const LineLayer& {
@@ -98,9 +98,9 @@ TEST(PlateDrawing, BondsGoRoundEveryPlate) {
 TEST(PlateDrawing, PlatesKeepToTheBed) {
   const KitFixture kit(4, 4);
   KitOptions options;
-  options.bed_mm = Vector2d(170, 200);
+  options.bed_mm = Vector2d(150, 140);
   const auto drawings = [&] {
-    return kit_plate_drawings(kit.sheet, plates_with_a_cut_out(), options, "plates");
+    return kit_plate_sheets(kit.sheet, plates_with_a_cut_out(), options, "plates").beds;
   };
   const std::vector<LineDrawing> beds = drawings();
   ASSERT_EQ(beds.size(), 2U);
@@ -116,7 +116,7 @@ TEST(PlateDrawing, PlatesKeepToTheBed) {
       }
     }
   }
-  options.bed_mm = Vector2d(140, 100);
+  options.bed_mm = Vector2d(100, 80);
   try {
     drawings();
     FAIL() << "a plate beyond its bed";

@@ -33,6 +33,8 @@ Json full() {
     "hinges": {"friction_n_mm_per_mm": 0.02, "stiffness_n_mm_per_mm": 0.3, "kind": "dash",
                "pin_friction_mm": 0.075,
                "film": {"thickness_mm": 0.05, "e_gpa": 2.5, "length_mm": 1.0, "loss": 0.01}},
+    "joints": {"kind": "tab", "bore_mm": 1.5, "wire_mm": 1.2, "edge_mm": 3.0, "clearance_mm": 0.3,
+               "strip_mm": 4.0},
     "wanted": {"static_margin": 2.0, "margin_to_deg": 5.0, "energy_margin": 3.0, "yield": 0.9,
                "landing_deg_per_s": 100.0},
     "thickness_mm": 1.5,

@@ -260,7 +260,7 @@ TEST(HingeTable, GivesWhatTheDesignDoesNotSay) {
   const HingeRow& film = *find_hinge("polyester film 0.1 mm");
   const Design named = design_of({{"hinges", {{"like", "polyester film 0.1 mm"}}}});
   EXPECT_EQ(film_json(*named.film), film_json(*film.film));
-  EXPECT_EQ(named.hinge_kind, CreaseCut::cut);
+  EXPECT_EQ(named.hinge_kind, CreaseCut::film);
   EXPECT_FALSE(named.friction_n_mm_per_mm || named.pin_friction_mm || named.play_mm);
   const Design longer = design_of({{"hinges",
                                     {{"like", "polyester film 0.1 mm"},

@@ -147,8 +147,10 @@ TEST_F(Plates, AreNamedInTextsAndKits) {
   const std::string text = actuators_text(subject_.sheet, actuation_);
   EXPECT_TRUE(text.starts_with("rubber plates of 1 mm")) << text;
   EXPECT_EQ(text.find("spring"), text.find("worth springs") + 6) << text;  // the equivalent ones
+  const schema::KitOptions options;
+  const schema::Kit kit = schema::kit_of(subject_.sheet, options, "a kit");
   const std::string guide = schema::kit_guide(
-      {subject_.sheet, {}, subject_.model.design(), actuation_, nullptr, "a kit", ""});
+      {subject_.sheet, options, kit, subject_.model.design(), actuation_, nullptr, "a kit"});
   EXPECT_NE(guide.find("<h2>Rubber plates</h2>"), std::string::npos);
   EXPECT_EQ(guide.find("pring"), std::string::npos);
   // The cut-out of the first hole.
