@@ -54,7 +54,7 @@ const DesignNumber* row_of(std::string_view key) {
 
 void read_number(ObjectReader& reader, const std::string& key, const Json& value, Free& free) {
   const DesignNumber* const row = row_of(key);
-  if (row->block == "wanted" || row->number == &Design::margin_to_deg) {
+  if (row->block == "wanted") {
     return reader.faults().add(reader.shown(key), "is a requirement, which is not chosen",
                                "write it into \"design\"");
   }
@@ -71,14 +71,19 @@ void read_number(ObjectReader& reader, const std::string& key, const Json& value
 }
 
 // Reads a list of values for another key, which are checked where it is read.
-void read_list(ObjectReader& reader, const char* key, std::vector<Json>& into,
+void read_list(ObjectReader& reader, const char* key, std::vector<Json>& choices,
                const char* suggestion) {
   const Json* const value = reader.said(key);
   if (value == nullptr) return;
   if (!value->is_array() || value->empty()) {
     return reader.faults().add(reader.name(key), "is no list of choices", suggestion);
   }
-  into.assign(value->begin(), value->end());
+  choices.assign(value->begin(), value->end());
+  for (auto at = choices.begin(); at != choices.end(); ++at) {
+    if (std::find(choices.begin(), at, *at) == at) continue;
+    return reader.faults().add(reader.name(key) + " has " + at->dump() + " twice", "choices differ",
+                               "name each once");
+  }
 }
 
 Free read_free(const Json& value, InputFaults& faults) {
@@ -138,7 +143,8 @@ std::string WishChoice::words() const {
   std::string words;
   if (holes)
     words += ", " + (holes->is_string() ? holes->get<std::string>() : "holes " + holes->dump());
-  if (fill) words += ", " + (fill->is_object() ? fill->value("kind", "springs") : fill->dump());
+  const bool is_kind = fill && fill->is_object() && fill->size() == 1 && fill->contains("kind");
+  if (fill) words += ", " + (is_kind ? (*fill)["kind"].dump() : fill->dump());
   if (from_deg) words += ", for " + shown_number(*from_deg) + "°";
   return words;
 }
@@ -164,7 +170,7 @@ std::vector<WishChoice> choices_of(const Free& free) {
 Json wished_document(const Wish& wish, const WishChoice& choice) {
   Json document = wish.document;
   Json& pattern = document.contains("pattern") ? document["pattern"] : document;
-  if (choice.holes != nullptr) pattern["holes"] = *choice.holes;
+  if (choice.holes != nullptr && pattern.is_object()) pattern["holes"] = *choice.holes;
   if (!choice.from_deg && choice.fill == nullptr) return document;
   Json& design = document["design"];
   if (!design.is_null() && !design.is_object()) return document;  // a fault where it is read

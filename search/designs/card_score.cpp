@@ -26,7 +26,7 @@ std::optional<double> reserve_of(const CardLine& line) {
 
 double shortfall_of(const CardLine& line) {
   double share = 1;
-  if (line.found) {
+  if (line.found && std::isfinite(*line.found)) {
     const std::optional<double> reserve = reserve_of(line);
     const double distance = std::abs(*line.found - *line.wanted);
     share = reserve ? -*reserve : distance / (1 + distance);
@@ -42,7 +42,8 @@ CardScore score_of(const std::vector<CardLine>& lines) {
   double most = 0;
   for (const CardLine& line : lines) {
     if (!line.is_asked()) continue;
-    if (!line.passes()) {
+    // Rounding of hopeless designs may leave no number.
+    if (!line.passes() || std::isnan(*line.found)) {
       const double shortfall = shortfall_of(line);
       failing.value -= shortfall;
       if (shortfall > most) {

@@ -14,6 +14,7 @@
 #include "search/sheets/card_changes.hpp"
 #include "search/sheets/card_limits.hpp"
 #include "search/sheets/on_threads.hpp"
+#include "search/terminal/build_info.hpp"
 #include "search/terminal/long_work.hpp"
 
 namespace misalign::search {
@@ -30,15 +31,12 @@ class Designer {
   Designer(const schema::Wish& wish, const DesignerOptions& options)
       : wish_(wish),
         options_(options),
-        log_(
-            options.log_path,
-            schema::hex(schema::hash_of(fmt::format("{} {} {} {}", wish.text, options.sources.draws,
-                                                    options.sources.seed, options.trials)))) {}
+        sources_(sheet_sources(wish, options.sources)),
+        log_(options.log_path, request()) {}
 
   std::vector<DesignTry> all() {
-    const std::vector<SheetSource> sources = sheet_sources(wish_, options_.sources);
     std::vector<Step> steps;
-    for (const SheetSource& source : sources) {
+    for (const SheetSource& source : sources_) {
       steps.push_back({source.how, [this, &source] {
                          std::vector<DesignTry> tries;
                          for (const MadeSheet& sheet : source.make()) {
@@ -57,6 +55,14 @@ class Designer {
   }
 
  private:
+  // Fingerprint of all that tries depend on.
+  std::string request() const {
+    std::string text = fmt::format("{} {} {} {} {}", build_info().version, wish_.text,
+                                   options_.sources.draws, options_.sources.seed, options_.trials);
+    for (const SheetSource& source : sources_) text += source.base;
+    return schema::hex(schema::hash_of(text));
+  }
+
   struct Step {
     std::string name;
     std::function<std::vector<DesignTry>()> take;
@@ -159,9 +165,10 @@ class Designer {
     input.most_steps = kSteps;
     input.amplitude_mm = wish_.free.amplitude_mm->back();
     input.with_rim = wish_.free.rim;
+    input.trials = options_.trials;
     try {
       // Ascents know springs that push, too.
-      const schema::Json design = sheet.pattern.at("design");
+      const schema::Json design = sheet.pattern.value("design", schema::Json::object());
       ChosenSheet chosen = chosen_of(sheet);
       chosen.design.pull_only.reset();
       const Subject subject(std::move(chosen), {});
@@ -179,6 +186,7 @@ class Designer {
 
   const schema::Wish& wish_;
   const DesignerOptions& options_;
+  const std::vector<SheetSource> sources_;
   DesignLog log_;
   std::vector<DesignTry> tries_;  // the best first
 };

@@ -57,6 +57,7 @@ class NumberSearch {
     for (double factor = options_.first_factor; factor >= options_.least_factor && !is_done();) {
       if (!step(factor)) factor = std::sqrt(factor);
     }
+    best_->cards = cards_;
     return *std::move(best_);
   }
 
@@ -161,7 +162,7 @@ class NumberSearch {
     if (!tried_.insert(schema::explicit_design_json(design).dump()).second) return false;
     ++cards_;
     try {
-      NumberChoice choice{design, {}, parts_of(design)};
+      NumberChoice choice{design, {}, parts_of(design), 0};
       std::vector<schema::CardLine> lines;
       for (const auto& part : choice.parts) std::ranges::copy(part, std::back_inserter(lines));
       choice.score = score_of(lines);
@@ -216,8 +217,12 @@ std::string chosen_words(const schema::Design& design, const schema::Free& free)
   std::string words;
   const auto add = [&](const std::string& word) { words += (words.empty() ? "" : ", ") + word; };
   for (const FreeNumber& number : free.numbers) {
-    if (const auto& value = design.*number.row->number) {
-      add(fmt::format("{} {:g}", number.row->key, *value));
+    const auto& [block, key] = std::pair(number.row->block, number.row->key);
+    const bool is_of_it =
+        (block != "springs" || design.is_springs()) && (block != "plate" || design.is_plate());
+    const auto& value = design.*number.row->number;
+    if (value && is_of_it) {
+      add(fmt::format("{}{} {:g}", block == "plate" ? "plate." : "", key, *value));
     }
   }
   if (free.hold_flat && design.hold_flat.value_or(false)) add("hold_flat");

@@ -11,12 +11,13 @@ struct NumberChoice {
   schema::Design design;
   CardScore score;  ///< score of all requirements but those of copies
   CardParts parts;  ///< the card's; that of copies is empty
+  int cards = 0;    ///< number of cards that were made
 };
 
 struct NumberChoiceOptions {
   int most_cards = 40;
-  double first_factor = 2;    ///< factor of a number's first change
-  double least_factor = 1.1;  ///< the search ends where no change by less is better
+  double first_factor = 2;     ///< factor of a number's first change
+  double least_factor = 1.05;  ///< the search ends where no change by less is better
 };
 
 /// Changes one number or switch at a time, from springs with their best preload by linear bending

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "schema/files/hash.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "schema/pattern/perforation_check.hpp"
 #include "search/draws/draw_evaluator.hpp"
@@ -26,6 +27,8 @@ constexpr std::size_t kAccepted = 100;
 // A population where plain draws find none.
 constexpr std::uint32_t kParticles = 500, kFirstDraws = 20000;
 
+std::string shown_mm(double mm) { return fmt::format("{:.3g} mm", mm); }
+
 // A base with its angle of use.
 struct Base {
   schema::PatternFile file;
@@ -39,8 +42,9 @@ struct Base {
     std::vector<double> amplitudes_mm;
     for (int k = 0; k < kAmplitudes; ++k) {
       const double share = static_cast<double>(k) / (kAmplitudes - 1);
-      amplitudes_mm.push_back(most * std::pow(least / most, share));
-      if (least == most) break;
+      const double amplitude_mm = most * std::pow(least / most, share);
+      if (k > 0 && shown_mm(amplitude_mm) == shown_mm(amplitudes_mm.back())) break;
+      amplitudes_mm.push_back(amplitude_mm);
     }
     return amplitudes_mm;
   }
@@ -48,6 +52,9 @@ struct Base {
   double drawn_amplitude_mm() const {
     const auto [least, most] = *free.amplitude_mm;
     return std::clamp(kDrawnShare * file.pattern.base.sheet.panel_width_mm, least, most);
+  }
+  std::string fingerprint() const {
+    return schema::hex(schema::hash_of(pattern_of(file.pattern.shifts_mm).dump()));
   }
   schema::Json pattern_of(const Eigen::Matrix2Xd& shifts_mm) const {
     return schema::pattern_file_json(file.pattern, shifts_mm, file.sampling, file.design,
@@ -132,6 +139,9 @@ std::vector<MadeSheet> drawn_sheets(const Base& base, double amplitude_mm) {
     return {{"", {}, "no draw of an overconstrained sheet folds"}};
   }
   const schema::Campaign campaign = campaign_of(base, amplitude_mm);
+  if (campaign.threshold_deg > campaign.end_deg) {
+    return {{"", {}, fmt::format("the base folds to {:g}° only", campaign.end_deg)}};
+  }
   std::vector<Candidate> candidates = drawn(campaign, base.options.draws);
   if (candidates.empty()) candidates = climbed_to(campaign);
   if (candidates.empty()) {
@@ -164,14 +174,13 @@ class SourceList {
     if (base_->file.target) add("shaped", shaped_sheets);
     if (!base_->free.amplitude_mm) return std::move(sources_);
     for (const double amplitude_mm : base_->amplitudes_mm()) {
-      add(fmt::format("constructed, shifts up to {:.3g} mm", amplitude_mm),
-          [amplitude_mm](const Base& base) {
-            return std::vector{constructed_sheet(base, amplitude_mm)};
-          });
+      add("constructed, shifts up to " + shown_mm(amplitude_mm), [amplitude_mm](const Base& base) {
+        return std::vector{constructed_sheet(base, amplitude_mm)};
+      });
     }
     if (base_->options.draws > 0) {
       const double amplitude_mm = base_->drawn_amplitude_mm();
-      add(fmt::format("drawn, shifts up to {:.3g} mm", amplitude_mm),
+      add("drawn, shifts up to " + shown_mm(amplitude_mm),
           [amplitude_mm](const Base& base) { return drawn_sheets(base, amplitude_mm); });
     }
     return std::move(sources_);
@@ -179,16 +188,17 @@ class SourceList {
 
  private:
   void add(const std::string& how, Make make) {
-    sources_.push_back({how + base_->label, [base = base_, how, make = std::move(make)] {
-                          std::vector<MadeSheet> made;
-                          try {
-                            made = make(*base);
-                          } catch (const schema::UserError& error) {
-                            made = {{"", {}, error.what()}};
-                          }
-                          for (MadeSheet& sheet : made) sheet.how = how + sheet.how + base->label;
-                          return made;
-                        }});
+    sources_.push_back(
+        {how + base_->label, base_->fingerprint(), [base = base_, how, make = std::move(make)] {
+           std::vector<MadeSheet> made;
+           try {
+             made = make(*base);
+           } catch (const schema::UserError& error) {
+             made = {{"", {}, error.what()}};
+           }
+           for (MadeSheet& sheet : made) sheet.how = how + sheet.how + base->label;
+           return made;
+         }});
   }
 
   std::shared_ptr<const Base> base_;
@@ -208,7 +218,7 @@ std::vector<SheetSource> sheet_sources(const schema::Wish& wish, const SourceOpt
               {},
               options};
     base.from_deg = base.file.design.from_deg;
-    if (!base.from_deg && !base.file.target) {
+    if (!base.from_deg && (wish.free.amplitude_mm || !base.file.target)) {
       throw schema::UserError(schema::Cause::bad_input,
                               wish.source +
                                   ": no angle of use is named, from which a sheet deploys; write "

@@ -19,6 +19,7 @@ struct MadeSheet {
 /// Makes sheets of one base in one way; throws no UserError.
 struct SheetSource {
   std::string how;
+  std::string base;  ///< fingerprint of the base, its design and its target
   std::function<std::vector<MadeSheet>()> make;
 };
 

@@ -96,6 +96,8 @@ bool needs(const solver::OptimiseOptions& options, bool solver::Goal::*need) {
          std::ranges::any_of(options.floors, need, &solver::OptimiseFloor::goal);
 }
 
+constexpr double kMiscut_mm = 0.05;
+
 using Range = solver::OptimiseOptions::Range;
 
 // The range of a spring's quantity, which contains its start.
@@ -124,9 +126,10 @@ std::optional<Range> range_of(const char* option, std::string_view design_key,
 // Copies are those of `misalign tolerance`, and deploy from the requested angle.
 void add_yield(const ChosenSheet& chosen, const OptimiseInput& input, const schema::Campaign& asked,
                solver::OptimiseOptions& options) {
-  check_miscut(input.miscut_mm, chosen.base.base.sheet, chosen.shifts_mm, chosen.name());
+  const double miscut_mm = input.miscut_mm.value_or(chosen.design.miscut_mm.value_or(kMiscut_mm));
+  check_miscut(miscut_mm, chosen.base.base.sheet, chosen.shifts_mm, chosen.name());
   options.yield =
-      [asked, copies = ToleranceOptions{.amplitude_mm = input.miscut_mm,
+      [asked, copies = ToleranceOptions{.amplitude_mm = miscut_mm,
                                         .trials = input.trials,
                                         .jobs = input.jobs,
                                         .set = solver::available_instruction_sets().back(),

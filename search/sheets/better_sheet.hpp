@@ -18,11 +18,11 @@ struct OptimiseInput : schema::OptimiseRequest {
   bool within_family = false;  ///< only among members of the base's parallel family
   /// Bounds of the springs' rate and preload; empty: the design's values.
   std::vector<double> stiffness_n_per_mm = {}, preload_n = {};
-  std::optional<double> rest_deg = {};  ///< pilot angle of relaxed springs; none: the design's
-  double miscut_mm = 0.05;              ///< cutting error of copies
-  std::uint64_t trials = 200;           ///< copies
-  int jobs = 1;                         ///< threads that judge copies
-  std::function<void()> watch = [] {};  ///< called in between; what it throws ends the search
+  std::optional<double> rest_deg = {};   ///< pilot angle of relaxed springs; none: the design's
+  std::optional<double> miscut_mm = {};  ///< cutting error of copies; none: the design's, or 0.05
+  std::uint64_t trials = 200;            ///< copies
+  int jobs = 1;                          ///< threads that judge copies
+  std::function<void()> watch = [] {};   ///< called in between; what it throws ends the search
 };
 
 /// Options of the request; those of one sheet, or of draws alone, are added to them.

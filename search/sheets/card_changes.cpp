@@ -197,7 +197,13 @@ std::vector<solver::OptimiseFloor> kept_floors(const schema::Card& card, double 
     if (row == nullptr || row->bound == nullptr || !line.is_asked() || !line.passes()) continue;
     const solver::Goal* const goal = solver::goal_named(row->bound);
     const double least = row->is_friction ? friction * (1 + *line.wanted) : *line.wanted;
-    floors.push_back({goal, goal->in_unit(least)});
+    const solver::OptimiseFloor floor{goal, goal->in_unit(least)};
+    const auto same = std::ranges::find(floors, goal, &solver::OptimiseFloor::goal);
+    if (same == floors.end()) {
+      floors.push_back(floor);
+    } else {
+      same->least = std::max(same->least, floor.least);
+    }
   }
   return floors;
 }

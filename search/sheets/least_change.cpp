@@ -34,6 +34,7 @@ std::optional<double> least_change(double start, double score, const ChangeLimit
 }
 
 double two_digits(double value, Rounding rounding) {
+  if (!(value > 0)) return value;
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1), digits = value / unit;
   switch (rounding) {
     case Rounding::up:

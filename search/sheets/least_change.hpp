@@ -23,7 +23,7 @@ struct ChangeLimits {
 std::optional<double> least_change(double start, double score, const ChangeLimits& limits,
                                    const Judge& judge);
 
-/// Rounds a positive number to two digits: to the nearest, up or down.
+/// Rounds a positive number to two digits, to the nearest, up or down; 0 stays.
 enum class Rounding { nearest, up, down };
 double two_digits(double value, Rounding rounding = Rounding::nearest);
 

@@ -51,6 +51,7 @@ void write_kit(const DesignCall& call, const Subject& subject) {
         .write(subject.sheet, {"best", "misalign: " + subject.sheet.name()},
                schema::Json::object());
   } catch (const schema::UserError& error) {
+    if (error.cause() == schema::Cause::failure) throw;
     spdlog::warn("no kit is written: {}", error.what());
   }
 }
@@ -62,11 +63,11 @@ schema::Card finish(const DesignCall& call, const DesignTry& best) {
                         {});
   const CardOptions options{call.options.trials, call.options.jobs, Advice::with};
   StudiedCard studied = card_of(subject, options);
-  const std::string path = call.directory.empty() ? "best.json" : path_in(call, "best.json");
-  if (!studied.card.passes()) {
-    studied.card.remedies = remedies_of(subject, studied, options, path);
-  }
   if (!call.directory.empty()) {
+    const std::string path = path_in(call, "best.json");
+    if (!studied.card.passes()) {
+      studied.card.remedies = remedies_of(subject, studied, options, path);
+    }
     schema::write_text_file(path, best.pattern.dump(1) + "\n");
     schema::write_text_file(path_in(call, "best-card.html"),
                             schema::card_page(studied.card, subject.sheet, studied.filling));
@@ -107,14 +108,16 @@ Action design_verb(CLI::App& verb) {
       "            \"stiffness_n_per_mm\": {\"of\": [0.5, 1, 2]}, \"preload_n\": [0, 10],\n"
       "            \"from_deg\": [90, 150], \"holes\": [\"checkerboard-odd\", [[1, 1], [3, 3]]],\n"
       "            \"rim\": true, \"hold_flat\": true, \"one_a_hole\": true }\n"
-      "Any number of a design (`misalign config --keys`) can be free: two bounds, or a list as\n"
-      "\"of\". Sheets are constructed for each angle of use, drawn at random, climbed to where\n"
+      "Any number of a design but its requirements (`misalign config --keys`) can be free: two\n"
+      "bounds, or a list as \"of\". Sheets are constructed for each angle of use, drawn at random, "
+      "climbed to where\n"
       "draws find none, and shaped to a \"target\"; then the free numbers are searched so that\n"
       "the least reserve of all requirements is largest, and the best sheets are optimised\n"
       "towards the requirement that decides. Exit code 6: no design meets all of them; the\n"
-      "nearest is shown with what would mend it.\n"
-      "--output writes the best design (best.json, best-card.html, and a kit to cut with its\n"
-      "guide), and tried.json, from which a stopped run goes on.\n"
+      "nearest is shown.\n"
+      "--output writes the best design (best.json, best-card.html with what would meet a\n"
+      "requirement that fails, and a kit to cut with its guide), and tried.json, from which a\n"
+      "stopped run goes on.\n"
       "Examples:\n  misalign design wish.json --output made\n"
       "  misalign design wish.json --draws 2000000 --json");
   auto call = std::make_shared<DesignCall>();

@@ -113,9 +113,9 @@ void add_springs_and_copies(CLI::App& verb, OptimiseInput& input) {
       "pilot angle where the springs are relaxed: a stop for rest_stiffness_n_mm_per_rad [the "
       "design's, or 0, flat]",
       within("optimise", "rest_deg"), "DEG");
-  add_default(verb, "--miscut", input.miscut_mm,
-              "cutting error of the copies of which a yield is counted, mm",
-              within("optimise", "miscut_mm"), "MM");
+  add_value(verb, "--miscut", input.miscut_mm,
+            "cutting error of the copies of which a yield is counted, mm [the design's, or 0.05]",
+            within("optimise", "miscut_mm"), "MM");
   add_default(verb, "--trials", input.trials, "number of copies", counted("optimise", "trials"),
               "N");
 }

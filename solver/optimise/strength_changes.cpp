@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <map>
 
 #include "solver/bending/buckling.hpp"
@@ -14,7 +15,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
 // Panels count whose stress, or inverse factor, is at least this share of the largest.
@@ -95,7 +95,8 @@ std::vector<GoalTerm> local_buckling(SheetChanges& changes) {
                                       bending.bent()->thickness_mm);
   std::map<std::size_t, std::vector<std::size_t>> at_angle;  // panels
   for (std::size_t k = 0; k < panels.size(); ++k) {
-    if (kNearTheWorst * study.panels[k].factor > study.least().factor) continue;
+    const double factor = study.panels[k].factor;
+    if (!std::isfinite(factor) || kNearTheWorst * factor > study.least().factor) continue;
     const auto angle =
         std::ranges::find(bending.bent()->angles, study.panels[k].pilot_deg, &BentAngle::pilot_deg);
     at_angle[static_cast<std::size_t>(angle - bending.bent()->angles.begin())].push_back(k);

@@ -31,6 +31,8 @@ import json
 two = json.load(open("two.json"))
 made = json.load(open("made/best.json"))
 assert two["tries"][0]["pattern"] == made, "another best"
+logged = [tried for tries in json.load(open("made/tried.json"))["steps"].values() for tried in tries]
+assert all(tried in logged for tried in two["tries"]), "other tries"
 scores = [tried["score"] for tried in two["tries"] if tried["pattern"]]
 assert scores == sorted(scores, reverse=True), scores
 assert two["card"]["passes"] and all(tried["pattern"] or tried["why"] for tried in two["tries"])

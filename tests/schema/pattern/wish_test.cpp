@@ -64,7 +64,8 @@ TEST(Wish, AFillingTakesThePlaceOfSprings) {
     EXPECT_EQ(design["fill"], *choice.fill);
     EXPECT_EQ(design["thickness_mm"], 2);
   }
-  EXPECT_EQ(choices[1].words(), ", plate");
+  EXPECT_EQ(choices[1].words(), ", \"plate\"");
+  EXPECT_NE(choices[0].words(), choices[1].words());
 }
 
 TEST(Wish, AValueIsTheNearestThatIsAllowed) {
@@ -93,11 +94,13 @@ TEST(Wish, RefusesWhatCannotBeChosen) {
   expect_words(R"({"static_margin": [1, 2]})", "is a requirement");
   expect_words(R"({"holes": "any"})", "misalign perforations");
   expect_words(R"({"fill": {"kind": "plate"}})", "no list of choices");
+  expect_words(R"({"holes": ["checkerboard-odd", "checkerboard-odd"]})", "twice");
   expect_words(R"({"rim": 1})", "free.rim = 1");
   expect_words(R"({"thicknes_mm": [1, 2]})", "free.thicknes_mm");
   expect_words(R"({"amplitude_mm": ["a", 2]})", "free.amplitude_mm");
   expect_words("[]", "free");
   EXPECT_EQ(refusal_of(R"({"thickness_mm": [2, 2]})"), "");
+  EXPECT_EQ(wish_of(R"({"from_deg": [120, 120]})").free.from_deg, std::vector{120.0});
 }
 
 TEST(Wish, NeedsToBeFreeInSomething) {

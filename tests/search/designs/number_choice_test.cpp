@@ -95,6 +95,9 @@ TEST(NumberChoice, MakesNoMoreCardsThanAllowed) {
   const NumberChoice one = choose_numbers(sheet.on, sheet.free, {.most_cards = 1}),
                      more = choose_numbers(sheet.on, sheet.free, {.most_cards = 8});
   EXPECT_GE(more.score.value, one.score.value);
+  EXPECT_EQ(one.cards, 1);
+  EXPECT_LE(more.cards, 8);
+  EXPECT_GT(more.cards, 1);
 }
 
 }  // namespace

@@ -150,8 +150,8 @@ TEST_F(Goals, DistancesChangeAsTheySay) {
     const auto flat = trimmed_panels(own.panels(), own.way()->from_a1_mm(), 0);
     for (const PanelPair& pair : pairs_of(own.panels())) {
       if (pair.kind != ContactKind::apart) continue;
-      const auto placed = [&](int panel) {
-        return placed_panel(own, folded, panel, flat[static_cast<std::size_t>(panel)]);
+      const auto placed = [&](int which) {
+        return placed_panel(own, folded, which, flat[static_cast<std::size_t>(which)]);
       };
       const LengthGradient found = distance_gradient(placed(pair.a), placed(pair.b), folded);
       const auto distance = [&](const PathGradients::Shape& where) {
