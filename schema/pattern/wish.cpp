@@ -65,7 +65,7 @@ void read_number(ObjectReader& reader, const std::string& key, const Json& value
     return free.numbers.push_back({row, values, is_range});
   }
   free.from_deg = values;
-  if (is_range)
+  if (is_range && values.size() == 2)
     free.from_deg.insert(free.from_deg.begin() + 1, std::midpoint(values[0], values[1]));
   std::ranges::reverse(free.from_deg);
 }

@@ -101,9 +101,12 @@ std::string bought_springs_text(const solver::Sheet& sheet, const schema::Spring
         choice.from_deg, choice.is_proven ? "" : " that were tried", choice.bound_n_mm_per_mm,
         choice.options.to_deg, choice.options.required_n_mm_per_mm);
   }
-  std::string text = fmt::format("{} of {} diagonals carry a spring; price {:g}{}\n",
-                                 choice.springs.size(), mechanism.diagonal_count(), choice.price,
-                                 choice.is_proven ? ", proven best" : ", perhaps not the best");
+  const char* const best = !choice.is_proven        ? ", perhaps not the best"
+                           : order.bent_n_mm_per_mm ? ", the best that was found for bending panels"
+                                                    : ", proven best";
+  std::string text =
+      fmt::format("{} of {} diagonals carry a spring; price {:g}{}\n", choice.springs.size(),
+                  mechanism.diagonal_count(), choice.price, best);
   text += friction_lines(order) + "\n" + groups_table(mechanism, order) + "\n" +
           springs_table(mechanism, order) + way_lines(order);
   text +=

@@ -16,6 +16,7 @@
 #include "search/sheets/preloaded_springs.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/terminal/shell_word.hpp"
+#include "solver/contact/spring_clearance.hpp"
 
 namespace misalign::search {
 namespace {
@@ -57,7 +58,7 @@ class RemedySearch {
       if (mends(change.mends, key_)) try_switch(change);
     }
     if (is_mended_by_shifts(key_)) try_constructions();
-    if (remedies_.empty()) try_optimisation();
+    if (remedies_.empty() && !crosses(line)) try_optimisation();
     std::vector<Remedy> remedies;
     for (auto& [cost, remedy] : remedies_) {
       if (remedies.size() < kMostRemedies) remedies.push_back(std::move(remedy));
@@ -67,6 +68,14 @@ class RemedySearch {
 
  private:
   using MakeVariant = std::function<CardVariant(double)>;
+
+  // Returns whether two springs' axes cross, which no shift of vertices mends.
+  bool crosses(const CardLine& line) const {
+    const double diameter_mm =
+        subject_.model.design().diameter_mm.value_or(solver::kSpringDiameter_mm);
+    return key_ == "spring_clearance_mm" && line.found &&
+           *line.found <= solver::kSpringTouch_mm - diameter_mm;
+  }
 
   CardPart part_of(std::string_view key) const {
     for (std::size_t part = 0; part < kCardParts; ++part) {

@@ -15,6 +15,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
 // Panels count whose stress, or inverse factor, is at least this share of the largest.
@@ -45,15 +46,19 @@ class BentBySprings {
   const StudyResult<BentPanels>& bent() const { return bent_; }
   const BentWay& way() const { return *way_; }
   const EnergyModel& rigid() const { return springs_.rigid(); }
-  /// Gradient of the weighted sum of the bent forces at one of the angles: (1 + K C)^-1 dF, C and K
-  /// symmetric.
+  /// Gradient of the weighted sum of the bent forces f at one of the angles, with C and K
+  /// symmetric: (1 + K C) f = F, so that df = (1 + K C)^-1 (dF - dK C f).
   VectorXd row(std::size_t angle, const VectorXd& weights) const {
+    const BentAngle& bent = bent_->angles[angle];
     const MatrixXd& mm_per_n = way_->compliances()[angle].mm_per_n;
     const VectorXd n_per_mm = springs_.n_per_mm() * springs_.has_spring();
     const MatrixXd softening =
         MatrixXd::Identity(mm_per_n.rows(), mm_per_n.cols()) + mm_per_n * n_per_mm.asDiagonal();
-    return springs_.forces_row(changes_.at(bent_->angles[angle].pilot_deg),
-                               softening.partialPivLu().solve(weights));
+    const VectorXd of_rigid = softening.partialPivLu().solve(weights),
+                   given_mm = springs_.has_spring().cwiseProduct(mm_per_n * bent.bent.forces_n);
+    const RowVectorXd of_no_vertex = RowVectorXd::Zero(changes_.sheet.shifts_mm().size());
+    return springs_.forces_row(changes_.at(bent.pilot_deg), of_rigid) -
+           changes_.variables.row(of_no_vertex, of_rigid.dot(given_mm));
   }
 
  private:
@@ -130,13 +135,15 @@ std::vector<GoalTerm> local_spring_clearance(SheetChanges& changes) {
   const auto& bodies = changes.options.bodies;
   if (!bodies || !sheet.base().springs.at_vertices()) return {};
   const auto study = contact(sheet, {{}, changes.options.used_from_deg, bodies});
-  if (!study || !study->springs || !study->springs->springs.closest) return {};
-  const SpringMeeting& closest = *study->springs->springs.closest;
-  std::vector<double> angles_deg{closest.pilot_deg};
+  const SpringMeeting* const closest =
+      study && study->springs ? closest_meeting(*study->springs) : nullptr;
+  if (closest == nullptr) return {};
+  std::vector<double> angles_deg{closest->pilot_deg};
   for (int k = 1; k <= kClearanceAngles; ++k) {
     angles_deg.push_back(study->reach_deg * k / kClearanceAngles);
   }
   const std::vector<int> sprung = sprung_diagonals(SpringChanges(changes).rigid().filling());
+  const auto outlines = trimmed_panels(sheet.panels(), sheet.way()->from_a1_mm(), study->trim_mm);
   std::vector<GoalTerm> terms;
   for (const double pilot_deg : angles_deg) {
     if (pilot_deg <= 0) continue;
@@ -147,13 +154,21 @@ std::vector<GoalTerm> local_spring_clearance(SheetChanges& changes) {
       const double flat_mm = changes.flat.length_mm(d);
       return placed_line(*folded, diagonal.from, diagonal.to, bodies->left_out_mm() / flat_mm);
     };
+    const auto add = [&](const LengthGradient& apart, double bodies_mm) {
+      const double clear_mm = apart.mm - bodies_mm;
+      if (clear_mm > closest->clear_mm + kNearTheClosest * bodies->diameter_mm) return;
+      terms.push_back({clear_mm, 1, changes.variables.row(apart.by_mm)});
+    };
     for (std::size_t i = 0; i < sprung.size(); ++i) {
       for (std::size_t j = i + 1; j < sprung.size(); ++j) {
-        const LengthGradient apart = distance_gradient(axis(sprung[i]), axis(sprung[j]), *folded);
-        const double clear_mm = apart.mm - bodies->diameter_mm;
-        if (clear_mm > closest.clear_mm + kNearTheClosest * bodies->diameter_mm) continue;
-        terms.push_back({clear_mm, 1, changes.variables.row(apart.by_mm)});
+        add(distance_gradient(axis(sprung[i]), axis(sprung[j]), *folded), bodies->diameter_mm);
       }
+    }
+    if (const auto& by_panel = study->springs->panels.closest) {
+      const PlacedBody panel = placed_panel(sheet, *folded, by_panel->panel,
+                                            outlines[static_cast<std::size_t>(by_panel->panel)]);
+      add(distance_gradient(axis(by_panel->spring), panel, *folded),
+          by_panel->apart_mm - by_panel->clear_mm);
     }
   }
   return terms;

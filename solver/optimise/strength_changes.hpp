@@ -13,9 +13,8 @@ namespace misalign::solver {
 std::vector<GoalTerm> local_stress(SheetChanges& changes);
 /// The buckling factor of the panels that have least, each at its worst angle.
 std::vector<GoalTerm> local_buckling(SheetChanges& changes);
-/// The clearance of the closest pairs of springs, mm, with the bodies of the options; the distance
-/// of their axes less their diameter. None where springs end beside the vertices, or where panels
-/// alone are close.
+/// The clearance of the closest pairs of springs, and of the spring and panel that are closest, mm,
+/// with the bodies of the options. None where springs end beside the vertices, or nothing is close.
 std::vector<GoalTerm> local_spring_clearance(SheetChanges& changes);
 
 }  // namespace misalign::solver

@@ -8,7 +8,7 @@ import ezdxf
 
 from stroke_reader import words_of
 
-LONG = 5  # mm: sides of panels, not of tabs
+LONG, SHARE = 5, 0.3  # mm, and share of the longest: sides of panels, not of tabs or trimmed corners
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -30,7 +30,8 @@ def inside(point, ring):
 def turns_of(ring, directions):
     """Turns (radians) of a sheet whose sides have these directions that lay some along each long side of the ring."""
     off = lambda a, b: abs((a - b + math.pi / 2) % math.pi - math.pi / 2)
-    long = [math.atan2(q[1] - p[1], q[0] - p[0]) for p, q in sides_of(ring) if math.dist(p, q) > LONG]
+    least = max(LONG, SHARE * max(math.dist(p, q) for p, q in sides_of(ring)))
+    long = [math.atan2(q[1] - p[1], q[0] - p[0]) for p, q in sides_of(ring) if math.dist(p, q) > least]
     turns = []
     for direction in directions:
         turn = long[0] - direction

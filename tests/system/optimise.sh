@@ -147,10 +147,8 @@ echo '{ "family": "miura", "rows": 6, "columns": 6, "displacements_mm": { "A17":
 [ "$(sqlite3 :memory: "SELECT max(abs(xy.value)) <= 0.4 FROM json_each(readfile('near.json'), '\$.pattern.displacements_mm') v, json_each(v.value) xy")" = 1 ] ||
   fail "shifts beyond the amplitude: $(cat words)"
 grep -q '"between_samples"' near.json || fail "the sampling is not with it"
-# What the card of the start meets, that of the optimum meets, too: with springs on one diagonal of each hole. Without
-# that the stress grows with the friction.
-sed 's|"holes"|"design": { "from_deg": 120, "thickness_mm": 1, "hold_flat": true, "material": { "name": "soft", "e_gpa": 3, "strength_mpa": 9 },
-  "springs": { "on": "one_a_hole", "stiffness_n_per_mm": 10, "preload_n": 0.1 } }, "holes"|' "$table1" > soft.json
+# What the card of the start meets, that of the optimum meets, too: with springs on one diagonal of each hole.
+sed 's|"holes"|"design": { "from_deg": 120, "thickness_mm": 1, "hold_flat": true, "material": { "name": "soft", "e_gpa": 3, "strength_mpa": 9 }, "springs": { "on": "one_a_hole", "stiffness_n_per_mm": 10, "preload_n": 0.1 } }, "holes"|' "$table1" > soft.json
 met() { "$program" card "$1" --trials 50 --no-remedies --json | python3 -c '
 import json, sys
 print(" ".join(sorted(line["key"] for line in json.load(sys.stdin)["lines"] if line["passes"])))'; }
@@ -158,7 +156,6 @@ print(" ".join(sorted(line["key"] for line in json.load(sys.stdin)["lines"] if l
 "$program" optimise soft.json --goal energy_n_mm --amplitude 2 --steps 6 --keep-card --trials 50 --output kept.json > words || fail "kept: $(cat words)"
 met soft.json > before
 grep -q largest_stress_mpa before || fail "the start breaks: $(cat before)"
-met free.json | grep -q largest_stress_mpa && fail "the stress of an optimum without a limit"
 for key in $(cat before); do met kept.json | grep -qw "$key" || fail "the optimum breaks $key"; done
 "$program" optimise free.json --goal largest_stress_mpa --amplitude 2 --steps 3 --json > said.json || fail "less stress"
 json_test said.json "json_extract(j, '\$.after_mpa') < 0.9 * json_extract(j, '\$.before_mpa')" || fail "less stress: $(head -c 300 said.json)"

@@ -18,7 +18,8 @@ import sys
 
 import numpy as np
 
-from kit_drawing import Drawing
+from kit_drawing import Drawing, turns_of
+from stroke_reader import words_of
 
 DEEP = 0.01  # mm of overlap: bores, arcs and rounding are drawn within 0.005
 NEAR = 0.01  # mm
@@ -134,6 +135,9 @@ class Sheet:
         for face in fold["faces_vertices"]:
             face = face if area([tuple(self.flat[v]) for v in face]) > 0 else face[::-1]
             self.faces["r%dc%d" % divmod(min(face), across)] = face
+        sides = {math.atan2(*(self.flat[q] - self.flat[p])[::-1]) % math.pi
+                 for face in self.faces.values() for p, q in zip(face, face[1:] + face[:1])}
+        self.directions = sorted({round(side, 2) for side in sides})
         self.letters = {frozenset(e): letter for e, letter in zip(fold["edges_vertices"], fold["edges_assignment"])}
         self.frames = [(0.0, np.hstack([self.flat, np.zeros((len(self.flat), 1))]))] + [
             (frame["misalign:pilot_deg"], np.array(frame["vertices_coords"])) for frame in fold["file_frames"]
@@ -197,8 +201,9 @@ class Check:
         drawing = Drawing(wish.kit)
         self.faults += drawing.faults
         contours = [points for points, closed in drawing.paths["cut"] if closed and area(points) > 0]
+        drawing.texts["engrave"] = [word for ring in contours for word in self.words_in(drawing, ring)]
         self.plates = {}
-        for x, y, words, _ in drawing.texts["engrave"]:
+        for x, y, words, _ in drawing.texts.get("engrave", []):
             if not re.fullmatch(r"r\d+c\d+", words):
                 continue
             rings = [ring for ring in contours if inside((x, y), ring)]
@@ -211,6 +216,17 @@ class Check:
         for kind in ("valley", "mountain"):
             for points, _ in drawing.paths.get(f"score_{kind}", []):
                 self.nearest(points).bevels[kind].append(points)
+
+    def words_in(self, drawing, ring):
+        """What is engraved in a contour, read at the turn at which most of it is a label."""
+        paths = [path for path in drawing.paths["engrave"] if inside(path[0][0], ring)]
+        turns = turns_of(ring, self.sheet.directions)
+        if len(turns) < 2:  # trimmed corners are as long as sides
+            turns = np.arange(0, 2 * math.pi, 0.04)
+        readings = [list(words_of(paths, [turn])) for turn in turns]
+        own = lambda words: sum(word[2] in self.sheet.faces for word in words)
+        others = lambda words: sum(bool(re.fullmatch(r"[Abs]\d+", word[2])) for word in words)
+        return max(readings, key=lambda words: (own(words) == 1, own(words) + 2 * others(words) - len(words)), default=[])
 
     def expect(self, good, words):
         if not good:

@@ -41,8 +41,6 @@ bores="--joint-bore 1.2 --spring-bore 1.5"
   kit 8x6.json film 2 60 $bores --clearance 0.1
   kit 8x6.json bevel 2 60
   kit 8x6.json pin 2 60 --barrel 2 --clearance 0.2
-  # shellcheck disable=SC2086
-  kit dome.json film 2 90 $bores
   kit dome.json pin 2 90 --barrel 2 --clearance 0.2
 } > checks
 # What sees nothing wrong must be able to: thicker plates of the same contours overlap.
@@ -121,11 +119,11 @@ refused "no meaning without" --format dxf --crease pin --thickness 3 --from 90 -
 grep -q "add --kit" err || fail "3mf without --kit: $(cat err)"
 "$program" export "$patterns/table1.json" --format dxf --kit --crease butt --thickness 0.2 --from 90 --allow-misfit \
   --output butt > names || fail "butt with consent"
-grep -q "miss by" "$(head -1 names)" || fail "the misfit is not said"
+grep -q "miss by" butt/table1-kit.html || fail "the misfit is not said"
 
 # Without a thickness hinges of a design are cut creases, as before.
 sed 's/"holes"/"design": { "hinges": { "like": "printed pin hinge" } }, "holes"/' "$patterns/table1.json" > pins.json
 "$program" export pins.json --format svg --kit --output pins > names || fail "pins without a thickness"
 "$program" export "$patterns/table1.json" --format svg --kit --crease cut --output cut > others || fail "cut"
-cmp -s <(grep -v misalign: "$(cat names)") <(grep -v misalign: "$(cat others)") || fail "pins without a thickness are no cut creases"
+cmp -s <(grep -v misalign: "$(head -1 names)") <(grep -v misalign: "$(head -1 others)") || fail "pins without a thickness are no cut creases"
 finish

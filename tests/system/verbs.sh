@@ -124,6 +124,8 @@ with open(sys.argv[1], "r+b") as catalogue:
     fcntl.lockf(catalogue, fcntl.LOCK_EX, 1, 1 << 62)
     sys.exit(subprocess.run(sys.argv[2:]).returncode)
 END
+echo '{ "family": "miura", "rows": 4, "columns": 4, "design": { "from_deg": 60 },
+  "free": { "amplitude_mm": [1, 1], "thickness_mm": { "of": [1] }, "one_a_hole": true, "rim": true } }' > wish.json
 cat > json-calls << END
 status $file
 fold $source_dir/search/patterns/table1.json --to 20
@@ -142,6 +144,7 @@ deploy $source_dir/search/patterns/table1.json --from 156.3
 card $file $draw --from 60
 report $source_dir/search/patterns/table1.json
 shape $source_dir/search/patterns/dome-6x6.json
+design wish.json --draws 0 --trials 5
 bench --agree 5
 config --materials
 END
@@ -155,7 +158,7 @@ said() {  # LEVEL WORD...
   shift
   [ "$1" != tolerance ] || lock=(python3 locked.py "$file")
   "${lock[@]}" "$program" "$@" --json --log-level "$level" > out.json 2> err
-  case $?:$1 in 0:* | 6:card) ;; *) fail "$* --json: $(cat err)" ;; esac
+  case $?:$1 in 0:* | 6:card | 6:design) ;; *) fail "$* --json: $(cat err)" ;; esac
   json_test out.json "json_valid(j)" || fail "$* --json: $(head -c 200 out.json)"
 }
 while read -r -a words; do

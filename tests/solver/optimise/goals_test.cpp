@@ -50,6 +50,10 @@ TEST_P(ForeseenGoals, ChangeAsTheySay) {
     }
     options_.shape = std::make_shared<const ShapeMeasure>(*ShapeMeasure::of(solver_, bent, 60));
   }
+  if (what.goal == std::string_view("spring_clearance_mm")) {
+    options_.bodies = SpringBodies{.diameter_mm = 2};
+    springs().on = SpringsOn::one_a_hole;  // others cross
+  }
   springs().rest_deg = what.rest_deg;
   springs().preload.each_n = what.preload_n;
   if (what.with_rate) options_.stiffness_n_per_mm = {10, 100};
@@ -112,8 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
         GoalCase{"deployed", "rest_stiffness_n_mm_per_rad", 0, 0.02, false, 5e-3},
         GoalCase{"stop", "rest_stiffness_n_mm_per_rad", 60, 0, true, 0.03},
         GoalCase{"thickness", "thickness_mm", 0, 0, false, 0.08, 0.02},
-        GoalCase{"stress", "largest_stress_mpa", 0, 0.02, true, 0.05, 1e-3, 0.05},
-        GoalCase{"buckling", "buckling_factor", 0, 0.02, true, 0.05, 1e-3, 0.05},
+        GoalCase{"stress", "largest_stress_mpa", 0, 0.02, true, 0.3, 1e-3, 0.05},
+        GoalCase{"buckling", "buckling_factor", 0, 0.02, true, 0.3, 1e-3, 0.05},
         GoalCase{"clearance", "spring_clearance_mm", 0, 0, false, 0.08, 0.02},
         GoalCase{"shape_rms", "shape_rms_mm", 0, 0, false, 2e-5, 1e-6},
         GoalCase{"shape_max", "shape_max_mm", 0, 0, false, 0.01, 1e-6},
