@@ -47,6 +47,12 @@ Json limits_json(const solver::Actuation& actuation) {
   return json;
 }
 
+Json pairs_json(const solver::Mechanism& mechanism, const std::vector<std::pair<int, int>>& pairs) {
+  return json_list(pairs, [&](const auto& pair) {
+    return Json{diagonal_label(mechanism, pair.first), diagonal_label(mechanism, pair.second)};
+  });
+}
+
 void add_filling(const solver::Fill& fill, const solver::PerforatedSheet& base, Json& json) {
   json["fill"] = fill_json(fill, base);
   const auto* const springs = std::get_if<solver::Springs>(&fill);

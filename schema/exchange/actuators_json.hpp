@@ -12,6 +12,9 @@ std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal);
 /// "A11-A17, A3-A9"; "none".
 std::string diagonal_labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals);
 
+/// [["A11-A17", "A10-A16"], ...].
+Json pairs_json(const solver::Mechanism& mechanism, const std::vector<std::pair<int, int>>& pairs);
+
 /// Adds the filling to an object about it as "fill"; of springs also their rate, and what else they
 /// have, by the keys that they had before there were other fillings.
 void add_filling(const solver::Fill& fill, const solver::PerforatedSheet& base, Json& json);

@@ -148,14 +148,13 @@ class DxfPen {
       dxf_.writeCircle(
           *to_, DL_CircleData(at.x(), at.y(), 0, in_unit(circle.radius_mm, drawing_.unit)), look);
     }
-    constexpr int kMiddle = 1, kBaseLine = 0;
+    constexpr int kLeft = 0, kBaseLine = 0;
     for (const DrawnText& text : layer.texts) {
       const Eigen::Vector2d at = on_page(text.at_mm);
       dxf_.writeText(
           *to_,
           DL_TextData(at.x(), at.y(), 0, at.x(), at.y(), 0, in_unit(text.height_mm, drawing_.unit),
-                      1, 0, text.centred ? kMiddle : 0, kBaseLine, dxf_text(text.words), kStyle,
-                      text.turned_deg * solver::kRadPerDeg),
+                      1, 0, kLeft, kBaseLine, dxf_text(text.words), kStyle, 0),
           look);
     }
   }

@@ -30,11 +30,9 @@ struct DrawnCircle {
 };
 
 struct DrawnText {
-  Eigen::Vector2d at_mm;  ///< left end or middle of the base line
+  Eigen::Vector2d at_mm;  ///< left end of the base line; its middle where it is engraved
   std::string words;
   double height_mm;  ///< height of a capital
-  bool centred = false;
-  double turned_deg = 0;  ///< counter-clockwise, about `at_mm`
 };
 
 enum class LayerUse {

@@ -19,17 +19,13 @@ Json rows_json(const solver::SpringChoice& choice) {
 }
 
 Json limits_json(const solver::Mechanism& mechanism, const solver::SpringChoiceOptions& options) {
-  Json never_both = Json::array();
-  for (const auto& [a, b] : options.never_both) {
-    never_both.push_back({diagonal_label(mechanism, a), diagonal_label(mechanism, b)});
-  }
   return {{"to_deg", options.to_deg},
           {"most_rate_n_per_mm", options.most_rate_n_per_mm},
           {"rates_n_per_mm", options.rates_n_per_mm},
           {"free_within", options.free_within},
           {"pull_only", options.pull_only},
           {"one_a_hole", options.one_a_hole},
-          {"never_both", never_both},
+          {"never_both", pairs_json(mechanism, options.never_both)},
           {"most_springs", or_null(options.most_springs)},
           {"friction_n_mm_per_mm", options.friction_n_mm_per_mm},
           {"fewest_margin", or_null(options.fewest_margin)},

@@ -32,28 +32,11 @@ Json meetings_json(const Pattern& base, const solver::Panels& panels, const Diag
           {"touching", touching}};
 }
 
-Json offset_json(const Pattern& base, const solver::Panels& panels, const Diagonals& diagonals,
-                 const solver::OffsetEnds& ends) {
-  Json json = {{"kind", offset_name(ends.kind)},
-               {"inset_mm", ends.inset_mm},
-               {"offset_mm", or_null(ends.offset_mm)}};
-  if (!ends.offset_mm) return json;
-  json["deploys_from_deg"] = ends.deploys_from_deg;
-  json["monotone"] = ends.monotone;
-  json["diagonals"] = ends.diagonals;
-  json["closest"] = meetings_json(base, panels, diagonals, ends.springs).at("closest");
-  return json;
-}
-
 }  // namespace
 
 Json place_of_panel(const Pattern& base, const solver::Panels& panels, int panel) {
   assert(panel >= 0 && panel < std::ssize(panels.facets));
   return facet_json(base, panels.facets[static_cast<std::size_t>(panel)]);
-}
-
-const char* offset_name(solver::OffsetKind kind) {
-  return kind == solver::OffsetKind::alternate ? "alternate" : "one_above";
 }
 
 std::string meeting_text(const Pattern& base, const solver::Panels& panels,
@@ -78,18 +61,13 @@ Json spring_clearance_json(const Pattern& base, const solver::Panels& panels,
     apart["springs_mm"].push_back(finite_or_null(at.springs_mm));
     apart["panels_mm"].push_back(finite_or_null(at.panels_mm));
   }
-  Json json = {{"diameter_mm", springs.bodies.diameter_mm},
-               {"end_mm", springs.bodies.left_out_mm()},
-               {"thickness_mm", springs.bodies.panel_mm},
-               {"reaches_deg", study.reach_deg},
-               {"springs", meetings(springs.springs)},
-               {"panels", meetings(springs.panels)},
-               {"apart", apart}};
-  if (study.trial == solver::OffsetTrial::tried) json["offset_ends"] = Json::array();
-  for (const solver::OffsetEnds& ends : study.offsets) {
-    json["offset_ends"].push_back(offset_json(base, panels, springs.diagonals, ends));
-  }
-  return json;
+  return {{"diameter_mm", springs.bodies.diameter_mm},
+          {"end_mm", springs.bodies.left_out_mm()},
+          {"thickness_mm", springs.bodies.panel_mm},
+          {"reaches_deg", study.reach_deg},
+          {"springs", meetings(springs.springs)},
+          {"panels", meetings(springs.panels)},
+          {"apart", apart}};
 }
 
 }  // namespace misalign::schema

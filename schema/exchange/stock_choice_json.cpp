@@ -12,10 +12,6 @@ namespace misalign::schema {
 namespace {
 
 Json stock_limits_json(const solver::Mechanism& mechanism, const solver::StockOptions& options) {
-  Json never_both = Json::array();
-  for (const auto& [a, b] : options.never_both) {
-    never_both.push_back({diagonal_label(mechanism, a), diagonal_label(mechanism, b)});
-  }
   return {
       {"to_deg", options.to_deg},
       {"required_n_mm_per_mm", options.required_n_mm_per_mm},
@@ -23,7 +19,7 @@ Json stock_limits_json(const solver::Mechanism& mechanism, const solver::StockOp
       {"link_step_mm", options.links.step_mm},
       {"least_link_mm", options.links.least_mm},
       {"largest_force_n", or_null(options.links.largest_force_n)},
-      {"never_both", never_both},
+      {"never_both", pairs_json(mechanism, options.never_both)},
       {"barred", json_list(options.barred, [&](int d) { return diagonal_label(mechanism, d); })},
       {"goal", options.goal == solver::StockGoal::fewest_types ? "types" : "price"}};
 }

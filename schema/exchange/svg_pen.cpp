@@ -37,15 +37,9 @@ class Page {
   }
   // `height_mm`: the height of the layer's texts, which a text of the same height inherits.
   std::string text(const DrawnText& text, double height_mm) const {
-    std::string tag =
-        "    <text x=\"" + x(text.at_mm) + "\" y=\"" + y(text.at_mm) + "\"" +
-        (text.centred ? " text-anchor=\"middle\"" : "") +
-        (text.height_mm == height_mm ? "" : " font-size=\"" + font_size(text.height_mm) + "\"");
-    if (text.turned_deg != 0) {
-      tag += " transform=\"rotate(" + number(-text.turned_deg) + " " + x(text.at_mm) + " " +
-             y(text.at_mm) + ")\"";
-    }
-    return tag + ">" + xml_text(text.words) + "</text>\n";
+    return "    <text x=\"" + x(text.at_mm) + "\" y=\"" + y(text.at_mm) + "\"" +
+           (text.height_mm == height_mm ? "" : " font-size=\"" + font_size(text.height_mm) + "\"") +
+           ">" + xml_text(text.words) + "</text>\n";
   }
   static std::string font_size(double height_mm) { return number(height_mm / kCapitalEm); }
 

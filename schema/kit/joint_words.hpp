@@ -8,8 +8,10 @@
 
 namespace misalign::schema {
 
-/// A sentence on the kind of ball joints and their play, for drawings; empty without a kind.
-std::string joint_words(const solver::Sheet& sheet, const KitOptions& options);
+/// "loops of wire of 1 mm in bores of 1.2 mm".
+std::string joint_words(const solver::JointParts& parts);
+/// Sentences on the making of a joint.
+const char* joint_steps(solver::JointKind kind);
 
 /// A section of a guide, as HTML: what each joint is made of, how it is tied, and its play; empty
 /// without a kind.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "schema/kit/joint_words.hpp"
 #include "schema/kit/kit_hinges.hpp"
 #include "schema/kit/page_parts.hpp"
 #include "schema/pattern/fill_words.hpp"
@@ -81,20 +82,23 @@ class Bill {
     return text;
   }
 
-  // Loops of wire, each twice as long as its bores are apart, and an end for the twist.
+  // Loops of wire are each twice as long as its bores are apart, and an end for the twist.
   std::string joints() const {
     constexpr double kTwist_mm = 20;
     const std::size_t count = sheet_.mechanism().balls.size();
     if (count == 0) return "";
-    if (!input_.options.joint_bore_mm) return row("ball joints: loops of wire", count, "no bores");
-    const KitFittings fittings = kit_fittings(sheet_, input_.options);
+    const auto& parts = input_.options.joints;
+    const std::string part =
+        "ball joints: " + (parts ? joint_words(*parts) : std::string("loops of wire"));
+    const bool are_loops = !parts || parts->kind == solver::JointKind::loop;
+    if (!are_loops) return row(part, count, "");
+    if (!input_.options.joint_bore_mm) return row(part, count, "no bores");
+    const std::vector<Bore>& bores = input_.kit.fittings.bores;
     double wire_mm = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      wire_mm +=
-          2 * (fittings.bores[2 * k].centre_mm - fittings.bores[2 * k + 1].centre_mm).norm() +
-          kTwist_mm;
+      wire_mm += 2 * (bores[2 * k].centre_mm - bores[2 * k + 1].centre_mm).norm() + kTwist_mm;
     }
-    return row("ball joints: loops of wire", count,
+    return row(part, count,
                input_.length(wire_mm, 0) + " of wire for bores of " +
                    input_.length(*input_.options.joint_bore_mm, 2));
   }

@@ -79,7 +79,7 @@ class FittingsMaker {
   double distance_from_corner(int facet, int vertex, double apart_mm,
                               const PanelCorner& corner) const {
     const auto& around = sheet_.base().sheet.facets[static_cast<std::size_t>(facet)];
-    const auto k = static_cast<std::size_t>(std::ranges::find(around, vertex) - around.begin());
+    const auto k = static_cast<std::size_t>(solver::corner_of(around, vertex));
     double back_mm = 0;
     for (const std::size_t side : {k, (k + 3) % 4}) {
       const PlateEdge& edge = made_.edges.edge(facet, side);
@@ -113,8 +113,8 @@ class FittingsMaker {
     const Vector2d at_mm = sheet_.point_mm(vertex);
     const double radius_mm = made_.edges.tab_radius_mm(sheet_, facet, vertex,
                                                        0.5 * diameter_mm + options_.bore_edge_mm),
-                 clear_mm = std::hypot(radius_mm, 0.5 * made_.edges.thickness_mm()) + kTabSlot_mm +
-                            options_.kerf_mm;
+                 clear_mm =
+                     std::hypot(radius_mm, made_.edges.reach_mm()) + kTabSlot_mm + options_.kerf_mm;
     made_.ends.push_back({facet, vertex, spring, at_mm, in_joint ? 0 : clear_mm});
     if (in_joint) return;
     made_.bores.push_back({facet, vertex, spring, at_mm, diameter_mm});

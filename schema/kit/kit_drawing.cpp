@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "schema/kit/part_item.hpp"
 
@@ -27,14 +28,12 @@ void refuse_options(const KitOptions& options) {
 
 class KitMaker {
  public:
-  KitMaker(const solver::Sheet& sheet, const KitOptions& options)
-      : sheet_(sheet),
-        options_(options),
-        layout_(options),
-        fittings_(kit_fittings(sheet, options)) {}
+  KitMaker(const solver::Sheet& sheet, const KitOptions& options, KitFittings fittings)
+      : sheet_(sheet), options_(options), layout_(options), fittings_(std::move(fittings)) {}
 
   Kit kit(const std::string& title) {
     Kit kit;
+    kit.fittings = fittings_;
     kit.springs = kit_springs(sheet_, fittings_, kit_rows(sheet_, options_.from_deg));
     kit.warning = contradiction_of(kit.springs);
     for (const KitPart& part : kit_parts(sheet_, options_.crease)) {
@@ -59,6 +58,7 @@ class KitMaker {
 
   // Divides a part along creases by the grid with the fewest cells in which everything fits.
   std::vector<KitPart> divided_to_fit(const KitPart& part) const {
+    if (!options_.bed_mm) return {part};
     const auto [rows, columns] = rows_and_columns(sheet_, part);
     for (int cells = 1; cells <= rows * columns; ++cells) {
       for (int down = 1; down <= std::min(cells, rows); ++down) {
@@ -95,7 +95,17 @@ class KitMaker {
 
 Kit kit_of(const solver::Sheet& sheet, const KitOptions& options, const std::string& title) {
   refuse_options(options);
-  return KitMaker(sheet, options).kit(title);
+  return KitMaker(sheet, options, kit_fittings(sheet, options)).kit(title);
+}
+
+KitSheets kit_spacer_sheets(const solver::Sheet& sheet, const Kit& kit, const KitOptions& options,
+                            const std::string& title) {
+  if (!options.plates || options.plates->spacer_mm == 0) return {};
+  KitOptions spacers = options;
+  spacers.plates->thickness_mm = std::exchange(spacers.plates->spacer_mm, 0);
+  KitFittings fittings = kit.fittings;
+  fittings.edges = PlateEdges(sheet, spacers);
+  return KitMaker(sheet, spacers, std::move(fittings)).kit(title).sheets;
 }
 
 }  // namespace misalign::schema

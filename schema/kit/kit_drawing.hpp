@@ -11,6 +11,7 @@
 namespace misalign::schema {
 
 struct Kit {
+  KitFittings fittings;
   std::vector<KitPart> parts;
   KitSheets sheets;                ///< a place for each part
   std::vector<KitSpring> springs;  ///< none without bores for springs
@@ -21,5 +22,10 @@ struct Kit {
 /// UserError (bad_request) if the options do not go together, a panel does not fit the bed, bores
 /// or tabs do not fit a panel, or the kerf is too wide.
 Kit kit_of(const solver::Sheet& sheet, const KitOptions& options, const std::string& title);
+
+/// The spacers of a kit of offset plates, with the bores of its plates: they lie on the films and
+/// reach nearer to the creases. None without a thickness of spacers. UserError as above.
+KitSheets kit_spacer_sheets(const solver::Sheet& sheet, const Kit& kit, const KitOptions& options,
+                            const std::string& title);
 
 }  // namespace misalign::schema

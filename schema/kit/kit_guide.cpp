@@ -10,7 +10,6 @@
 #include "schema/kit/kit_steps.hpp"
 #include "schema/kit/page_parts.hpp"
 #include "schema/kit/sheet_pictures.hpp"
-#include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -65,16 +64,15 @@ std::string kit_guide(const GuideInput& input) {
   if (!input.kit.warning.empty()) {
     text += "<p class=\"warning\">" + xml_text(input.kit.warning) + "</p>\n";
   }
-  const std::optional<double>& from_deg = input.options.from_deg;
-  if (from_deg && solver::beyond_d(input.sheet, *from_deg)) {
+  const std::optional<double>& wanted_deg = input.design.from_deg;
+  if (wanted_deg && !input.options.from_deg) {
     text += fmt::format(
         "<p>The angle of use, {:.10g}°, lies beyond D = {:.10g}°, from which the sheet deploys: "
-        "all "
-        "values end at D.</p>\n",
-        *from_deg, input.sheet.deploys_from_deg());
+        "all values end at D.</p>\n",
+        *wanted_deg, input.sheet.deploys_from_deg());
   }
-  const KitFittings fittings = kit_fittings(input.sheet, input.options);
-  if (const std::string words = fittings.edges.words(); !words.empty()) {
+  const KitFittings& fittings = input.kit.fittings;
+  if (const std::string& words = fittings.edges.words(); !words.empty()) {
     text += "<p>" + xml_text(words) + "</p>\n";
   }
   return text + kit_bill(input) + material_sheets(input) + layer_table(input) + kit_steps(input) +

@@ -20,7 +20,7 @@ enum class SpringAt {
 /// Plates whose hinges lie within them or on their faces.
 struct PlateOptions {
   double thickness_mm = 0;
-  std::optional<double> from_deg;  ///< angle of use, to which they fold; none: D
+  double spacer_mm = 0;     ///< thickness of spacers between offset plates and their films
   double trim_mm = 0;       ///< trim of corners where plates meet in a point (plate_thickness.hpp)
   double film_mm = 0;       ///< free length of films, the least gap
   double barrel_mm = 0;     ///< outer diameter of pins' barrels
@@ -30,19 +30,14 @@ struct PlateOptions {
   bool allows_misfit = false;  ///< true if hinges on faces may miss by more than kMostMisfit
 };
 
-/// Ball joints, and the angle of use up to which they move; none: D.
-struct KitJoints {
-  solver::JointParts parts;
-  std::optional<double> from_deg;
-};
-
 struct KitOptions {
   CreaseCut crease = CreaseCut::score;
   double kerf_mm = 0;                                   ///< width of material that a cut removes
   double dash_mm = 4, bridge_mm = 1;                    ///< sizes of a perforation after cutting
   std::optional<double> joint_bore_mm, spring_bore_mm;  ///< diameters
-  std::optional<KitJoints> joints;                      ///< given where a design has a kind
-  std::optional<SpringAt> spring_at;                    ///< default: vertex
+  std::optional<solver::JointParts> joints;             ///< given where a design has a kind
+  std::optional<double> ball_mm;          ///< diameter of printed balls; none: thickness
+  std::optional<SpringAt> spring_at;      ///< default: vertex
   std::optional<PlateOptions> plates;     ///< given where creases are hinges of plates
   double bore_edge_mm = 2;                ///< least distance of a bore from edges and other bores
   double gap_mm = 5;                      ///< distance between parts
@@ -52,9 +47,7 @@ struct KitOptions {
   bool test_piece = false;                ///< true if pieces to cut first are drawn, too
   NestTurns turns = NestTurns::any;
   LengthUnit unit = LengthUnit::millimetre;  ///< unit of files
-  std::optional<double> from_deg;            ///< angle of use, where tables end; none: D
-  bool must_reach =
-      false;  ///< true if an angle of use beyond D is refused; otherwise D replaces it
+  std::optional<double> from_deg;            ///< angle of use; none: D
 };
 
 }  // namespace misalign::schema

@@ -107,10 +107,8 @@ Ring round_tab(const solver::Sheet& sheet, const KitPart& part, const SpringTab&
     const double turn_rad =
                      sector->has_tab ? 2 * std::numbers::pi - sector->turn_rad : -sector->turn_rad,
                  radius_mm = sector->has_tab ? tab.radius_mm : tab.clear_mm;
-    for (const double angle :
-         chord_angles_rad(sector->from_rad + sector->turn_rad, turn_rad, radius_mm)) {
-      ring.emplace_back(at_mm + radius_mm * Vector2d(std::cos(angle), std::sin(angle)));
-    }
+    const Ring arc = arc_points(at_mm, radius_mm, sector->from_rad + sector->turn_rad, turn_rad);
+    ring.insert(ring.end(), arc.begin(), arc.end());
   }
   return ring;
 }
@@ -191,18 +189,6 @@ std::optional<Ring> offset_ring(const Ring& ring, double distance_mm) {
   }
   if (!is_simple(moved)) return std::nullopt;
   return moved;
-}
-
-Eigen::Vector2d PartOutline::least_mm() const {
-  Vector2d least = rings[0][0];
-  for (const Vector2d& point : rings[0]) least = least.cwiseMin(point);
-  return least;
-}
-
-Eigen::Vector2d PartOutline::most_mm() const {
-  Vector2d most = rings[0][0];
-  for (const Vector2d& point : rings[0]) most = most.cwiseMax(point);
-  return most;
 }
 
 PartOutline part_outline(const solver::Sheet& sheet, const KitPart& part,

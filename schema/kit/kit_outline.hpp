@@ -29,9 +29,6 @@ struct PartOutline {
   /// Cuts from a corner of one ring through a ball joint to that of another: where openings touch,
   /// contours half a kerf inside them would leave a neck. None without a kerf.
   std::vector<std::vector<Eigen::Vector2d>> slits;
-
-  Eigen::Vector2d least_mm() const;
-  Eigen::Vector2d most_mm() const;
 };
 
 /// The outline of a part. UserError (bad_request) if the kerf is too wide.

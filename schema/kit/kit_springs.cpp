@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 Vector3d folded_point(const solver::Sheet& sheet, const SpringEnd& end,
                       const Eigen::Matrix3Xd& shape) {
   const auto& v = sheet.base().sheet.facets[static_cast<std::size_t>(end.facet)];
-  const auto k = static_cast<std::size_t>(std::find(v.begin(), v.end(), end.vertex) - v.begin());
+  const auto k = static_cast<std::size_t>(solver::corner_of(v, end.vertex));
   const int next = v[(k + 1) % 4], before = v[(k + 3) % 4];
   const Vector2d at_mm = sheet.point_mm(end.vertex);
   Eigen::Matrix2d edges;

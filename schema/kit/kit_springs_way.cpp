@@ -105,14 +105,7 @@ std::string sentences_of(const solver::Sheet& sheet, const solver::SpringFaces& 
 std::string springs_way_section(const solver::Sheet& sheet, const Design& design,
                                 const KitFittings& fittings, double from_deg) {
   if (!design.is_springs()) return "";
-  solver::Springs springs = design.springs();
-  springs.rest_deg = 0;  // bodies are alike wherever springs are relaxed
-  const auto faces = solver::spring_faces(sheet,
-                                          {design.diameter_mm.value_or(solver::kSpringDiameter_mm),
-                                           {},
-                                           design.plates().thickness_mm,
-                                           springs},
-                                          from_deg);
+  const auto faces = solver::spring_faces(sheet, design.spring_bodies(), from_deg);
   if (!faces) return "";
   std::string text = "<h2>Way of the springs</h2>\n" + sentences_of(sheet, *faces);
   if (faces->springs.empty()) return text;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "schema/exchange/xml_text.hpp"
+#include "schema/kit/joint_words.hpp"
 #include "schema/kit/page_parts.hpp"
 #include "schema/kit/sheet_pictures.hpp"
 #include "schema/pattern/fill_words.hpp"
@@ -29,11 +30,11 @@ class Steps {
   std::string trial() const {
     const bool has_springs = std::holds_alternative<solver::Springs>(input_.fill());
     return fmt::format(
-        "<li><b>Try first.</b> {} Fold its crease a few times, tie the third square to the "
-        "corner{}. "
-        "Then set kerf and bores.</li>\n",
+        "<li><b>Try first.</b> {} {} a few times, tie the third square to the corner{}. Then set "
+        "kerf and bores.</li>\n",
         input_.options.test_piece ? "Cut the test piece, which has a file of its own."
                                   : "Cut one hinge and one ball joint of the material.",
+        are_apart(input_.options.crease) ? "Hinge its squares and fold them" : "Fold its crease",
         has_springs ? ", and hang one spring between the tab and the joint" : "");
   }
 
@@ -88,8 +89,10 @@ class Steps {
     }
     const std::string picture = assembled_picture(sheet_, input_.design.diagonals_name());
     if (rows.empty()) return picture;
-    return "<li><b>Tie the ball joints</b> in this order: a loop of wire through both panels at "
-           "each vertex.\n" +
+    const auto& parts = input_.options.joints;
+    return fmt::format("<li><b>Make the ball joints</b> in this order. {}\n",
+                       parts ? joint_steps(parts->kind)
+                             : "Tie a loop of wire through both panels at each vertex.") +
            page_tables({"vertex", "panel", "panel"}, rows, 3) + picture + "</li>\n";
   }
 

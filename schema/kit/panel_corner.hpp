@@ -5,6 +5,7 @@
 #include <string>
 
 #include "schema/pattern/pattern_file.hpp"
+#include "solver/model/panel_pairs.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::schema {
@@ -18,8 +19,7 @@ inline std::string panel_label(const solver::Sheet& sheet, int facet) {
 struct PanelCorner {
   PanelCorner(const solver::Sheet& sheet, int facet, int vertex) : at_mm(sheet.point_mm(vertex)) {
     const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
-    const auto k =
-        static_cast<std::size_t>(std::find(around.begin(), around.end(), vertex) - around.begin());
+    const auto k = static_cast<std::size_t>(solver::corner_of(around, vertex));
     const Eigen::Vector2d next = (sheet.point_mm(around[(k + 1) % 4]) - at_mm).normalized(),
                           previous = (sheet.point_mm(around[(k + 3) % 4]) - at_mm).normalized();
     bisector = (next + previous).normalized();

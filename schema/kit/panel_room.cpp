@@ -10,14 +10,11 @@ namespace {
 
 using Eigen::Vector2d;
 
+// Width of a letter of the stroke font, in heights of a capital: a bound.
+constexpr double kLetter = 0.95;
 constexpr double kClear_mm = 1;  // least distance between words, and from edges and bores
 
 }  // namespace
-
-double text_width(const std::string& words) {
-  constexpr double kLetter = 0.95;
-  return kLetter * static_cast<double>(words.size());
-}
 
 PanelRoom::PanelRoom(const solver::Sheet& sheet, int facet, const KitFittings& fittings) {
   const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
@@ -63,11 +60,11 @@ bool PanelRoom::has_room_for(const Box& box) const {
 
 std::optional<DrawnText> PanelRoom::place(const std::string& words, double height_mm,
                                           const std::vector<Vector2d>& middles_mm) {
-  const Vector2d half = 0.5 * height_mm * Vector2d(text_width(words), 1);
+  const Vector2d half = 0.5 * height_mm * Vector2d(kLetter * static_cast<double>(words.size()), 1);
   for (const Vector2d& middle : middles_mm) {
     if (!has_room_for({middle, half})) continue;
     taken_.push_back({middle, half});
-    return DrawnText{middle - Vector2d(0, half.y()), words, height_mm, true};
+    return DrawnText{middle - Vector2d(0, half.y()), words, height_mm};
   }
   return std::nullopt;
 }

@@ -9,9 +9,6 @@
 
 namespace misalign::schema {
 
-/// Width of words, in heights of a capital: a bound for common typefaces.
-double text_width(const std::string& words);
-
 class PanelRoom {
  public:
   /// The room of a panel outside its bores and tabs.

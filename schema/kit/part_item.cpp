@@ -57,7 +57,7 @@ class Marks {
         text = room.place(words, height_mm, middles);
       }
       // The number lies over bores where it has no room.
-      engrave(text ? *text : DrawnText{room.middle_mm(), words, height_mm, true});
+      engrave(text ? *text : DrawnText{room.middle_mm(), words, height_mm});
     }
   }
 

@@ -47,7 +47,7 @@ KitItem plate_item(const solver::Sheet& sheet, const solver::RubberPlates& plate
   const double height_mm =
       std::min(kLargestLabel_mm, kLabelPart * (corners_mm[2] - corners_mm[0]).norm());
   const auto engrave = [&](const Vector2d& at_mm, const std::string& words) {
-    for (DrawnPath& stroke : strokes_of({at_mm, words, height_mm, true})) {
+    for (DrawnPath& stroke : strokes_of({at_mm, words, height_mm})) {
       engraved.paths.push_back(std::move(stroke));
     }
   };

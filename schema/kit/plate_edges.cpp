@@ -17,10 +17,12 @@ namespace {
 using solver::OptionFault;
 
 // The side of a panel at hinges of a kind.
-PlateEdge edge_at(const KitHinges& hinges, CreaseCut crease, const PlateOptions& plates) {
+PlateEdge edge_at(const KitHinges& hinges, bool valley, CreaseCut crease,
+                  const PlateOptions& plates) {
   const double half_mm = 0.5 * plates.thickness_mm,
                half_rad = hinges.bevel_deg() * solver::kRadPerDeg, clear_mm = plates.clearance_mm;
   PlateEdge edge;
+  edge.valley = valley;
   if (crease == CreaseCut::film) {
     edge.back_mm = 0.5 * (std::max(hinges.gap_mm(plates.thickness_mm), plates.film_mm) + clear_mm);
   } else if (crease == CreaseCut::bevel) {
@@ -30,16 +32,20 @@ PlateEdge edge_at(const KitHinges& hinges, CreaseCut crease, const PlateOptions&
     edge.bevel_mm = half_mm * std::tan(edge.bevel_deg * solver::kRadPerDeg);
   } else if (crease == CreaseCut::pin) {
     edge.back_mm = std::max(0.5 * plates.barrel_mm, half_mm / std::cos(half_rad)) + clear_mm;
+  } else if (crease == CreaseCut::offset) {
+    const double closing_mm =
+        valley ? hinges.gap_mm(plates.spacer_mm + plates.thickness_mm) : 0.5 * plates.film_mm;
+    edge.back_mm = std::max(closing_mm, 0.5 * plates.film_mm) + 0.5 * clear_mm;
   }
   return edge;
 }
 
-// Hinges of both kinds: "gaps of 2.38 mm (mountain, 100°) and ...".
-std::string words_of(CreaseCut crease, const PlateOptions& plates, const KitHinges& hinges) {
-  const PlateEdge edge = edge_at(hinges, crease, plates);
+// Hinges of a kind: "gap 2.380 mm (mountains up to 100.0 deg)".
+std::string words_of(CreaseCut crease, const PlateEdge& edge, const KitHinges& hinges) {
   const std::string up_to = fmt::format("{}s up to {:.1f}", hinges.name, hinges.fold_deg);
-  if (crease == CreaseCut::film)
+  if (crease == CreaseCut::film || crease == CreaseCut::offset) {
     return fmt::format("gap {:.3f} mm ({} deg)", 2 * edge.back_mm, up_to);
+  }
   if (crease == CreaseCut::bevel) return fmt::format("bevel {:g} deg ({})", edge.bevel_deg, up_to);
   return fmt::format("edges {:.3f} mm off the axis ({} deg)", edge.back_mm, up_to);
 }
@@ -64,7 +70,7 @@ void refuse_misfit(const solver::Sheet& sheet, Eigen::Index rows, const PlateOpt
 PlateEdges::PlateEdges(const solver::Sheet& sheet, const KitOptions& options) {
   if (!options.plates) return;
   const PlateOptions& plates = *options.plates;
-  const Eigen::Index rows = solver::rows_of_use(sheet, plates.from_deg);
+  const Eigen::Index rows = solver::rows_of_use(sheet, options.from_deg);
   if (rows == 0) {
     throw UserError(OptionFault{"crease", std::string(crease_name(options.crease)),
                                 sheet.name() + " does not deploy (D = 0), so that its hinges have "
@@ -72,14 +78,24 @@ PlateEdges::PlateEdges(const solver::Sheet& sheet, const KitOptions& options) {
                                 "take " + parameter("crease", "cut")});
   }
   thickness_mm_ = plates.thickness_mm;
+  reach_mm_ =
+      options.crease == CreaseCut::offset ? plates.spacer_mm + thickness_mm_ : 0.5 * thickness_mm_;
   const KitHinges mountains(sheet, false, rows), valleys(sheet, true, rows);
+  mountain_ = edge_at(mountains, false, options.crease, plates);
+  valley_ = edge_at(valleys, true, options.crease, plates);
   words_ = fmt::format("plates of {:g} mm, hinges: {}", thickness_mm_, crease_name(options.crease));
   if (options.crease == CreaseCut::butt) {
     refuse_misfit(sheet, rows, plates, words_);
   } else {
     trim_mm_ = plates.trim_mm;
-    words_ += "; " + words_of(options.crease, plates, mountains) + "; " +
-              words_of(options.crease, plates, valleys);
+    words_ += "; " + words_of(options.crease, mountain_, mountains) + "; " +
+              words_of(options.crease, valley_, valleys);
+    if (options.crease == CreaseCut::offset) {
+      words_ += "; films in one plane below all plates";
+      if (plates.spacer_mm > 0) {
+        words_ += fmt::format(", with spacers of {:g} mm on them", plates.spacer_mm);
+      }
+    }
     if (trim_mm_ > 0)
       words_ += fmt::format("; corners that meet in a point trimmed by {:g} mm", trim_mm_);
   }
@@ -101,9 +117,8 @@ PlateEdges::PlateEdges(const solver::Sheet& sheet, const KitOptions& options) {
           continue;
         }
         PlateEdge& edge = edges_[static_cast<std::size_t>(facet)][k];
-        edge = edge_at(valley ? valleys : mountains, options.crease, plates);
+        edge = hinge(valley);
         edge.crease = static_cast<int>(c);
-        edge.valley = valley;
       }
     }
   }
@@ -127,8 +142,7 @@ double PlateEdges::trim_mm(int facet, std::size_t corner) const {
 double PlateEdges::tab_radius_mm(const solver::Sheet& sheet, int facet, int vertex,
                                  double bare_mm) const {
   const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
-  const auto k =
-      static_cast<std::size_t>(std::find(around.begin(), around.end(), vertex) - around.begin());
+  const auto k = static_cast<std::size_t>(solver::corner_of(around, vertex));
   const double back_mm = std::max(edge(facet, k).back_mm, edge(facet, (k + 3) % 4).back_mm);
   if (back_mm == 0) return bare_mm;
   const double sine = PanelCorner(sheet, facet, vertex).sine;

@@ -1,10 +1,14 @@
-// Computes how far the contours of plates lie from their hinges, whose axes are at half thickness.
+// Computes how far the contours of plates lie from their hinges, whose axes are at half thickness,
+// or below all plates.
 //
 // Square edges that a film joins meet at the fold angle phi where they are t tan(phi/2) apart.
 // Edges that are bevelled by phi/2 on the face on which the crease closes may reach the axis;
 // bevels have whole degrees. A barrel round the axis needs its radius, and the distance from the
-// axis of a plate's corner on the plane between both plates, t/2 / cos(phi/2). phi is the largest
-// fold angle of all mountains, or all valleys, up to the angle of use.
+// axis of a plate's corner on the plane between both plates, t/2 / cos(phi/2). Plates
+// above films in the plane of all axes keep the motion of panels without thickness, too: valleys
+// need a gap of 2 h tan(phi/2) for plates up to the height h, and mountains none (offset panels:
+// Edmondson et al. 2014). phi is the largest fold angle of all mountains, or all valleys, up to the
+// angle of use.
 #pragma once
 
 #include <array>
@@ -37,6 +41,10 @@ class PlateEdges {
 
   bool are_plates() const { return !edges_.empty(); }
   double thickness_mm() const { return thickness_mm_; }
+  /// Largest distance of a plate's faces from the plane of its axes.
+  double reach_mm() const { return reach_mm_; }
+  /// The side of any panel at a hinge of a kind; its crease is -1.
+  const PlateEdge& hinge(bool valley) const { return valley ? valley_ : mountain_; }
   /// The side of a panel after its corner `side`.
   const PlateEdge& edge(int facet, std::size_t side) const;
   /// Distances of the contour of a panel from its sides.
@@ -50,7 +58,8 @@ class PlateEdges {
   const std::string& words() const { return words_; }
 
  private:
-  double thickness_mm_ = 0, trim_mm_ = 0;
+  double thickness_mm_ = 0, reach_mm_ = 0, trim_mm_ = 0;
+  PlateEdge mountain_, valley_;
   std::vector<std::array<PlateEdge, 4>> edges_;  // by facet
   std::vector<std::array<bool, 4>> trimmed_;     // by facet
   std::string words_;

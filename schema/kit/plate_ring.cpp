@@ -47,10 +47,9 @@ class Corner {
                    last = end(after_, in_after, contour_after_mm, contour_after_mm) - at_mm_;
     const double turn_rad = 2 * std::numbers::pi - std::atan2(cross(last, first), last.dot(first));
     PlanePoints points = {end(before_, in_before, contour_before_mm, before_mm)};
-    for (const double angle :
-         chord_angles_rad(std::atan2(first.y(), first.x()), turn_rad, radius_mm)) {
-      points.emplace_back(at_mm_ + radius_mm * Vector2d(std::cos(angle), std::sin(angle)));
-    }
+    const PlanePoints arc =
+        arc_points(at_mm_, radius_mm, std::atan2(first.y(), first.x()), turn_rad);
+    points.insert(points.end(), arc.begin(), arc.end());
     points.push_back(end(after_, in_after, contour_after_mm, after_mm));
     return points;
   }

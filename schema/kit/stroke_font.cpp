@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <stdexcept>
 #include <string_view>
-
-#include "solver/pattern/half_angle.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -56,8 +53,7 @@ std::string_view strokes_of(char letter) {
 std::vector<DrawnPath> strokes_of(const DrawnText& text) {
   const double step_mm = text.height_mm / kCapital,
                width = static_cast<double>(text.words.size()) * (kWide + kApart) - kApart;
-  const Eigen::Rotation2Dd turn(text.turned_deg * solver::kRadPerDeg);
-  double left = text.centred ? -0.5 * width : 0;
+  double left = -0.5 * width;
   std::vector<DrawnPath> paths;
   for (const char letter : text.words) {
     paths.push_back({{}, false});
@@ -65,7 +61,7 @@ std::vector<DrawnPath> strokes_of(const DrawnText& text) {
     for (std::size_t k = 0; k < strokes.size(); k += 3) {
       if (k > 0 && strokes[k - 1] == '/') paths.push_back({{}, false});
       const Eigen::Vector2d at(left + (strokes[k] - '0'), strokes[k + 1] - '0');
-      paths.back().points_mm.emplace_back(text.at_mm + turn * (step_mm * at));
+      paths.back().points_mm.emplace_back(text.at_mm + step_mm * at);
     }
     left += kWide + kApart;
   }

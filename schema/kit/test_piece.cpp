@@ -16,19 +16,25 @@ constexpr double kLeastSide_mm = 30;
 // An arc round a middle, its ends among the points; counter-clockwise where the turn is positive.
 void add_arc(const Vector2d& middle, double radius_mm, double from_deg, double turn_deg,
              Ring& ring) {
-  const double from_rad = from_deg * solver::kRadPerDeg, turn_rad = turn_deg * solver::kRadPerDeg;
-  for (const double rad : chord_angles_rad(from_rad, turn_rad, radius_mm)) {
-    ring.emplace_back(middle + radius_mm * Vector2d(std::cos(rad), std::sin(rad)));
-  }
+  const PlanePoints arc =
+      arc_points(middle, radius_mm, from_deg * solver::kRadPerDeg, turn_deg * solver::kRadPerDeg);
+  ring.insert(ring.end(), arc.begin(), arc.end());
 }
 
 class TestPiece {
  public:
-  explicit TestPiece(const KitOptions& options)
+  TestPiece(const KitOptions& options, const PlateEdges& edges)
       : options_(options),
+        hinge_(edges.hinge(true)),
         from_corner_mm_(0.5 * options.joint_bore_mm.value_or(0) + options.bore_edge_mm),
-        tab_mm_(options.spring_bore_mm ? 0.5 * *options.spring_bore_mm + options.bore_edge_mm : 0),
-        clear_mm_(tab_mm_ > 0 ? tab_mm_ + kTabSlot_mm + options.kerf_mm : 0),
+        // The disc of a tab reaches as far beyond edges that are set back.
+        tab_mm_(
+            options.spring_bore_mm
+                ? std::hypot(0.5 * *options.spring_bore_mm + options.bore_edge_mm, hinge_.back_mm)
+                : 0),
+        clear_mm_(tab_mm_ > 0
+                      ? std::hypot(tab_mm_, edges.reach_mm()) + kTabSlot_mm + options.kerf_mm
+                      : 0),
         side_mm_(std::max({kLeastSide_mm, 4 * from_corner_mm_, 4 * clear_mm_})) {}
 
   LineDrawing drawing(const std::string& title) {
@@ -41,6 +47,7 @@ class TestPiece {
     if (is_cut) {
       cut(lower_ring);
       cut(upper_ring);
+      if (hinge_.back_mm > 0 || hinge_.bevel_mm > 0) add_axes(upper);
     } else {
       // One contour: the lower one's from its right side to the tab, then the upper one's.
       lower_ring.erase(lower_ring.begin() + 2);
@@ -67,26 +74,43 @@ class TestPiece {
   }
 
  private:
-  // The lower square, from its lower left corner, with the tab round its upper left one.
+  // The lower square, from its lower left corner, with the tab round its upper left one. Its upper
+  // edge is set back from the axis.
   Ring lower() const {
-    Ring ring = {{0, 0}, {side_mm_, 0}, {side_mm_, side_mm_}};
+    const double edge_mm = side_mm_ - hinge_.back_mm;
+    Ring ring = {{0, 0}, {side_mm_, 0}, {side_mm_, edge_mm}};
     if (tab_mm_ > 0) {
-      add_arc({0, side_mm_}, tab_mm_, 0, 270, ring);
+      const double from_deg = -std::asin(hinge_.back_mm / tab_mm_) / solver::kRadPerDeg;
+      add_arc({0, side_mm_}, tab_mm_, from_deg, 270 - from_deg, ring);
     } else {
-      ring.emplace_back(0, side_mm_);
+      ring.emplace_back(0, edge_mm);
     }
     return ring;
   }
   // The upper square, from its lower right corner, cut clear of the tab at its lower left one.
   Ring square_above(const Vector2d& least) const {
-    Ring ring = {least + Vector2d(side_mm_, 0), least + Vector2d(side_mm_, side_mm_),
+    const double back_mm = hinge_.back_mm;
+    Ring ring = {least + Vector2d(side_mm_, back_mm), least + Vector2d(side_mm_, side_mm_),
                  least + Vector2d(0, side_mm_)};
     if (tab_mm_ > 0) {
-      add_arc(least, clear_mm_, 90, -90, ring);
+      const double to_deg = std::asin(back_mm / clear_mm_) / solver::kRadPerDeg;
+      add_arc(least, clear_mm_, 90, to_deg - 90, ring);
     } else {
-      ring.push_back(least);
+      ring.push_back(least + Vector2d(0, back_mm));
     }
     return ring;
+  }
+  // The axis beside both squares, and the lines of their bevels.
+  void add_axes(const Vector2d& upper) {
+    for (const double side : {-1.0, 1.0}) {
+      const Vector2d from =
+                         side < 0 ? Vector2d(clear_mm_, side_mm_) : upper + Vector2d(clear_mm_, 0),
+                     along(side_mm_ - clear_mm_, 0);
+      item_.on(KitLayer::hinge).paths.push_back({{from, from + along}, false});
+      if (hinge_.bevel_mm == 0) continue;
+      const Vector2d in(0, side * (hinge_.back_mm + hinge_.bevel_mm));
+      item_.on(KitLayer::score_valley).paths.push_back({{from + in, from + in + along}, false});
+    }
   }
   void cut(const Ring& ring) {
     item_.on(KitLayer::cut)
@@ -104,14 +128,16 @@ class TestPiece {
   }
 
   const KitOptions& options_;
+  const PlateEdge& hinge_;
   const double from_corner_mm_, tab_mm_, clear_mm_, side_mm_;  // distances, radii, a length
   KitItem item_ = empty_item();
 };
 
 }  // namespace
 
-LineDrawing kit_test_piece(const KitOptions& options, const std::string& title) {
-  return TestPiece(options).drawing(title);
+LineDrawing kit_test_piece(const KitOptions& options, const PlateEdges& edges,
+                           const std::string& title) {
+  return TestPiece(options, edges).drawing(title);
 }
 
 }  // namespace misalign::schema

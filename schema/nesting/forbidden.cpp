@@ -93,17 +93,11 @@ std::optional<OpenInterval> Forbidden::at(int axis, double value) const {
   return interval;
 }
 
-void Forbidden::move(const Vector2d& by_mm) {
-  for (Vector2d& corner : corners_) corner += by_mm;
-  least_mm_ += by_mm;
-  most_mm_ += by_mm;
-}
-
 std::optional<double> first_free(std::vector<OpenInterval> taken, double from, double to) {
   std::ranges::sort(taken, {}, &OpenInterval::low);
   double at = from;
   for (const OpenInterval& interval : taken) {
-    if (interval.low >= at - kTouch_mm && interval.low >= at) break;
+    if (interval.low >= at) break;
     at = std::max(at, interval.high);
   }
   if (at > to + kTouch_mm) return std::nullopt;

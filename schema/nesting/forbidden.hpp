@@ -26,7 +26,6 @@ class Forbidden {
   std::optional<OpenInterval> at(int axis, double value) const;
   const Eigen::Vector2d& least_mm() const { return least_mm_; }
   const Eigen::Vector2d& most_mm() const { return most_mm_; }
-  void move(const Eigen::Vector2d& by_mm);
 
  private:
   PlanePoints corners_;

@@ -65,11 +65,12 @@ std::vector<OpenInterval> FreePlaces::taken(int axis, double value) const {
   return intervals;
 }
 
-// Lowers a coordinate to the first interval in its way.
+// Lowers a coordinate to the first interval in its way. A place on the bound of one whose side is
+// almost along the way is rounded to within it, and stays.
 void FreePlaces::slide(Vector2d& at, int coordinate) const {
   double stop = least_(coordinate);
   for (const OpenInterval& interval : taken(1 - coordinate, at(1 - coordinate))) {
-    if (interval.high <= at(coordinate) + kRounding_mm) stop = std::max(stop, interval.high);
+    if (interval.low < at(coordinate)) stop = std::max(stop, interval.high);
   }
   at(coordinate) = std::min(at(coordinate), stop);
 }

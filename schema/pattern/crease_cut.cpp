@@ -8,10 +8,10 @@ namespace misalign::schema {
 
 void read_crease(ObjectReader& reader, const char* key, std::optional<CreaseCut>& crease) {
   if (!reader.said(key)) return;
-  const auto* const named = read_name(
-      reader, key, kCreaseCuts, "is no way to make a crease",
-      "write \"cut\", \"score\", \"dash\", \"film\", \"bevel\", \"pin\" or \"butt\", or null for a "
-      "kit's default");
+  const auto* const named = read_name(reader, key, kCreaseCuts, "is no way to make a crease",
+                                      "write \"cut\", \"score\", \"dash\", \"film\", \"bevel\", "
+                                      "\"pin\", \"butt\" or \"offset\", or null for a "
+                                      "kit's default");
   if (named) crease = named->cut;
 }
 

@@ -115,6 +115,7 @@ Design Design::merged_over(Design other) const {
   if (!single_springs.empty()) other.single_springs = single_springs;
   if (!cut_outs.empty()) other.cut_outs = cut_outs;
   take(&Design::joint_kind);
+  if (joint_kind && !play_mm) other.play_mm.reset();  // play follows from the joints
   take(&Design::hinge_kind);
   take(&Design::hinge_name);
   take(&Design::film);
@@ -160,6 +161,12 @@ solver::Plates Design::plates() const {
   plates.thickness_mm = thickness_mm.value_or(plates.thickness_mm);
   if (material) plates.density_g_per_cm3 = material->density_g_per_cm3;
   return plates;
+}
+
+solver::SpringBodies Design::spring_bodies(std::optional<double> end_mm) const {
+  solver::Springs alike = springs();
+  alike.rest_deg = 0;  // bodies are alike wherever springs are relaxed
+  return {diameter_mm.value_or(solver::kSpringDiameter_mm), end_mm, plates().thickness_mm, alike};
 }
 
 std::span<const DesignNumber> design_numbers() { return kNumbers; }

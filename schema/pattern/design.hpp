@@ -22,6 +22,10 @@ namespace misalign::solver {
 enum class JointKind;
 }  // namespace misalign::solver
 
+namespace misalign::solver {
+struct SpringBodies;
+}  // namespace misalign::solver
+
 namespace misalign::schema {
 
 /// A design, outside the identity of a campaign: it changes no draw and no verdict. Studies have
@@ -69,6 +73,9 @@ struct Design : DesignFill {
   /// Returns the hinges' stiffness, otherwise that of the film.
   double hinge_elastic_n_mm_per_mm() const;
   solver::Plates plates() const;
+  /// Returns the springs as bodies, of a usual diameter (solver::kSpringDiameter_mm) where none is
+  /// given. The filling must be springs.
+  solver::SpringBodies spring_bodies(std::optional<double> end_mm = {}) const;
 };
 
 /// Bounds of a design's numbers, also on the command line.

@@ -219,23 +219,6 @@ Json spring_row_json(const SpringRow& row) {
   return json;
 }
 
-std::string spring_table_csv(const std::vector<SpringRow>& table) {
-  const std::vector<std::string> names = column_names();
-  std::string text = fmt::format("{}\n", fmt::join(names, ","));
-  for (const SpringRow& row : table) {
-    const Json json = spring_row_json(row);
-    std::vector<std::string> cells;
-    for (const std::string& name : names) {
-      const Json& value = json.at(name);
-      cells.push_back(value.is_null()     ? ""
-                      : value.is_string() ? csv_cell(value.get<std::string>())
-                                          : shown_number(value.get<double>()));
-    }
-    text += fmt::format("{}\n", fmt::join(cells, ","));
-  }
-  return text;
-}
-
 std::vector<StockSpring> springs_of(const std::vector<SpringRow>& table) {
   std::vector<StockSpring> springs;
   for (const SpringRow& row : table) springs.push_back(row.spring);

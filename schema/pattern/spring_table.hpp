@@ -26,8 +26,7 @@ std::vector<SpringRow> read_spring_table(const std::string& path);
 /// The same of a text from `source`.
 std::vector<SpringRow> spring_table_of(const std::string& text, const std::string& source);
 
-/// Writes a table as `read_spring_table` reads it.
-std::string spring_table_csv(const std::vector<SpringRow>& table);
+/// A row as an object: the columns' names, null for those that are not of its kind.
 Json spring_row_json(const SpringRow& row);
 
 /// Returns the springs of a table without their names.

@@ -9,8 +9,9 @@
 
 namespace misalign::schema {
 
-/// The plates in the order of panels. UserError (bad_request) if creases are no hinges of plates
-/// (film, bevel or pin), or where kit_fittings and printed_plate have one.
+/// The plates in the order of panels, with their ball joints where those are balls. UserError
+/// (bad_request) if creases are no hinges of plates (film, bevel or pin), or where kit_fittings and
+/// printed_plate have one.
 std::vector<Solid> printed_kit(const solver::Sheet& sheet, const KitOptions& options);
 
 }  // namespace misalign::schema

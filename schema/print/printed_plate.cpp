@@ -23,10 +23,7 @@ Vector3d raised(const Vector2d& point, double height_mm) {
 
 // A circle, counter-clockwise or clockwise.
 PlanePoints circle(const Vector2d& centre, double radius_mm, double turn_rad) {
-  PlanePoints points;
-  for (const double angle : chord_angles_rad(0, turn_rad, radius_mm)) {
-    points.emplace_back(centre + radius_mm * Vector2d(std::cos(angle), std::sin(angle)));
-  }
+  PlanePoints points = arc_points(centre, radius_mm, 0, turn_rad);
   points.pop_back();  // the first again
   return points;
 }
@@ -163,42 +160,48 @@ class PrintedPlate {
           fmt::format("thinner pins, or plates of {:g} mm", 2 * (pin_mm_ + kPinWall_mm))});
     }
     const PlateRing contour = face(PlateFace::upper);
-    const std::vector<double> angles =
-        chord_angles_rad(-std::numbers::pi / 2, std::numbers::pi, half_mm_);
-    for (const double angle : angles) {
-      levels_.push_back({half_mm_ * std::sin(angle), {}});
-      levels_.back().ring = knuckled(contour, half_mm_ * std::cos(angle));
+    find_pins();
+    for (const Vector2d& at :
+         arc_points({0, 0}, half_mm_, -std::numbers::pi / 2, std::numbers::pi)) {
+      levels_.push_back({at.y(), knuckled(contour, at.x())});
     }
     levels_.front().height_mm = -half_mm_;
     levels_.back().height_mm = half_mm_;
   }
 
-  // The contour with knuckles that reach beyond the axis by some distance. The first call notes
-  // which of its lines are ends of knuckles.
-  PlanePoints knuckled(const PlateRing& contour, double beyond_mm) {
+  // Places the plate's knuckles on its axes.
+  void find_pins() {
     const auto& around = sheet_.base().sheet.facets[static_cast<std::size_t>(facet_)];
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (fittings_.edges.edge(facet_, k).crease < 0) continue;
+      const Vector2d from = sheet_.point_mm(around[k]),
+                     along = (sheet_.point_mm(around[(k + 1) % 4]) - from).normalized(),
+                     inwards(-along.y(), along.x());
+      for (const Knuckle& knuckle :
+           knuckles_on(sheet_, facet_, k, fittings_, plates_.clearance_mm)) {
+        pins_.push_back({from + knuckle.from_mm * along, from + knuckle.to_mm * along, inwards,
+                         back_mm_[k], k});
+      }
+    }
+  }
+
+  // The contour with knuckles that reach beyond the axis by some distance. Notes which of its lines
+  // are ends of knuckles.
+  PlanePoints knuckled(const PlateRing& contour, double beyond_mm) {
     PlanePoints ring;
-    const bool is_first = ends_.empty();
+    ends_.clear();
     const auto add = [&](const Vector2d& point, bool begins_end) {
       ring.push_back(point);
-      if (is_first) ends_.push_back(begins_end);
+      ends_.push_back(begins_end);
     };
     for (std::size_t i = 0; i < contour.points.size(); ++i) {
       add(contour.points[i], false);
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (contour.begins[k] != i || fittings_.edges.edge(facet_, k).crease < 0) continue;
-        const Vector2d from = sheet_.point_mm(around[k]),
-                       along = (sheet_.point_mm(around[(k + 1) % 4]) - from).normalized(),
-                       inwards(-along.y(), along.x());
-        for (const Knuckle& knuckle :
-             knuckles_on(sheet_, facet_, k, fittings_, plates_.clearance_mm)) {
-          const Vector2d begin = from + knuckle.from_mm * along, end = from + knuckle.to_mm * along;
-          add(begin + back_mm_[k] * inwards, true);
-          add(begin - beyond_mm * inwards, false);
-          add(end - beyond_mm * inwards, true);
-          add(end + back_mm_[k] * inwards, false);
-          if (is_first) pins_.push_back({begin, end, inwards, back_mm_[k]});
-        }
+      for (const Pin& pin : pins_) {
+        if (contour.begins[pin.side] != i) continue;
+        add(pin.begin + pin.back_mm * pin.inwards, true);
+        add(pin.begin - beyond_mm * pin.inwards, false);
+        add(pin.end - beyond_mm * pin.inwards, true);
+        add(pin.end + pin.back_mm * pin.inwards, false);
       }
     }
     return ring;
@@ -218,6 +221,7 @@ class PrintedPlate {
   struct Pin {
     Vector2d begin, end, inwards;
     double back_mm;
+    std::size_t side;
   };
 
   // Adds both ends of a knuckle, and the wall of its bore.

@@ -7,8 +7,6 @@
 #include <tuple>
 
 #include "schema/files/hash.hpp"
-#include "schema/pattern/design_json.hpp"
-#include "schema/pattern/perforation_check.hpp"
 #include "search/designs/number_choice.hpp"
 #include "search/sheets/better_sheet.hpp"
 #include "search/sheets/card_changes.hpp"
@@ -110,8 +108,9 @@ class Designer {
                                const std::function<bool(const DesignTry&)>& is_next) {
     std::vector<Step> steps;
     for (const DesignTry& best : tries_) {
-      if (steps.size() >= most || best.pattern.is_null()) break;
-      if (best.score.value >= kMostReserve || !is_next(best)) continue;
+      const bool is_enough = best.score.value >= kMostReserve;
+      if (steps.size() >= most || best.pattern.is_null() || is_enough) break;
+      if (!is_next(best)) continue;
       const char* const name = stage == DesignStage::refined ? "refined: " : "optimised: ";
       steps.push_back({name + best.how, [this, best, stage] {
                          const MadeSheet sheet = stage == DesignStage::refined
@@ -123,20 +122,15 @@ class Designer {
     return steps;
   }
 
-  ChosenSheet chosen_of(const MadeSheet& sheet) const {
-    return sheet_of_pattern_document(sheet.pattern, sheet.how, wish_.directory, sheet.how,
-                                     schema::Perforations::of_one_path);
-  }
-
   DesignTry tried(const MadeSheet& sheet, DesignStage stage) const {
     DesignTry tried{sheet.how, stage, nullptr, sheet.why, "", {}, {}};
     if (sheet.pattern.is_null()) return tried;
     try {
-      const Subject subject(chosen_of(sheet), {});
+      const Subject subject(sheet_of_made_pattern(sheet.pattern, sheet.how), {});
       const CardSheet on = card_sheet(subject);
-      NumberChoiceOptions budget;
-      budget.most_cards = stage == DesignStage::rough ? kRoughCards : kRefinedCards;
-      NumberChoice choice = choose_numbers(on, wish_.free, budget);
+      NumberChoice choice = choose_numbers(
+          on, wish_.free, stage == DesignStage::rough ? kRoughCards : kRefinedCards,
+          stage == DesignStage::refined ? ChoiceStarts::design : ChoiceStarts::springs);
       const CardSheet chosen{on.chosen, on.sheet, choice.design, on.used_deg};
       const schema::Card card =
           card_of(chosen, {.trials = options_.trials, .advice = Advice::none}, choice.parts).card;
@@ -153,8 +147,17 @@ class Designer {
     return tried;
   }
 
+  // Ascents change free shifts, keep no shape, and know springs that push, too.
   bool can_be_optimised(const DesignTry& best) const {
-    return wish_.free.amplitude_mm && goal_towards(best.score.key) != nullptr;
+    if (!wish_.free.amplitude_mm || goal_towards(best.score.key) == nullptr) return false;
+    const ChosenSheet chosen = as_pushing(best.pattern, best.how);
+    return !chosen.target && solver::are_like_springs(chosen.design.fill(chosen.base.base));
+  }
+
+  static ChosenSheet as_pushing(const schema::Json& pattern, const std::string& name) {
+    ChosenSheet chosen = sheet_of_made_pattern(pattern, name);
+    chosen.design.pull_only.reset();
+    return chosen;
   }
 
   // The sheet optimised towards the requirement that decides.
@@ -163,15 +166,13 @@ class Designer {
     OptimiseInput input;
     input.goal = solver::goal_named(goal_towards(best.score.key));
     input.most_steps = kSteps;
+    input.tries_flips = false;
     input.amplitude_mm = wish_.free.amplitude_mm->back();
     input.with_rim = wish_.free.rim;
     input.trials = options_.trials;
     try {
-      // Ascents know springs that push, too.
       const schema::Json design = sheet.pattern.value("design", schema::Json::object());
-      ChosenSheet chosen = chosen_of(sheet);
-      chosen.design.pull_only.reset();
-      const Subject subject(std::move(chosen), {});
+      const Subject subject(as_pushing(sheet.pattern, sheet.how), {});
       input.deploys_from_deg = card_sheet(subject).used_deg;
       keep_card(subject, {.trials = input.trials, .advice = Advice::none}, input.bounds);
       sheet.pattern = better_pattern(subject, optimised(subject, input));

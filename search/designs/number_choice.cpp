@@ -10,6 +10,7 @@
 #include <set>
 
 #include "schema/pattern/design_json.hpp"
+#include "search/designs/log_spaced.hpp"
 #include "search/sheets/least_change.hpp"
 #include "search/sheets/preloaded_springs.hpp"
 
@@ -24,6 +25,8 @@ constexpr int kRates = 7, kThicknesses = 2;
 constexpr std::size_t kStarts = 2;
 // The first change of a number that is 0, a share of its largest value.
 constexpr double kFromZero = 1.0 / 64;
+// The first change of a number, and that below which the search ends.
+constexpr double kFirstFactor = 2, kLeastFactor = 1.05;
 
 const FreeNumber* free_number(const schema::Free& free, std::optional<double> Design::*number) {
   const auto at = std::ranges::find_if(
@@ -31,30 +34,30 @@ const FreeNumber* free_number(const schema::Free& free, std::optional<double> De
   return at == free.numbers.end() ? nullptr : &*at;
 }
 
-// Values of a free number from the most to the least, evenly spaced in the logarithm.
+// Values of a free number from the most to the least: of a range as many.
 std::vector<double> spread(const FreeNumber& number, int count) {
   if (!number.is_range) return {number.values.rbegin(), number.values.rend()};
-  std::vector<double> values;
   const double least = std::max(number.least(), kFromZero * number.most());
-  for (int k = 0; k < count; ++k) {
-    const double share = static_cast<double>(k) / std::max(1, count - 1);
-    const double value = number.most() * std::pow(least / number.most(), share);
-    values.push_back(number.nearest(two_digits(value)));
-  }
+  std::vector<double> values = log_spaced(number.most(), least, count);
+  for (double& value : values) value = number.nearest(two_digits(value));
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 
 class NumberSearch {
  public:
-  NumberSearch(const CardSheet& on, const schema::Free& free, const NumberChoiceOptions& options)
-      : on_(on), free_(free), options_(options) {}
+  NumberSearch(const CardSheet& on, const schema::Free& free, int most_cards)
+      : on_(on), free_(free), most_cards_(most_cards) {}
 
-  NumberChoice found() {
-    for (const Design& start : starts()) {
+  NumberChoice found(ChoiceStarts from) {
+    std::vector<Design> starts;
+    if (from == ChoiceStarts::springs) starts = with_best_preloads();
+    starts.push_back(nearest());
+    for (const Design& start : starts) {
       if (!is_done()) consider(start);
     }
     if (!best_) throw schema::UserError(schema::Cause::bad_input, why_not_);
-    for (double factor = options_.first_factor; factor >= options_.least_factor && !is_done();) {
+    for (double factor = kFirstFactor; factor >= kLeastFactor && !is_done();) {
       if (!step(factor)) factor = std::sqrt(factor);
     }
     best_->cards = cards_;
@@ -63,7 +66,7 @@ class NumberSearch {
 
  private:
   bool is_done() const {
-    return cards_ >= options_.most_cards || (best_ && best_->score.value >= kMostReserve);
+    return cards_ >= most_cards_ || (best_ && best_->score.value >= kMostReserve);
   }
 
   // The design's values, as near as they are allowed.
@@ -78,39 +81,35 @@ class NumberSearch {
     return design;
   }
 
-  // The design, after springs with their best preload by linear bending, the largest first.
-  std::vector<Design> starts() const {
-    std::vector<Design> starts;
+  // Designs of springs with their best preload, by linear bending: those that overcome most.
+  std::vector<Design> with_best_preloads() const {
     const Design near = nearest();
     const FreeNumber* const rate = free_number(free_, &Design::stiffness_n_per_mm);
     const FreeNumber* const force = free_number(free_, &Design::preload_n);
     const FreeNumber* const thickness = free_number(free_, &Design::thickness_mm);
-    if (force != nullptr && near.is_springs()) {
-      std::multimap<double, Design, std::greater<>> by_friction;
-      std::vector<double> thicknesses_mm = {near.plates().thickness_mm};
-      if (thickness != nullptr) thicknesses_mm = spread(*thickness, kThicknesses);
-      std::vector<double> rates = {near.springs().stiffness_n_per_mm};
-      if (rate != nullptr) rates = spread(*rate, kRates);
-      for (const double thickness_mm : thicknesses_mm) {
-        Design of_thickness = near;
-        if (thickness != nullptr) of_thickness.thickness_mm = thickness_mm;
-        const CardSheet thick{on_.chosen, on_.sheet, of_thickness, on_.used_deg};
-        for (const PreloadedSprings& springs : preloaded_springs(thick, rates)) {
-          if (!(springs.static_n_mm_per_mm > 0)) continue;
-          Design start = of_thickness;
-          if (rate != nullptr) start.stiffness_n_per_mm = springs.stiffness_n_per_mm;
-          start.preload_n = force->nearest(two_digits(springs.preload_n));
-          start.other_preloads.clear();
-          if (free_.hold_flat && *start.preload_n > 0) start.hold_flat = true;
-          by_friction.emplace(springs.static_n_mm_per_mm, std::move(start));
-        }
-      }
-      for (auto& [friction, start] : by_friction) {
-        if (starts.size() < kStarts) starts.push_back(start);
+    if (force == nullptr || !near.is_springs()) return {};
+    std::vector<double> thicknesses_mm = {near.plates().thickness_mm};
+    if (thickness != nullptr) thicknesses_mm = spread(*thickness, kThicknesses);
+    std::vector<double> rates = {near.springs().stiffness_n_per_mm};
+    if (rate != nullptr) rates = spread(*rate, kRates);
+    std::multimap<double, Design, std::greater<>> by_friction;
+    for (const double thickness_mm : thicknesses_mm) {
+      Design of_thickness = near;
+      if (thickness != nullptr) of_thickness.thickness_mm = thickness_mm;
+      const CardSheet thick{on_.chosen, on_.sheet, of_thickness, on_.used_deg};
+      for (const PreloadedSprings& springs : preloaded_springs(thick, rates)) {
+        if (!(springs.static_n_mm_per_mm > 0)) continue;
+        Design start = with_springs(of_thickness, springs);
+        start.preload_n = force->nearest(*start.preload_n);
+        if (free_.hold_flat && *start.preload_n > 0) start.hold_flat = true;
+        by_friction.emplace(springs.static_n_mm_per_mm, std::move(start));
       }
     }
-    starts.push_back(near);
-    return starts;
+    std::vector<Design> best;
+    for (auto& [friction, start] : by_friction) {
+      if (best.size() < kStarts) best.push_back(std::move(start));
+    }
+    return best;
   }
 
   // Tries all changes by a factor; returns whether one was better.
@@ -178,13 +177,11 @@ class NumberSearch {
   // The path depends on no number of a design, and contact on springs as bodies.
   CardParts parts_of(const Design& design) {
     const CardSheet on{on_.chosen, on_.sheet, design, on_.used_deg};
-    const solver::Actuation filling = filling_in_use(on);
     CardParts parts;
     for (std::size_t k = 0; k < kCardParts; ++k) {
       const auto part = static_cast<CardPart>(k);
       if (part == CardPart::copies) continue;
-      parts[k] =
-          best_ && is_same(part, design) ? best_->parts[k] : card_lines(part, on, filling, quick_);
+      parts[k] = best_ && is_same(part, design) ? best_->parts[k] : card_lines(part, on, quick_);
     }
     return parts;
   }
@@ -198,7 +195,7 @@ class NumberSearch {
 
   const CardSheet& on_;
   const schema::Free& free_;
-  const NumberChoiceOptions options_;
+  const int most_cards_;
   const CardOptions quick_ = {.advice = Advice::none};
   std::set<std::string> tried_;
   int cards_ = 0;
@@ -208,9 +205,9 @@ class NumberSearch {
 
 }  // namespace
 
-NumberChoice choose_numbers(const CardSheet& on, const schema::Free& free,
-                            const NumberChoiceOptions& options) {
-  return NumberSearch(on, free, options).found();
+NumberChoice choose_numbers(const CardSheet& on, const schema::Free& free, int most_cards,
+                            ChoiceStarts starts) {
+  return NumberSearch(on, free, most_cards).found(starts);
 }
 
 std::string chosen_words(const schema::Design& design, const schema::Free& free) {

@@ -14,18 +14,17 @@ struct NumberChoice {
   int cards = 0;    ///< number of cards that were made
 };
 
-struct NumberChoiceOptions {
-  int most_cards = 40;
-  double first_factor = 2;     ///< factor of a number's first change
-  double least_factor = 1.05;  ///< the search ends where no change by less is better
+/// Designs from which the numbers are sought.
+enum class ChoiceStarts {
+  springs,  ///< those with their best preload by linear bending, and the design
+  design    ///< the design alone: an earlier choice for the same sheet
 };
 
-/// Changes one number or switch at a time, from springs with their best preload by linear bending
-/// and from the design's own values, and keeps what raises the score: a pattern search (Hooke &
-/// Jeeves 1961) in logarithms. It ends at a score of kMostReserve, or with its options. UserError
-/// where no design that was tried has a card.
-NumberChoice choose_numbers(const CardSheet& on, const schema::Free& free,
-                            const NumberChoiceOptions& options);
+/// Changes one number or switch at a time, and keeps what raises the score: a pattern search (Hooke
+/// & Jeeves 1961) in logarithms, by factors from 2 down to a tenth. It ends at a score of
+/// kMostReserve, or with `most_cards`. UserError where no design that was tried has a card.
+NumberChoice choose_numbers(const CardSheet& on, const schema::Free& free, int most_cards,
+                            ChoiceStarts starts = ChoiceStarts::springs);
 
 /// The chosen values in words: "thickness_mm 2.2, preload_n 3, hold_flat".
 std::string chosen_words(const schema::Design& design, const schema::Free& free);

@@ -9,6 +9,7 @@
 #include "schema/files/hash.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "schema/pattern/perforation_check.hpp"
+#include "search/designs/log_spaced.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/sheets/shaped.hpp"
 #include "search/sheets/studies.hpp"
@@ -39,13 +40,9 @@ struct Base {
 
   std::vector<double> amplitudes_mm() const {
     const auto [least, most] = *free.amplitude_mm;
-    std::vector<double> amplitudes_mm;
-    for (int k = 0; k < kAmplitudes; ++k) {
-      const double share = static_cast<double>(k) / (kAmplitudes - 1);
-      const double amplitude_mm = most * std::pow(least / most, share);
-      if (k > 0 && shown_mm(amplitude_mm) == shown_mm(amplitudes_mm.back())) break;
-      amplitudes_mm.push_back(amplitude_mm);
-    }
+    std::vector<double> amplitudes_mm = log_spaced(most, least, kAmplitudes);
+    const auto same = std::ranges::unique(amplitudes_mm, {}, shown_mm);
+    amplitudes_mm.erase(same.begin(), same.end());
     return amplitudes_mm;
   }
   // Draws with larger shifts seldom deploy, and each takes a path of its own to its flat state.
@@ -171,8 +168,9 @@ class SourceList {
         return std::vector{MadeSheet{"", base.pattern_of(base.file.pattern.shifts_mm), ""}};
       });
     }
+    // Other sheets do not have the shape.
     if (base_->file.target) add("shaped", shaped_sheets);
-    if (!base_->free.amplitude_mm) return std::move(sources_);
+    if (base_->file.target || !base_->free.amplitude_mm) return std::move(sources_);
     for (const double amplitude_mm : base_->amplitudes_mm()) {
       add("constructed, shifts up to " + shown_mm(amplitude_mm), [amplitude_mm](const Base& base) {
         return std::vector{constructed_sheet(base, amplitude_mm)};
@@ -218,7 +216,7 @@ std::vector<SheetSource> sheet_sources(const schema::Wish& wish, const SourceOpt
               {},
               options};
     base.from_deg = base.file.design.from_deg;
-    if (!base.from_deg && (wish.free.amplitude_mm || !base.file.target)) {
+    if (!base.from_deg && !base.file.target) {
       throw schema::UserError(schema::Cause::bad_input,
                               wish.source +
                                   ": no angle of use is named, from which a sheet deploys; write "

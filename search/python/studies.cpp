@@ -52,11 +52,13 @@ std::string contact(const PatternSource& source, const std::string& design,
                     bool offset_ends) {
   if (trim_mm) schema::check_parameter("", "trim_mm", *trim_mm);
   if (end_mm) schema::check_parameter("contact", "end_mm", *end_mm);
-  return json_of_study(source, design, [&](const Subject& subject) {
-    using solver::OffsetTrial;
-    return contact_of(subject.sheet, contact_options(subject.model.design(), trim_mm,
-                                                     {end_mm, offset_ends ? OffsetTrial::tried
-                                                                          : OffsetTrial::none}));
+  return unlocked([&] {
+    const Subject subject(source.sheet, design_of(design));
+    const schema::Design& with = subject.model.design();
+    const auto study = contact_of(subject.sheet, contact_options(with, trim_mm, end_mm));
+    std::optional<solver::SpringFaces> faces;
+    if (offset_ends) faces = faces_of_springs(subject.sheet, with, end_mm);
+    return study_json(subject, study, faces).dump();
   });
 }
 
@@ -138,7 +140,7 @@ std::string optimise(const PatternSource& source, const std::string& design,
                      const std::vector<std::string>& subject_to,
                      const std::vector<double>& stiffness_within,
                      const std::vector<double>& preload_within, std::optional<double> rest_deg,
-                     double miscut_mm, std::int64_t trials) {
+                     std::optional<double> miscut_mm, std::int64_t trials) {
   const auto check = [](const char* name, const std::optional<double>& value) {
     if (value) schema::check_parameter("optimise", name, *value);
   };

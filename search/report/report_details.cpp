@@ -131,9 +131,7 @@ std::optional<double> ReportDetails::from_of(const solver::Sheet& sheet) const {
 // Returns the contact of its panels, with corners trimmed as usual, or untrimmed if no edge would
 // remain; null if the path is lost.
 Json ReportDetails::contact(const solver::Sheet& sheet) const {
-  solver::ContactOptions options{{}, from_of(sheet)};
-  auto study = solver::contact(sheet, options);
-  if (study.fault()) study = solver::contact(sheet, {0, options.from_deg});
+  const auto study = known_contact(sheet, {{}, from_of(sheet)});
   if (!study) return nullptr;
   Json json = schema::contact_study_json(model_.base(), sheet.panels(), *study);
   json.erase("clearance");

@@ -201,12 +201,6 @@ schema::Design with_limits(schema::Design design, const solver::OptimiseOptions&
   return design;
 }
 
-// Springs have the design's diameter, or a usual one.
-std::optional<solver::SpringBodies> bodies_of(schema::Design design) {
-  if (!design.diameter_mm) design.diameter_mm = solver::kSpringDiameter_mm;
-  return spring_bodies(design);
-}
-
 }  // namespace
 
 solver::OptimiseOptions options_of(const schema::OptimiseRequest& request) {
@@ -232,7 +226,8 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   options.bending = bending(design);
   options.stroke_limit = lower(options.stroke_limit, design.stroke_limit);
   options.largest_force_n = lower(options.largest_force_n, design.largest_force_n);
-  options.bodies = bodies_of(design);
+  options.tries_flips = input.tries_flips;
+  options.bodies = design.spring_bodies();
   options.watch = input.watch;
   options.slope_at_every_angle = true;
   options.shifted = solver::interior_vertices(sheet.base().sheet);

@@ -15,6 +15,7 @@ struct OptimiseInput : schema::OptimiseRequest {
   std::optional<double>
       deploys_from_deg;        ///< none: the design's angle of use, the campaign's, or D
   bool with_rim = false;       ///< vertices of the rim are shifted, too
+  bool tries_flips = true;     ///< solver::OptimiseOptions has it
   bool within_family = false;  ///< only among members of the base's parallel family
   /// Bounds of the springs' rate and preload; empty: the design's values.
   std::vector<double> stiffness_n_per_mm = {}, preload_n = {};

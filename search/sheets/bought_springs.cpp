@@ -29,6 +29,9 @@ class SpringBuyer {
     options_.links = input.links;
     options_.links.largest_force_n = design.largest_force_n;
     options_.goal = input.goal;
+    if (design.springs_on == solver::SpringsOn::one_a_hole) {
+      options_.never_both = diagonals_of_one_hole(sheet.mechanism());
+    }
   }
 
   schema::SpringOrder run() {
@@ -93,14 +96,21 @@ class SpringBuyer {
         .largest_force_n;
   }
 
-  // Chooses again while springs touch.
+  // Chooses again while springs touch. All have the largest diameter there, so that thinner ones
+  // of a table with several might be placed where these are not.
   void choose() {
     order_.bent_n_mm_per_mm.reset();
+    bool touched = false, touch = false;
     do {
+      touched |= touch;
       order_.choice =
           value_or_throw(solver::choose_stock(sheet_, schema::springs_of(order_.table), options_),
                          sheet_.name(), "no springs are chosen");
-    } while (order_.choice.drives() && forbid_touching());
+      touch = order_.choice.drives() && forbid_touching();
+    } while (touch);
+    const auto outer_mm = [](const schema::SpringRow& row) { return row.spring.outer_mm; };
+    const auto [least, most] = std::ranges::minmax_element(order_.table, {}, outer_mm);
+    if (touched && outer_mm(*least) < outer_mm(*most)) order_.choice.is_proven = false;
   }
 
   // Returns whether springs touch each other or panels; then they are not taken again.

@@ -66,29 +66,6 @@ std::string springs_table(const solver::Mechanism& mechanism, const schema::Spri
   return schema::aligned(rows, {false, true, true, true, true, true, false, false});
 }
 
-std::string way_lines(const schema::SpringOrder& order) {
-  if (!order.way) return "";
-  const solver::SpringFaces& way = *order.way;
-  if (way.springs.empty()) {
-    return fmt::format(
-        "\nno faces and layers keep springs of {:g} mm clear of each other and of panels of {:g} "
-        "mm\n",
-        way.bodies.diameter_mm, way.bodies.panel_mm);
-  }
-  std::string text = "\n";
-  if (way.closest) {
-    text += fmt::format("smallest clearance of springs and panels: {:.3g} mm at {:.4g} deg\n",
-                        way.closest->clear_mm, way.closest->pilot_deg);
-  }
-  if (way.length_change_mm > 0) {
-    text += fmt::format(
-        "ends off the mid-plane change lengths by at most {:.3g} mm; the energy {} "
-        "all the way\n",
-        way.length_change_mm, way.drives ? "falls" : "does not fall");
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string bought_springs_text(const solver::Sheet& sheet, const schema::SpringOrder& order) {
@@ -108,7 +85,7 @@ std::string bought_springs_text(const solver::Sheet& sheet, const schema::Spring
       fmt::format("{} of {} diagonals carry a spring; price {:g}{}\n", choice.springs.size(),
                   mechanism.diagonal_count(), choice.price, best);
   text += friction_lines(order) + "\n" + groups_table(mechanism, order) + "\n" +
-          springs_table(mechanism, order) + way_lines(order);
+          springs_table(mechanism, order) + (order.way ? spring_faces_text(*order.way) : "");
   text +=
       "\nThe springs are tense on the flat sheet: a stop, latch or frame has to hold it there "
       "(hold_flat).\n";

@@ -63,11 +63,17 @@ std::vector<CardLine> path_lines(const CardSheet& on) {
   return lines.take();
 }
 
+// The angle of use of a filling; none: D.
+Number given_deg(const CardSheet& on) {
+  return on.used_deg < on.sheet.deploys_from_deg() ? Number(on.used_deg) : std::nullopt;
+}
+
 // The lines of a filling along the diagonals.
 class FillingLines : private CardLines {
  public:
-  FillingLines(const CardSheet& on, const solver::Actuation& filling)
-      : on_(on), filling_(filling) {}
+  explicit FillingLines(const CardSheet& on)
+      : on_(on),
+        filling_(solver::actuate(on.sheet, on.design.actuators(on.sheet.base()), given_deg(on))) {}
 
   // The largest sample up to which the energy rises; by moments above a stop.
   std::vector<CardLine> energy() {
@@ -142,24 +148,23 @@ class FillingLines : private CardLines {
   }
 
   const CardSheet& on_;
-  const solver::Actuation& filling_;
+  const solver::Actuation filling_;
 };
 
 }  // namespace
 
-std::vector<CardLine> card_lines(CardPart part, const CardSheet& on,
-                                 const solver::Actuation& filling, const CardOptions& options) {
+std::vector<CardLine> card_lines(CardPart part, const CardSheet& on, const CardOptions& options) {
   switch (part) {
     case CardPart::path:
       return path_lines(on);
     case CardPart::energy:
-      return FillingLines(on, filling).energy();
+      return FillingLines(on).energy();
     case CardPart::contact:
       return contact_lines(on);
     case CardPart::drive:
       return drive_lines(on, options.advice);
     case CardPart::filling:
-      return FillingLines(on, filling).strokes_and_forces();
+      return FillingLines(on).strokes_and_forces();
     case CardPart::copies:
       break;
   }
@@ -167,8 +172,7 @@ std::vector<CardLine> card_lines(CardPart part, const CardSheet& on,
 }
 
 solver::Actuation filling_in_use(const CardSheet& on) {
-  const Number from_deg =
-      on.used_deg < on.sheet.deploys_from_deg() ? Number(on.used_deg) : std::nullopt;
+  const Number from_deg = given_deg(on);
   return solver::actuate(on.sheet, actuators_on(on.sheet, on.design, from_deg), from_deg);
 }
 
@@ -186,11 +190,10 @@ CardSheet card_sheet(const Subject& subject) {
 
 StudiedCard card_of(const CardSheet& on, const CardOptions& options, CardParts same) {
   need_energy(on.sheet, on.design.fill(on.sheet.base()), "it has no card");
-  StudiedCard made{
-      {on.sheet.name(), on.used_deg, on.design, {}, {}}, filling_in_use(on), std::move(same)};
+  StudiedCard made{{on.sheet.name(), on.used_deg, on.design, {}, {}}, std::move(same)};
   for (std::size_t part = 0; part < kCardParts; ++part) {
     std::vector<CardLine>& lines = made.parts[part];
-    if (lines.empty()) lines = card_lines(static_cast<CardPart>(part), on, made.filling, options);
+    if (lines.empty()) lines = card_lines(static_cast<CardPart>(part), on, options);
     std::ranges::copy(lines, std::back_inserter(made.card.lines));
   }
   return made;

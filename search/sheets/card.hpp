@@ -23,14 +23,13 @@ using CardParts = std::array<std::vector<schema::CardLine>, kCardParts>;
 
 struct StudiedCard {
   schema::Card card;
-  solver::Actuation filling;  ///< the design's, from the card's angle of use
   CardParts parts;
 };
 
-/// The lines of one part. `filling`: the design's, as `filling_in_use` makes it.
+/// The lines of one part.
 std::vector<schema::CardLine> card_lines(CardPart part, const CardSheet& on,
-                                         const solver::Actuation& filling,
                                          const CardOptions& options);
+/// The design's filling from the card's angle of use, with the fewest springs that suffice.
 solver::Actuation filling_in_use(const CardSheet& on);
 
 /// The card of a sheet; `same` are lines that another card of the sheet has made: a part without

@@ -71,10 +71,9 @@ class RemedySearch {
 
   // Returns whether two springs' axes cross, which no shift of vertices mends.
   bool crosses(const CardLine& line) const {
-    const double diameter_mm =
-        subject_.model.design().diameter_mm.value_or(solver::kSpringDiameter_mm);
     return key_ == "spring_clearance_mm" && line.found &&
-           *line.found <= solver::kSpringTouch_mm - diameter_mm;
+           *line.found <=
+               solver::kSpringTouch_mm - subject_.model.design().spring_bodies().diameter_mm;
   }
 
   CardPart part_of(std::string_view key) const {
@@ -89,7 +88,7 @@ class RemedySearch {
     try {
       const CardVariant variant = make(value);
       const CardSheet on = variant.on();
-      const std::vector<CardLine> lines = card_lines(part_, on, filling_in_use(on), quick_);
+      const std::vector<CardLine> lines = card_lines(part_, on, quick_);
       const CardLine* const line = line_of(lines, key_);
       return line ? std::optional(*line) : std::nullopt;
     } catch (const schema::UserError&) {
@@ -158,9 +157,7 @@ class RemedySearch {
     }
     for (const PreloadedSprings& springs : preloaded_springs(on, rates_n_per_mm)) {
       if (!(springs.static_n_mm_per_mm >= wanted)) continue;
-      Design changed = design;
-      changed.stiffness_n_per_mm = springs.stiffness_n_per_mm;
-      changed.preload_n = two_digits(springs.preload_n);
+      Design changed = with_springs(design, springs);
       const bool is_latched = design.preload_n.value_or(0) == 0;
       if (is_latched) changed.hold_flat = true;
       const std::size_t before = remedies_.size();
@@ -223,6 +220,7 @@ class RemedySearch {
     OptimiseInput input;
     input.goal = solver::goal_named(goal);
     input.most_steps = kSteps;
+    input.tries_flips = false;
     input.jobs = quick_.jobs;
     if (subject_.model.design().from_deg) input.deploys_from_deg = studied_.card.from_deg;
     const auto make = [&] {

@@ -6,10 +6,8 @@ namespace misalign::search {
 namespace {
 
 std::unique_ptr<const Subject> subject_of(const schema::Json& pattern_file) {
-  constexpr char kName[] = "the changed sheet";
-  return std::make_unique<const Subject>(
-      sheet_of_pattern_document(pattern_file, kName, {}, kName, schema::Perforations::of_one_path),
-      schema::Design{});
+  return std::make_unique<const Subject>(sheet_of_made_pattern(pattern_file, "the changed sheet"),
+                                         schema::Design{});
 }
 
 schema::Json pattern_file_of(const ChosenSheet& chosen, const Eigen::Matrix2Xd& shifts_mm,

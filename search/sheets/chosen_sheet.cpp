@@ -121,6 +121,10 @@ ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::s
           std::move(read.exported), std::move(read.target)};
 }
 
+ChosenSheet sheet_of_made_pattern(const schema::Json& document, const std::string& name) {
+  return sheet_of_pattern_document(document, name, {}, name, schema::Perforations::of_one_path);
+}
+
 ChosenSheet sheet_of_draw(schema::Campaign campaign, std::uint64_t draw,
                           Eigen::Matrix2Xd shifts_mm) {
   auto target = campaign.target ? std::optional(*campaign.target) : std::nullopt;

@@ -68,6 +68,9 @@ ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::s
                                       const std::filesystem::path& directory,
                                       const std::string& name, schema::Perforations perforations);
 
+/// A pattern file that the program made: it names no other file.
+ChosenSheet sheet_of_made_pattern(const schema::Json& document, const std::string& name);
+
 /// A draw of a campaign.
 ChosenSheet sheet_of_draw(schema::Campaign campaign, std::uint64_t draw,
                           Eigen::Matrix2Xd shifts_mm);

@@ -18,6 +18,7 @@
 #include "schema/kit/kit_drawing.hpp"
 #include "schema/kit/kit_guide.hpp"
 #include "schema/kit/plate_drawing.hpp"
+#include "schema/kit/strip_drawing.hpp"
 #include "schema/kit/test_piece.hpp"
 #include "schema/pattern/design_json.hpp"
 #include "schema/print/printed_kit.hpp"
@@ -208,8 +209,7 @@ std::vector<solver::Filler> ExportFiles::fillers_of(const solver::Sheet& sheet,
           " (corners of its holes get wider on the way); take it out, and use the frames");
 }
 
-// Writes a crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on,
-// and its rubber plates as NAME-kit-plates likewise.
+// Writes a crease pattern, or the drawings of a kit: NAME-kit, with a bed NAME-kit-1 and so on.
 void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& label) {
   const auto text_of = [&](schema::LineDrawing drawing) {
     if (options_.only_cut) drawing.keep_cuts();
@@ -226,40 +226,41 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
   const schema::KitOptions options = kit_of(sheet);
   const schema::Kit kit = schema::kit_of(sheet, options, label.title);
   if (!kit.warning.empty() && options_.warn) options_.warn(sheet.name() + ": " + kit.warning);
-  std::vector<schema::LineDrawing> plate_beds;
-  const solver::Fill fill = model_.design().actuators(model_.base().base).fill;
+  std::vector<std::pair<const char*, schema::KitSheets>> drawn = {
+      {"-kit", kit.sheets},
+      {"-kit-strips", schema::kit_strip_sheets(sheet, kit.fittings, options, label.title)},
+      {"-kit-spacers", schema::kit_spacer_sheets(sheet, kit, options, label.title)}};
+  const solver::Fill fill = model_.design().fill(model_.base().base);
   if (const auto* plates = std::get_if<solver::RubberPlates>(&fill)) {
-    plate_beds = schema::kit_plate_sheets(sheet, *plates, options, label.title).beds;
+    auto sheets = schema::kit_plate_sheets(sheet, *plates, options, label.title);
+    drawn.emplace_back("-kit-plates", std::move(sheets));
   }
   const std::string guide = guide_of(sheet, label, options, kit);
-  const auto write_beds = [&](const std::string& stem,
-                              const std::vector<schema::LineDrawing>& beds) {
-    for (std::size_t k = 0; k < beds.size(); ++k) {
-      write_file(options.bed_mm ? fmt::format("{}-{}", stem, k + 1) : stem, text_of(beds[k]));
+  for (const auto& [ending, sheets] : drawn) {
+    for (std::size_t k = 0; k < sheets.beds.size(); ++k) {
+      const std::string bed = options.bed_mm ? fmt::format("-{}", k + 1) : "";
+      write_file(label.stem + ending + bed, text_of(sheets.beds[k]));
     }
-  };
-  write_beds(label.stem + "-kit", kit.sheets.beds);
-  write_beds(label.stem + "-kit-plates", plate_beds);
+  }
   if (options.test_piece) {
-    write_file(label.stem + "-kit-test", text_of(schema::kit_test_piece(options, label.title)));
+    write_file(label.stem + "-kit-test",
+               text_of(schema::kit_test_piece(options, kit.fittings.edges, label.title)));
   }
   write_named(label.stem + "-kit.html", guide);
 }
 
 std::string ExportFiles::guide_of(const solver::Sheet& sheet, const ExportLabel& label,
-                                  const schema::KitOptions& options, const schema::Kit& kit) {
-  schema::Design design = model_.design();
-  if (!options.must_reach && design.from_deg && solver::beyond_d(sheet, *design.from_deg)) {
-    design.from_deg.reset();
-  }
-  const solver::Actuation actuation = actuated(sheet, design);
-  std::optional<solver::Sheet> another;
+                                  const schema::KitOptions& options, const schema::Kit& kit) const {
+  schema::Design used = model_.design();
+  used.from_deg = options.from_deg;
+  const solver::Actuation actuation = actuated(sheet, used);
   std::optional<solver::ContactStudy> contact;
   if (actuation.from_row > 0) {
-    contact = contact_of(at_samples(sheet, another), {{}, design.from_deg});
+    const std::optional<double> trim_mm = options.plates ? options_.trim_mm : std::nullopt;
+    contact = known_contact(sheet, {trim_mm, options.from_deg});
   }
-  return schema::kit_guide(
-      {sheet, options, kit, design, actuation, contact ? &*contact : nullptr, label.title});
+  return schema::kit_guide({sheet, options, kit, model_.design(), actuation,
+                            contact ? &*contact : nullptr, label.title});
 }
 
 void ExportFiles::write_states(const solver::Sheet& sheet, const ExportLabel& label) const {
@@ -299,9 +300,11 @@ void ExportFiles::write_print(const solver::Sheet& sheet, const ExportLabel& lab
   }
 }
 
-schema::KitOptions ExportFiles::kit_of(const solver::Sheet& sheet) {
-  std::optional<solver::Sheet> another;
-  return trimmed_kit(at_samples(sheet, another), *options_.kit, options_.trim_mm);
+schema::KitOptions ExportFiles::kit_of(const solver::Sheet& sheet) const {
+  schema::KitOptions kit = *options_.kit;
+  const bool is_beyond_d = kit.from_deg && solver::beyond_d(sheet, *kit.from_deg);
+  if (is_beyond_d && !options_.must_reach) kit.from_deg.reset();
+  return trimmed_kit(sheet, kit, options_.trim_mm);
 }
 
 void ExportFiles::write_file(const std::string& stem, const std::string& text) const {

@@ -34,6 +34,8 @@ struct ExportOptions {
   std::function<void(const std::string&)> warn;  ///< gets warnings
   /// Trim of the plates' corners in `stl` and kits (none: that of ContactOptions).
   std::optional<double> trim_mm;
+  /// True if an angle of use beyond D is refused; otherwise kits end at D.
+  bool must_reach = false;
 
   bool in_states() const {
     return format == ExportFormat::fold || format == ExportFormat::obj ||
@@ -81,9 +83,9 @@ class ExportFiles {
   std::string simulated(const solver::Sheet& sheet, const ExportLabel& label) const;
   void write_drawings(const solver::Sheet& sheet, const ExportLabel& label);
   std::string guide_of(const solver::Sheet& sheet, const ExportLabel& label,
-                       const schema::KitOptions& options, const schema::Kit& kit);
+                       const schema::KitOptions& options, const schema::Kit& kit) const;
   void write_states(const solver::Sheet& sheet, const ExportLabel& label) const;
-  schema::KitOptions kit_of(const solver::Sheet& sheet);
+  schema::KitOptions kit_of(const solver::Sheet& sheet) const;
   void write_print(const solver::Sheet& sheet, const ExportLabel& label);
   void write_plates(const solver::Sheet& sheet, const ExportLabel& label);
   void write_file(const std::string& stem, const std::string& text) const;

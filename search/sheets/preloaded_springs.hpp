@@ -14,9 +14,11 @@ struct PreloadedSprings {
   double stiffness_n_per_mm, preload_n, static_n_mm_per_mm;
 };
 
-/// One for each rate for which there is such a preload, in their order. None for a filling that is
-/// no springs, or is relaxed at a stop, and where the panels' stiffness is not positive.
+/// One for each rate, in their order, on the diagonals that have springs. None for a filling that
+/// is no springs, or is relaxed at a stop, and where the panels' stiffness is not positive.
 std::vector<PreloadedSprings> preloaded_springs(const CardSheet& on,
                                                 std::span<const double> rates_n_per_mm);
+/// The design with these springs, their preload rounded to two digits.
+schema::Design with_springs(schema::Design design, const PreloadedSprings& springs);
 
 }  // namespace misalign::search

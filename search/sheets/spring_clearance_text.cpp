@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/spring_clearance_json.hpp"
+#include "schema/exchange/spring_faces_json.hpp"
 #include "schema/files/text_table.hpp"
 #include "search/sheets/study_texts.hpp"
 
@@ -11,20 +13,6 @@ namespace {
 
 // Pairs that are listed; JSON has all.
 constexpr std::size_t kMostPairs = 12;
-
-std::string offset_text(const solver::OffsetEnds& ends, double reach_deg) {
-  const char* const what = ends.kind == solver::OffsetKind::alternate
-                               ? "springs of a hole above and below the mid-plane"
-                               : "one spring of a hole above the mid-plane";
-  const std::string start =
-      fmt::format("offset ends    {}, inset by {:g} mm:\n{:15}", what, ends.inset_mm, "");
-  if (!ends.offset_mm) return start + "springs touch with every offset up to two diameters\n";
-  return start + fmt::format(
-                     "none touch with {:g} mm, but the sheet deploys from {:g} deg;\n{:15}{} of {} "
-                     "diagonals are monotone from {:.10g} deg\n",
-                     *ends.offset_mm, ends.deploys_from_deg, "", ends.monotone, ends.diagonals,
-                     reach_deg);
-}
 
 std::string apart_text(const solver::ContactStudy& study) {
   const auto shown = [](double mm) {
@@ -66,7 +54,6 @@ std::string spring_clearance_text(const schema::Pattern& base, const solver::Pan
       text += fmt::format("{:<15}and {} more pairs (--json)\n", "", touching.size() - kMostPairs);
     }
   }
-  for (const solver::OffsetEnds& ends : study.offsets) text += offset_text(ends, study.reach_deg);
   return text + apart_text(study);
 }
 
@@ -76,6 +63,39 @@ std::string spring_clearance_note(const schema::Pattern& base, const solver::Pan
   return fmt::format("{} at {:.3g}°; {} pairs of springs touch, and {} of springs and panels",
                      schema::meeting_text(base, panels, clearance.diagonals, met), met.pilot_deg,
                      clearance.springs.touching.size(), clearance.panels.touching.size());
+}
+
+std::string spring_faces_text(const solver::SpringFaces& faces) {
+  if (faces.springs.empty()) {
+    return fmt::format(
+        "\nno faces and layers keep springs of {:g} mm clear of each other and of panels of {:g} "
+        "mm{}\n",
+        faces.bodies.diameter_mm, faces.bodies.panel_mm,
+        faces.is_proven ? "" : ", of those that were tried");
+  }
+  std::string text = "\n";
+  if (faces.closest) {
+    text += fmt::format("smallest clearance of springs and panels: {:.3g} mm at {:.4g} deg\n",
+                        faces.closest->clear_mm, faces.closest->pilot_deg);
+  }
+  if (faces.length_change_mm > 0) {
+    text += fmt::format(
+        "ends off the mid-plane change lengths by at most {:.3g} mm; the energy {} "
+        "all the way\n",
+        faces.length_change_mm, faces.drives ? "falls" : "does not fall");
+  }
+  return text;
+}
+
+std::string spring_faces_table(const solver::Mechanism& mechanism,
+                               const solver::SpringFaces& faces) {
+  if (faces.springs.empty()) return "";
+  std::vector<schema::Row> rows = {{"diagonal", "turn", "face", "axis"}};
+  for (const solver::HungSpring& hung : faces.springs) {
+    rows.push_back({schema::diagonal_label(mechanism, hung.diagonal), std::to_string(hung.turn + 1),
+                    schema::word_of(hung.face), schema::height_words(hung)});
+  }
+  return "\n" + schema::aligned(rows, {false, true, false, false});
 }
 
 }  // namespace misalign::search

@@ -55,10 +55,14 @@ void check_freedom(const schema::Pattern& base, const std::string& path) {
                   path, mobility.degrees_of_freedom(), mobility.rank, mobility.unknowns));
 }
 
-std::vector<std::pair<int, int>> diagonals_of_one_hole(const solver::Mechanism& mechanism) {
-  std::vector<std::pair<int, int>> pairs;
-  for (int d = 0; d + 1 < mechanism.diagonal_count(); d += 2) pairs.emplace_back(d, d + 1);
-  return pairs;
+// The error of an option that is of springs as bodies.
+UserError no_bodies(const schema::Design& design, const char* option,
+                    std::optional<std::string> value) {
+  return UserError(solver::OptionFault{
+      option, std::move(value),
+      design.is_springs() ? "is of springs as bodies, and the springs have no diameter"
+                          : "is of springs, and this sheet's holes have none",
+      design.is_springs() ? "give it by " + schema::parameter("diameter_mm") : "take it out"});
 }
 
 // Returns the numbers of two diagonals from "A3-A9,A4-A8".
@@ -91,27 +95,32 @@ UserError study_error(const solver::Obstacle& obstacle, const std::string& sheet
                                   advice.empty() ? row->advice : advice)};
 }
 
+std::vector<std::pair<int, int>> diagonals_of_one_hole(const solver::Mechanism& mechanism) {
+  std::vector<std::pair<int, int>> pairs;
+  for (int d = 0; d + 1 < mechanism.diagonal_count(); d += 2) pairs.emplace_back(d, d + 1);
+  return pairs;
+}
+
 std::optional<solver::SpringBodies> spring_bodies(const schema::Design& design,
                                                   std::optional<double> end_mm) {
   if (!design.diameter_mm || !design.is_springs()) return {};
-  solver::Springs springs = design.springs();
-  springs.rest_deg = 0;  // bodies are alike wherever springs are relaxed
-  return solver::SpringBodies{*design.diameter_mm, end_mm, design.plates().thickness_mm, springs};
+  return design.spring_bodies(end_mm);
 }
 
 solver::ContactOptions contact_options(const schema::Design& design, std::optional<double> trim_mm,
-                                       const SpringContact& asked) {
-  auto bodies = spring_bodies(design, asked.end_mm);
-  const bool has_trial = asked.offsets == solver::OffsetTrial::tried;
-  if (!bodies && (asked.end_mm || has_trial)) {
-    throw UserError(solver::OptionFault{
-        asked.end_mm ? "end_mm" : "offset_ends",
-        asked.end_mm ? std::optional(schema::shown_number(*asked.end_mm)) : std::nullopt,
-        design.is_springs() ? "is of springs as bodies, and the springs have no diameter"
-                            : "is of springs, and this sheet's holes have none",
-        design.is_springs() ? "give it by " + schema::parameter("diameter_mm") : "take it out"});
-  }
-  return {trim_mm, design.from_deg, std::move(bodies), asked.offsets};
+                                       std::optional<double> end_mm) {
+  auto bodies = spring_bodies(design, end_mm);
+  if (!bodies && end_mm) throw no_bodies(design, "end_mm", schema::shown_number(*end_mm));
+  return {trim_mm, design.from_deg, std::move(bodies)};
+}
+
+solver::SpringFaces faces_of_springs(const solver::Sheet& sheet, const schema::Design& design,
+                                     std::optional<double> end_mm) {
+  const auto bodies = spring_bodies(design, end_mm);
+  if (!bodies) throw no_bodies(design, "offset_ends", {});
+  return value_or_throw(
+      solver::spring_faces(sheet, *bodies, solver::angle_of_use(sheet, design.from_deg)),
+      sheet.name(), "its springs are not placed");
 }
 
 solver::Actuators actuators_on(const solver::Sheet& sheet, const schema::Design& design,
@@ -119,9 +128,7 @@ solver::Actuators actuators_on(const solver::Sheet& sheet, const schema::Design&
   solver::Actuators actuators = design.actuators(sheet.base());
   const double used_deg = from_deg.value_or(sheet.deploys_from_deg());
   if (!design.is_springs() || used_deg <= 0) return actuators;
-  schema::Design with_diameter = design;
-  if (!design.diameter_mm) with_diameter.diameter_mm = solver::kSpringDiameter_mm;
-  auto touching = solver::touching_springs(sheet, *spring_bodies(with_diameter), used_deg);
+  auto touching = solver::touching_springs(sheet, design.spring_bodies(), used_deg);
   actuators.never_both = touching ? *std::move(touching) : diagonals_of_one_hole(sheet.mechanism());
   return actuators;
 }
@@ -129,6 +136,16 @@ solver::Actuators actuators_on(const solver::Sheet& sheet, const schema::Design&
 solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options) {
   return value_or_throw(solver::contact(sheet, options), sheet.name(),
                         "it is not known where panels meet");
+}
+
+std::optional<solver::ContactStudy> known_contact(const solver::Sheet& sheet,
+                                                  solver::ContactOptions options) {
+  auto study = solver::contact(sheet, options);
+  if (study.fault()) {
+    options.trim_mm = 0;
+    study = solver::contact(sheet, options);
+  }
+  return study ? std::optional(*std::move(study)) : std::nullopt;
 }
 
 void need_energy(const solver::Sheet& sheet, const solver::Fill& fill,
@@ -172,7 +189,7 @@ solver::SpringChoice chosen_springs(const solver::Sheet& sheet, const schema::De
   options.from_deg = design.from_deg;
   options.pull_only |= design.pull_only.value_or(false);
   options.one_a_hole |= design.springs_on == solver::SpringsOn::one_a_hole;
-  options.friction_n_mm_per_mm = design.friction_n_mm_per_mm.value_or(0);
+  options.friction_n_mm_per_mm = hinge_friction_n_mm_per_mm(design, sheet);
   options.to_deg = design.margin_to_deg.value_or(options.to_deg);
   std::ranges::sort(options.rates_n_per_mm);
   if (design.diameter_mm) {

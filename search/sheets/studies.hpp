@@ -8,6 +8,7 @@
 #include "schema/files/user_error.hpp"
 #include "search/sheets/folding_model.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/contact/spring_faces.hpp"
 #include "solver/fitting/cut_outs.hpp"
 #include "solver/fitting/spring_choice.hpp"
 #include "solver/motion/pin_friction.hpp"
@@ -32,18 +33,22 @@ T value_or_throw(solver::StudyResult<T> result, const std::string& sheet,
 std::optional<solver::SpringBodies> spring_bodies(const schema::Design& design,
                                                   std::optional<double> end_mm = {});
 
-/// A question about springs as bodies.
-struct SpringContact {
-  std::optional<double> end_mm =
-      {};  ///< length left out at each end; none: kEndDiameters diameters
-  solver::OffsetTrial offsets = solver::OffsetTrial::none;
-};
+/// The two diagonals of each hole.
+std::vector<std::pair<int, int>> diagonals_of_one_hole(const solver::Mechanism& mechanism);
+
 /// Options of contact from a design: its angle of use and its springs. UserError (bad_request)
-/// where something is asked of springs, and it has none with a diameter.
+/// where the springs' ends are given, and it has none with a diameter.
 solver::ContactOptions contact_options(const schema::Design& design, std::optional<double> trim_mm,
-                                       const SpringContact& asked);
+                                       std::optional<double> end_mm = {});
+/// Faces and layers of the design's springs in which none meet up to the angle of use. UserError
+/// (bad_request) where it has no springs with a diameter.
+solver::SpringFaces faces_of_springs(const solver::Sheet& sheet, const schema::Design& design,
+                                     std::optional<double> end_mm);
 
 solver::ContactStudy contact_of(const solver::Sheet& sheet, const solver::ContactOptions& options);
+/// The same, with untrimmed corners if no edge would remain; none if the path is lost.
+std::optional<solver::ContactStudy> known_contact(const solver::Sheet& sheet,
+                                                  solver::ContactOptions options);
 
 /// The filling of a design, with the pairs of springs that touch between flat and the angle of use,
 /// or D. Springs have the design's diameter, or kSpringDiameter_mm. Where contact is not known the

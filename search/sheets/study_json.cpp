@@ -5,6 +5,7 @@
 #include "schema/exchange/deploy_json.hpp"
 #include "schema/exchange/rubber_json.hpp"
 #include "schema/exchange/spring_choice_json.hpp"
+#include "schema/exchange/spring_faces_json.hpp"
 #include "search/sheets/studies.hpp"
 
 namespace misalign::search {
@@ -18,9 +19,14 @@ schema::Json with_key(const Subject& subject, schema::Json json) {
 
 }  // namespace
 
-schema::Json study_json(const Subject& subject, const solver::ContactStudy& study) {
-  return with_key(subject,
-                  schema::contact_study_json(subject.chosen.base, subject.sheet.panels(), study));
+schema::Json study_json(const Subject& subject, const solver::ContactStudy& study,
+                        const std::optional<solver::SpringFaces>& faces) {
+  schema::Json json =
+      schema::contact_study_json(subject.chosen.base, subject.sheet.panels(), study);
+  if (faces) {
+    json["springs"]["faces"] = schema::spring_faces_json(subject.sheet.mechanism(), *faces);
+  }
+  return with_key(subject, std::move(json));
 }
 
 schema::Json study_json(const Subject& subject, const solver::Actuation& springs) {

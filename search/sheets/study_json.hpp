@@ -9,7 +9,8 @@
 namespace misalign::search {
 
 /// The JSON of `misalign contact`, `actuators`, `deploy`, `card` and `optimise`.
-schema::Json study_json(const Subject& subject, const solver::ContactStudy& study);
+schema::Json study_json(const Subject& subject, const solver::ContactStudy& study,
+                        const std::optional<solver::SpringFaces>& faces = {});
 schema::Json study_json(const Subject& subject, const solver::Actuation& springs);
 schema::Json study_json(const Subject& subject, const solver::SpringChoice& choice);
 schema::Json study_json(const Subject& subject, const schema::SpringOrder& order);

@@ -9,6 +9,7 @@
 #include "search/sheets/better_sheet.hpp"
 #include "search/sheets/stress_study.hpp"
 #include "solver/contact/contact.hpp"
+#include "solver/contact/spring_faces.hpp"
 #include "solver/fitting/cut_outs.hpp"
 #include "solver/fitting/spring_choice.hpp"
 #include "solver/motion/actuation.hpp"
@@ -34,14 +35,19 @@ std::string construct_text(const schema::Pattern& base, const solver::ConstructS
 std::string contact_text(const schema::Pattern& base, const solver::Panels& panels,
                          const solver::ContactStudy& study);
 
-/// Springs that touch, or are closest; offset ends; and distances of axes every 10 degrees. Empty
-/// where springs were not judged.
+/// Springs that touch, or are closest; and distances of axes every 10 degrees. Empty where springs
+/// were not judged.
 std::string spring_clearance_text(const schema::Pattern& base, const solver::Panels& panels,
                                   const solver::ContactStudy& study);
-/// The closest two springs, or spring and panel; null where there are none.
-/// These, and the numbers of pairs that touch.
+/// The closest two springs, or spring and panel, and the numbers of pairs that touch.
 std::string spring_clearance_note(const schema::Pattern& base, const solver::Panels& panels,
                                   const solver::SpringClearance& clearance);
+
+/// The smallest clearance in these layers, and what heights do to the springs; or that none exist.
+std::string spring_faces_text(const solver::SpringFaces& faces);
+/// A line a spring: its turn, face and layer. Empty where no layers exist.
+std::string spring_faces_table(const solver::Mechanism& mechanism,
+                               const solver::SpringFaces& faces);
 
 /// The released sheet, the outcome, equilibria and friction, and the motion every few degrees.
 std::string deployment_text(const solver::Mechanism& mechanism,

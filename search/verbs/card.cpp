@@ -38,7 +38,8 @@ int show_card(CardCall call) {
     card.remedies = remedies_of(subject, studied, call.options, call.path);
   }
   if (!call.output.empty()) {
-    schema::write_text_file(call.output, schema::card_page(card, subject.sheet, studied.filling));
+    schema::write_text_file(
+        call.output, schema::card_page(card, subject.sheet, filling_in_use(card_sheet(subject))));
   }
   if (call.json) {
     put_json(study_json(subject, card));

@@ -14,19 +14,20 @@ namespace {
 struct ContactCall : SheetCall {
   schema::Design design;
   std::optional<double> trim_mm, end_mm;
-  bool offsets = false;
+  bool finds_faces = false;
 };
 
 void show_contact(const ContactCall& call) {
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
   const auto& [chosen, model, sheet] = subject;
   const solver::ContactStudy study =
-      contact_of(sheet, contact_options(model.design(), call.trim_mm,
-                                        {call.end_mm, call.offsets ? solver::OffsetTrial::tried
-                                                                   : solver::OffsetTrial::none}));
-  if (call.json) return put_json(study_json(subject, study));
+      contact_of(sheet, contact_options(model.design(), call.trim_mm, call.end_mm));
+  std::optional<solver::SpringFaces> faces;
+  if (call.finds_faces) faces = faces_of_springs(sheet, model.design(), call.end_mm);
+  if (call.json) return put_json(study_json(subject, study, faces));
   put("{}: deploys from {:g} deg\n", sheet.name(), study.deploys_from_deg);
   put(contact_text(chosen.base, sheet.panels(), study));
+  if (faces) put(spring_faces_table(sheet.mechanism(), *faces) + spring_faces_text(*faces));
 }
 
 }  // namespace
@@ -52,8 +53,8 @@ Action contact_verb(CLI::App& verb) {
       "  in_hole_mm, largest_mm  axes of the two springs of one hole, least and largest\n"
       "  springs_mm   axes of springs of different holes\n"
       "  panels_mm    axes from mid-planes\n"
-      "--offset-ends raises ends off the mid-plane until no springs touch, and judges these\n"
-      "sheets.\n"
+      "--offset-ends hangs each spring on a face, in the mid-plane or in one of two layers above\n"
+      "it, so that none meets another or a panel, and says if they still drive the sheet.\n"
       "Examples:\n  misalign contact search/patterns/table1.json\n"
       "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --from 140 --trim 8\n"
       "  misalign contact search/patterns/table1.json --diameter 5 --offset-ends\n"
@@ -70,8 +71,8 @@ Action contact_verb(CLI::App& verb) {
             fmt::format("length left out at each end of a spring, mm [{:g} diameters]",
                         solver::kEndDiameters),
             within("contact", "end_mm"), "MM");
-  verb.add_flag("--offset-ends", call->offsets,
-                "also the least offset of springs' ends with which none touch");
+  verb.add_flag("--offset-ends", call->finds_faces,
+                "also faces and layers of the springs in which none touch");
   verb.add_flag("--json", call->json, "as JSON");
   return showing(call, show_contact);
 }

@@ -16,6 +16,7 @@
 #include "search/terminal/terminal.hpp"
 #include "search/terminal/usable_threads.hpp"
 #include "search/verbs/border.hpp"
+#include "search/verbs/kit_options.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -42,11 +43,11 @@ void write_kit(const DesignCall& call, const Subject& subject) {
   files.directory = call.directory;
   files.format = has("dxflib") ? ExportFormat::dxf : ExportFormat::svg;
   files.warn = [](const std::string& words) { spdlog::warn("{}", words); };
-  schema::KitOptions& kit = files.kit.emplace();
-  kit.crease = subject.model.design().crease_or(kit.crease);
-  kit.test_piece = true;
-  kit.from_deg = subject.model.design().from_deg;
+  KitCall kit;
+  kit.wanted = true;
+  kit.options.test_piece = true;
   try {
+    files.kit = chosen_kit(kit, subject.model.design());
     ExportFiles(subject.model, files)
         .write(subject.sheet, {"best", "misalign: " + subject.sheet.name()},
                schema::Json::object());
@@ -58,9 +59,7 @@ void write_kit(const DesignCall& call, const Subject& subject) {
 
 // The card of the best design, with remedies where it fails; its files.
 schema::Card finish(const DesignCall& call, const DesignTry& best) {
-  const Subject subject(sheet_of_pattern_document(best.pattern, best.how, "", best.how,
-                                                  schema::Perforations::of_one_path),
-                        {});
+  const Subject subject(sheet_of_made_pattern(best.pattern, best.how), {});
   const CardOptions options{call.options.trials, call.options.jobs, Advice::with};
   StudiedCard studied = card_of(subject, options);
   if (!call.directory.empty()) {
@@ -69,8 +68,9 @@ schema::Card finish(const DesignCall& call, const DesignTry& best) {
       studied.card.remedies = remedies_of(subject, studied, options, path);
     }
     schema::write_text_file(path, best.pattern.dump(1) + "\n");
-    schema::write_text_file(path_in(call, "best-card.html"),
-                            schema::card_page(studied.card, subject.sheet, studied.filling));
+    schema::write_text_file(
+        path_in(call, "best-card.html"),
+        schema::card_page(studied.card, subject.sheet, filling_in_use(card_sheet(subject))));
     write_kit(call, subject);
   }
   return std::move(studied.card);

@@ -34,7 +34,7 @@ struct ExportCall {
     files.release = release.of(design);
     files.deck = deck.of(design);
     files.kit = chosen_kit(kit, design);
-    if (files.kit) files.kit->must_reach = release.design.from_deg.has_value();
+    files.must_reach = release.design.from_deg.has_value();
   }
 };
 
@@ -153,15 +153,22 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
   }
   only_with("--kit", files.is_drawn() || files.is_printed(), "--format svg, dxf, stl or 3mf");
   only_with("--only-cut", files.is_drawn(), "--format svg or dxf");
-  for (const char* option : {"--guide", "--test-piece", "--bed", "--kerf", "--grain", "--units"}) {
+  for (const char* option : {"--guide", "--test-piece", "--bed", "--kerf", "--grain", "--units",
+                             "--gap", "--margin", "--bond"}) {
     only_with(option, files.is_drawn(), "--format svg or dxf");
   }
-  for (const char* option : {"--pin", "--slot"}) {
+  for (const char* option : {"--pin", "--slot", "--ball"}) {
     only_with(option, files.is_printed(), "--format stl or 3mf");
   }
   for (const char* option : kKitOptions) only_with(option, verb.count("--kit") > 0, "--kit");
-  only_with("--bore-edge", kit.options.joint_bore_mm || kit.options.spring_bore_mm,
-            "--joint-bore or --spring-bore");
+  const auto only_of = [&](const char* option, schema::CreaseCut crease, const char* with) {
+    only_with(option, !kit.crease || kit.crease == crease, with);
+  };
+  only_of("--barrel", schema::CreaseCut::pin, "--crease pin");
+  only_of("--pin", schema::CreaseCut::pin, "--crease pin");
+  only_of("--slot", schema::CreaseCut::film, "--crease film");
+  only_of("--spacer", schema::CreaseCut::offset, "--crease offset");
+  only_of("--allow-misfit", schema::CreaseCut::butt, "--crease butt");
   only_with("--spring-at", kit.options.spring_bore_mm.has_value(), "--spring-bore");
   only_with("--dash-mm", kit.crease == schema::CreaseCut::dash, "--crease dash");
   only_with("--friction", files.format == ExportFormat::mjcf, "--format mjcf");
@@ -222,7 +229,8 @@ constexpr const char* kExportFooter =
     "joint there, which is in the files of mjcf and inp alone. Files are named after the campaign "
     "and the draw, or after the\n"
     "pattern file.\n\n"
-    "A kit to cut (svg and dxf, --kit; NAME-kit, with --bed NAME-kit-1, NAME-kit-2, ...):\n"
+    "A kit to cut (svg and dxf, or to print: stl and 3mf, --kit; NAME-kit, with --bed NAME-kit-1, "
+    "NAME-kit-2, ...):\n"
     "  Panels that creases join are one part; those that ball joints alone hold lie beside it.\n"
     "  Panel r1c2 is [1, 2] of pattern files and catalogues, A10 a vertex, s3 diagonal 3.\n"
     "  Layers in order: registration, engrave, score or dash (_mountain, _valley), bore, slit,\n"

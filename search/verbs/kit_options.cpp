@@ -26,7 +26,7 @@ CLI::Validator a_bed() {
 std::optional<schema::PlateOptions> plates_of(const KitCall& call, const schema::Design& design,
                                               schema::CreaseCut crease) {
   const bool is_pin = crease == schema::CreaseCut::pin;
-  if (!schema::has_axes_within(crease) && crease != schema::CreaseCut::butt) return std::nullopt;
+  if (!schema::are_set_back(crease) && crease != schema::CreaseCut::butt) return std::nullopt;
   if (!design.thickness_mm) {
     if (!call.crease) return std::nullopt;
     throw schema::UserError(solver::OptionFault{
@@ -36,7 +36,6 @@ std::optional<schema::PlateOptions> plates_of(const KitCall& call, const schema:
   }
   schema::PlateOptions plates = call.plates;
   plates.thickness_mm = *design.thickness_mm;
-  plates.from_deg = design.from_deg;
   if (design.film) {
     plates.film_mm = design.film->length_mm;
     plates.film_thickness_mm = design.film->thickness_mm;
@@ -62,29 +61,42 @@ void add_plates(CLI::App& verb, KitCall& call) {
               fmt::format("with --kit to print and pin hinges: diameter of pins [{:g}]",
                           call.plates.pin_mm),
               1e-2);
+  millimetres("--ball", call.options.ball_mm,
+              "with --kit to print and --joint ball: diameter of balls [the thickness]", 1e-2);
   millimetres("--slot", call.plates.slot_mm,
               fmt::format("with --kit to print and film hinges: depth of the films' slots [{:g}]",
                           call.plates.slot_mm),
               0.1);
+  millimetres("--spacer", call.plates.spacer_mm,
+              "with --kit and offset plates: thickness of spacers between films and plates, as "
+              "NAME-kit-spacers [none]",
+              1e-2);
   verb.add_flag("--allow-misfit", call.plates.allows_misfit,
                 "with --kit and butt hinges: consent to plates that miss by more than a tenth of "
                 "their thickness");
 }
 
-// Ball joints of a design, with the kit's bores, which it has where the design gives their
-// diameter.
-void take_joints(schema::Design design, schema::KitOptions& kit) {
-  if (!design.joint_kind) return;
-  const bool has_bores = design.joint_kind != solver::JointKind::ball;
-  if (kit.joint_bore_mm && !has_bores) {
-    throw schema::UserError(solver::OptionFault{
-        "joint_bore_mm", schema::shown_number(*kit.joint_bore_mm),
-        "is of loops and tabs, and balls in sockets have no bores", "leave it out"});
+// Ball joints of a design, with the kit's bores: it has some where the joints do.
+void take_joints(schema::Design design, const KitCall& call, schema::KitOptions& kit) {
+  kit.bore_edge_mm = call.bore_edge_mm.value_or(design.joint_edge_mm.value_or(kit.bore_edge_mm));
+  if (design.joint_kind) {
+    const bool has_bores = design.joint_kind != solver::JointKind::ball;
+    if (kit.joint_bore_mm && !has_bores) {
+      throw schema::UserError(solver::OptionFault{
+          "joint_bore_mm", schema::shown_number(*kit.joint_bore_mm),
+          "is of loops and tabs, and balls in sockets have no bores", "leave it out"});
+    }
+    if (kit.joint_bore_mm) design.joint_bore_mm = kit.joint_bore_mm;
+    design.joint_edge_mm = kit.bore_edge_mm;
+    kit.joints = schema::joints_of(design);
+    if (has_bores) kit.joint_bore_mm = kit.joints->bore_mm;
   }
-  if (has_bores && !kit.joint_bore_mm) kit.joint_bore_mm = design.joint_bore_mm;
-  if (kit.joint_bore_mm) design.joint_bore_mm = kit.joint_bore_mm;
-  design.joint_edge_mm = kit.bore_edge_mm;
-  kit.joints = schema::KitJoints{*schema::joints_of(design), design.from_deg};
+  if (call.bore_edge_mm && !kit.joint_bore_mm && !kit.spring_bore_mm) {
+    throw schema::UserError(
+        schema::Cause::bad_request,
+        "--bore-edge has no meaning without --joint-bore or --spring-bore; take "
+        "it out, or add that");
+  }
 }
 
 }  // namespace
@@ -94,7 +106,8 @@ void add_kit(CLI::App& verb, KitCall& call) {
   const auto add_mm = [&](const char* name, auto& value, const std::string& meaning, double least) {
     add_value(verb, name, value, meaning, within(least, kMost_mm), "MM");
   };
-  verb.add_flag("--kit", call.wanted, "svg and dxf: numbered parts to cut, see above");
+  verb.add_flag("--kit", call.wanted,
+                "svg, dxf, stl and 3mf: numbered parts to cut or print, see above");
   verb.add_flag_callback(
       "--guide", [] {}, "with --kit: NAME-kit.html, which is written with or without this");
   verb.add_flag(
@@ -106,7 +119,8 @@ void add_kit(CLI::App& verb, KitCall& call) {
   }
   verb.add_option("--crease", call.crease,
                   "with --kit: cut (every panel is a part), score (lines), dash (perforated); of "
-                  "plates: film, bevel, pin or butt [the design's, its material's, or score]")
+                  "plates: film, bevel, pin, butt or offset [the design's, its material's, or "
+                  "score]")
       ->transform(one_of<schema::CreaseCut>(creases));
   add_plates(verb, call);
   verb.add_option_function<std::vector<double>>(
@@ -135,8 +149,9 @@ void add_kit(CLI::App& verb, KitCall& call) {
           "[vertex]")
       ->transform(one_of<schema::SpringAt>(
           {{"vertex", schema::SpringAt::vertex}, {"panel", schema::SpringAt::panel}}));
-  add_mm("--bore-edge", kit.bore_edge_mm,
-         fmt::format("with --kit: material left between a bore and an edge or another bore [{:g}]",
+  add_mm("--bore-edge", call.bore_edge_mm,
+         fmt::format("with --kit: material left between a bore and an edge or another bore [the "
+                     "design's, or {:g}]",
                      kit.bore_edge_mm),
          0);
   add_mm("--gap", kit.gap_mm, fmt::format("with --kit: gap between parts [{:g}]", kit.gap_mm), 0);
@@ -169,7 +184,7 @@ std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::
   kit.crease = call.crease.value_or(design.crease_or(kit.crease));
   kit.from_deg = design.from_deg;
   kit.plates = plates_of(call, design, kit.crease);
-  take_joints(design, kit);
+  take_joints(design, call, kit);
   if (schema::are_apart(kit.crease) && !kit.plates) kit.crease = schema::CreaseCut::cut;
   if (!call.bed.empty()) {
     const std::size_t x = call.bed.find('x');

@@ -16,16 +16,16 @@ struct KitCall {
   std::optional<schema::CreaseCut> crease;
   std::string bed;              ///< "600x400"
   schema::PlateOptions plates;  ///< typed numbers
-  std::optional<double> barrel_mm, clearance_mm;
+  std::optional<double> barrel_mm, clearance_mm, bore_edge_mm;
 };
 
 /// Adds --kit, and the options that need it.
 void add_kit(CLI::App& verb, KitCall& call);
 inline constexpr std::array kKitOptions = {
-    "--crease",    "--dash-mm",   "--kerf",         "--joint-bore", "--spring-bore",
-    "--spring-at", "--bore-edge", "--gap",          "--bed",        "--margin",
-    "--bond",      "--guide",     "--test-piece",   "--grain",      "--units",
-    "--barrel",    "--clearance", "--allow-misfit", "--pin",        "--slot"};
+    "--crease",     "--dash-mm", "--kerf",   "--joint-bore", "--spring-bore", "--spring-at",
+    "--bore-edge",  "--gap",     "--bed",    "--margin",     "--bond",        "--guide",
+    "--test-piece", "--grain",   "--units",  "--barrel",     "--clearance",   "--allow-misfit",
+    "--pin",        "--slot",    "--spacer", "--ball"};
 
 /// The kit with the design's kind of hinge, its plates where that is one of plates, and the bed if
 /// one is given; none without --kit. Without a thickness hinges of the design are those of cut

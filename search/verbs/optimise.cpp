@@ -31,10 +31,8 @@ struct Cards {
 
 Cards cards_of(const Subject& subject, const ProvenBetter& better) {
   const CardOptions options{.jobs = usable_threads()};
-  const Subject end(
-      sheet_of_pattern_document(better_pattern(subject, better), "the optimised sheet", {},
-                                "the optimised sheet", schema::Perforations::of_one_path),
-      {});
+  const Subject end(sheet_of_made_pattern(better_pattern(subject, better), "the optimised sheet"),
+                    {});
   return {card_of(subject, options).card, card_of(end, options).card};
 }
 

@@ -122,9 +122,7 @@ std::optional<double> useful_stiffness_n_per_mm(const BentWay& way) {
 BentAdvice advise(const Sheet& sheet, const ReleaseOptions& deploying, const BentPanels& study,
                   double wanted_margin) {
   const EnergyModel::Options& held = deploying.sheet;
-  const BentWay way(sheet, study.options.material, study.thickness_mm, study.options.to_deg,
-                    study.from_deg, study.options.angles);
-  BentAdvice advice{useful_stiffness_n_per_mm(way), wanted_margin, {}};
+  BentAdvice advice{useful_stiffness_n_per_mm(*study.way), wanted_margin, {}};
   const double friction = held.joints.friction_n_mm_per_mm;
   if (friction <= 0) return advice;
   const EnergyModel rigid(sheet, held);

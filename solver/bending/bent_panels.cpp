@@ -240,8 +240,9 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& de
         "name a smaller one, such as 1"};
   }
   const double thickness_mm = held.plates.thickness_mm;
-  const BentWay way(sheet, options.material, thickness_mm, options.to_deg, from_deg,
-                    options.angles);
+  auto made = std::make_shared<const BentWay>(sheet, options.material, thickness_mm, options.to_deg,
+                                              from_deg, options.angles);
+  const BentWay& way = *made;
   if (!way.is_known()) return NoResult::panels_not_stable;
   const EnergyModel rigid(sheet, held);
   const Filling& filling = rigid.filling();
@@ -270,7 +271,8 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& de
                     newton_over_linear,
                     std::move(angles),
                     curve,
-                    find_bent_friction(curve, options.to_deg, friction, others)};
+                    find_bent_friction(curve, options.to_deg, friction, others),
+                    std::move(made)};
 }
 
 }  // namespace misalign::solver

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -116,6 +117,7 @@ struct BentPanels {
   std::vector<BentAngle> angles;  ///< ascending
   EnergyCurve curve;
   BentFriction friction;
+  std::shared_ptr<const BentWay> way;  ///< never null
   const BentAngle& most_bent() const;  ///< the angle of the largest stress
   int unsure() const;                  ///< angles where Newton's method did not converge
 };

@@ -77,12 +77,16 @@ FlatModes find_flat_modes(const ElasticSheet& sheet, const Filling& filling) {
           static_cast<int>((pushed.eigenvalues().array() < -push).count())};
 }
 
-BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
+BestPreload best_preload(const BentWay& way, const VectorXd& rates_n_per_mm, double to_deg,
                          const PreloadAtFlat& at_flat, const VectorXd& shares) {
   const VectorXd& flat_mm = way.panels().flat_lengths_mm();
+  // Shares are 0 where no spring is.
+  const VectorXd taut_mm_per_n = VectorXd::NullaryExpr(shares.size(), [&](Index d) {
+    return rates_n_per_mm(d) > 0 ? shares(d) / rates_n_per_mm(d) : 0;
+  });
   const auto with = [&](double preload_n) {
-    const Filling springs = Filling::of_springs(VectorXd::Constant(flat_mm.size(), n_per_mm),
-                                                flat_mm - preload_n / n_per_mm * shares);
+    const Filling springs =
+        Filling::of_springs(rates_n_per_mm, flat_mm - preload_n * taut_mm_per_n);
     const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
     return find_bent_friction(curve, to_deg, 0,
                               [](double) {
@@ -115,10 +119,7 @@ StudyResult<PreloadStudy> study_preload(const Sheet& sheet, const ReleaseOptions
                                         const BentPanels& bent) {
   const Springs& springs = deploying.sheet.springs();
   const PanelMaterial& material = bent.options.material;
-  const BentWay way(sheet, material, bent.thickness_mm, bent.options.to_deg, bent.from_deg,
-                    bent.options.angles);
   const EnergyModel rigid(sheet, deploying.sheet);
-  const double n_per_mm = springs.stiffness_n_per_mm;
   const double preload_n = springs.preload.largest_n();
   const VectorXd shares = rigid.filling().forces_n(sheet.way()->flat_mm()) / preload_n;
   const auto at_flat = preload_at_flat(sheet, material, bent.thickness_mm, shares);
@@ -126,8 +127,9 @@ StudyResult<PreloadStudy> study_preload(const Sheet& sheet, const ReleaseOptions
   const double pilot_rate = sheet.way()->pilot_rate(0);
   const double mass = rigid.at(0).mass / (pilot_rate * pilot_rate),  // t mm^2 by the pilot's angle
       stiffness = std::max(0.0, at_flat->stiffness_n_mm(preload_n));
-  return PreloadStudy{preload_n, *at_flat, find_flat_modes(way.panels(), rigid.filling()),
-                      best_preload(way, n_per_mm, bent.options.to_deg, *at_flat, shares),
+  return PreloadStudy{preload_n, *at_flat, find_flat_modes(bent.way->panels(), rigid.filling()),
+                      best_preload(*bent.way, rigid.filling().rates_n_per_mm(), bent.options.to_deg,
+                                   *at_flat, shares),
                       std::sqrt(stiffness / mass) / (2 * std::numbers::pi)};
 }
 

@@ -42,13 +42,13 @@ struct FlatModes {
 };
 FlatModes find_flat_modes(const ElasticSheet& sheet, const Filling& filling);
 
-/// The preload of springs of one rate, with these shares of it, with which the least static
-/// friction over the way is largest, and that friction, by linear bending; 0 where no preload is
-/// better.
+/// The preload of springs of these rates, one a diagonal (0: no spring), with these shares of it,
+/// with which the least static friction over the way is largest, and that friction, by linear
+/// bending; 0 where no preload is better.
 struct BestPreload {
   double preload_n, static_n_mm_per_mm;
 };
-BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
+BestPreload best_preload(const BentWay& way, const Eigen::VectorXd& rates_n_per_mm, double to_deg,
                          const PreloadAtFlat& at_flat, const Eigen::VectorXd& shares);
 
 /// Forces are those of the spring with the largest preload; the others keep their shares of it.

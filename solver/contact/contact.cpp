@@ -48,10 +48,6 @@ StudyResult<ContactStudy> contact(const Sheet& sheet, const ContactOptions& opti
                                     way.x_of(study.reach_deg), study.pilot_deg);
     if (!springs) return springs.obstacle();
     study.springs = *std::move(springs);
-    study.trial = options.offsets;
-    if (study.trial == OffsetTrial::tried && !study.springs->springs.touching.empty()) {
-      study.offsets = offset_ends(sheet, *motion, *options.springs, study.reach_deg);
-    }
   }
   return study;
 }

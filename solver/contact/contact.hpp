@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "solver/contact/offset_ends.hpp"
 #include "solver/contact/plate_thickness.hpp"
+#include "solver/contact/spring_clearance.hpp"
 
 namespace misalign::solver {
 
@@ -15,15 +15,11 @@ inline constexpr double kTrimPart = 1.0 / 16;
 /// Clearances are shown at multiples of this pilot angle.
 inline constexpr double kClearanceStep_deg = 1;
 
-/// Trials of springs' ends off the mid-plane.
-enum class OffsetTrial { none, tried };
-
 struct ContactOptions {
   std::optional<double> trim_mm = {};  ///< corner trim; none: kTrimPart of the panel width
   /// Angle of use: plates fold from flat up to this pilot angle; none: up to D.
   std::optional<double> from_deg = {};
   std::optional<SpringBodies> springs = {};  ///< none: springs are not judged
-  OffsetTrial offsets = OffsetTrial::none;
 };
 
 struct ContactStudy {
@@ -37,8 +33,6 @@ struct ContactStudy {
   std::vector<ContactFinder::Clearance> clearances;  ///< one per pilot_deg
   std::optional<PlateThickness> thickness;           ///< none where the sheet deploys from nothing
   std::optional<SpringClearance> springs;            ///< none: not judged; up to reach_deg
-  OffsetTrial trial = OffsetTrial::none;
-  std::vector<OffsetEnds> offsets;  ///< if tried and springs touch
 };
 
 /// Faults: from_deg lies beyond D; trim_mm leaves nothing of an edge, or end_mm of a spring.

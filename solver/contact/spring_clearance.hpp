@@ -15,21 +15,9 @@
 
 namespace misalign::solver {
 
-inline constexpr double kSpringDiameter_mm = 5;
-/// Default length of each end that is left out, by diameter: a hook and the eye that holds it.
-inline constexpr double kEndDiameters = 2;
 /// Bodies this close touch. Bodies that meet at any angle come this close at one that is looked at:
 /// GapWalk's bounds leave out no more.
 inline constexpr double kSpringTouch_mm = 0.02;
-
-struct SpringBodies {
-  double diameter_mm = kSpringDiameter_mm;
-  std::optional<double> end_mm = {};  ///< none: kEndDiameters diameters
-  double panel_mm = 1;                ///< thickness of the panels
-  Fill fill = Springs{};
-
-  double left_out_mm() const { return end_mm.value_or(kEndDiameters * diameter_mm); }
-};
 
 /// Two bodies where they come closest.
 struct SpringMeeting {

@@ -95,6 +95,19 @@ struct NoFill {};
 
 using Fill = std::variant<Springs, RubberPlates, NoFill>;
 
+inline constexpr double kSpringDiameter_mm = 5;
+/// Default length of each end that is left out, by diameter: a hook and the eye that holds it.
+inline constexpr double kEndDiameters = 2;
+/// Springs as round bodies.
+struct SpringBodies {
+  double diameter_mm = kSpringDiameter_mm;
+  std::optional<double> end_mm = {};  ///< none: kEndDiameters diameters
+  double panel_mm = 1;                ///< thickness of the panels
+  Fill fill = Springs{};
+
+  double left_out_mm() const { return end_mm.value_or(kEndDiameters * diameter_mm); }
+};
+
 /// Returns the pilot angle at which a filling is relaxed, apart from preload or pre-stretch.
 inline double rest_deg(const Fill& fill) {
   if (const auto* springs = std::get_if<Springs>(&fill)) return springs->rest_deg;

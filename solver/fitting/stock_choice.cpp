@@ -45,8 +45,10 @@ class StockSearch {
     table_ = &table;
     if (options_.goal == StockGoal::fewest_types) {
       for (std::size_t count = 1; count <= std::min(kMostTypes, usable_.size()); ++count) {
-        if (!try_sets(count)) break;
+        const bool all_tried = try_sets(count);
+        is_proven_ = is_proven_ && all_tried;
         if (!best_.empty()) return best_;
+        if (!all_tried) break;
       }
       if (usable_.size() > kMostTypes) is_proven_ = false;
     }

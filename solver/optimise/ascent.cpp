@@ -98,7 +98,8 @@ void Ascent::try_box() {
 
 void Ascent::give_up_box() {
   box_mm_ = kFirstBox * options_.amplitude_mm;
-  if (variables_.are_free()) return end(Optimised::StopReason::no_step_is_better);
+  if (variables_.are_free() || !options_.tries_flips)
+    return end(Optimised::StopReason::no_step_is_better);
   begin_flips();
 }
 

@@ -28,87 +28,90 @@ Value member_of(const std::optional<Study>& study, Member member) {
   return study ? Value((*study).*member) : std::nullopt;
 }
 
-Value critical_friction(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto rigid = static_release(sheet, options.deploying);
+Value critical_friction(GoalValues& values) {
+  const auto rigid = static_release(values.sheet(), values.options().deploying);
   return rigid ? rigid->friction.critical_n_mm_per_mm : std::nullopt;
 }
 
 // Friction with bending panels; none where an equilibrium was lost.
-std::optional<BentFriction> bent_friction(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto bent = bend_panels(sheet, options.deploying, options.bending);
+std::optional<BentFriction> bent_friction(GoalValues& values) {
+  const auto& bent = values.bent();
   return bent && bent->unsure() == 0 ? std::optional(bent->friction) : std::nullopt;
 }
 
-Value bent_critical_friction(const Sheet& sheet, const OptimiseOptions& options) {
-  return member_of(bent_friction(sheet, options), &BentFriction::critical_n_mm_per_mm);
+Value bent_critical_friction(GoalValues& values) {
+  return member_of(bent_friction(values), &BentFriction::critical_n_mm_per_mm);
 }
 
-Value static_friction(const Sheet& sheet, const OptimiseOptions& options) {
-  return member_of(bent_friction(sheet, options), &BentFriction::static_n_mm_per_mm);
+Value static_friction(GoalValues& values) {
+  return member_of(bent_friction(values), &BentFriction::static_n_mm_per_mm);
 }
 
-Value miscut_margin(const Sheet& sheet, const OptimiseOptions&) {
-  return sheet.record().miscut_margin_mm;
+Value chosen_friction(GoalValues& values) {
+  return chosen_friction_n_mm_per_mm(values.sheet(), values.options());
 }
 
-Value stored_energy(const Sheet& sheet, const OptimiseOptions& options) {
-  return springs_n_mm(sheet, options.deploying);
+Value miscut_margin(GoalValues& values) { return values.sheet().record().miscut_margin_mm; }
+
+Value stored_energy(GoalValues& values) {
+  return springs_n_mm(values.sheet(), values.options().deploying);
 }
 
-Value deployed_angle(const Sheet& sheet, const OptimiseOptions&) { return goes_until_deg(sheet); }
+Value deployed_angle(GoalValues& values) { return goes_until_deg(values.sheet()); }
 
-Value stiffness_at_rest(const Sheet& sheet, const OptimiseOptions& options) {
-  return member_of(rest_stiffness(sheet, options.deploying, options.bending.material),
-                   &RestStiffness::n_mm_per_rad);
+Value stiffness_at_rest(GoalValues& values) {
+  return member_of(
+      rest_stiffness(values.sheet(), values.options().deploying, values.options().bending.material),
+      &RestStiffness::n_mm_per_rad);
 }
 
-Value plate_thickness(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto study = contact(sheet, {{}, options.used_from_deg});
+Value plate_thickness(GoalValues& values) {
+  const auto study = contact(values.sheet(), {{}, values.options().used_from_deg});
   return study && study->thickness ? Value(study->thickness->thickness_mm) : std::nullopt;
 }
 
-Value largest_stress(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto bent = bend_panels(sheet, options.deploying, options.bending);
+Value largest_stress(GoalValues& values) {
+  const auto& bent = values.bent();
   return bent ? Value(-bent->most_bent().largest_stress_mpa) : std::nullopt;
 }
 
-Value buckling(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto bent = bend_panels(sheet, options.deploying, options.bending);
+Value buckling(GoalValues& values) {
+  const auto& bent = values.bent();
   if (!bent) return {};
-  return find_buckling(sheet, options.deploying.sheet, *bent).least().factor;
+  return find_buckling(values.sheet(), values.options().deploying.sheet, *bent).least().factor;
 }
 
 // Springs that meet nothing have any clearance.
-Value clearance_of_springs(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto study = contact(sheet, {{}, options.used_from_deg, options.bodies});
+Value clearance_of_springs(GoalValues& values) {
+  const auto study =
+      contact(values.sheet(), {{}, values.options().used_from_deg, values.options().bodies});
   if (!study || !study->springs) return {};
   const SpringMeeting* const met = closest_meeting(*study->springs);
   return met ? met->clear_mm : std::numeric_limits<double>::infinity();
 }
 
-Value share_of_copies(const Sheet& sheet, const OptimiseOptions& options) {
-  return options.yield(sheet);
+Value share_of_copies(GoalValues& values) { return values.options().yield(values.sheet()); }
+
+Value springs_spared(GoalValues& values) {
+  const ReleaseOptions& deploying = values.options().deploying;
+  const EnergyModel rigid(values.sheet(), deploying.sheet);
+  return member_of(spare_diagonals(values.sheet(), rigid, *deploying.from_deg),
+                   &SpareDiagonals::amount);
 }
 
-Value springs_spared(const Sheet& sheet, const OptimiseOptions& options) {
-  const ReleaseOptions& deploying = options.deploying;
-  const EnergyModel rigid(sheet, deploying.sheet);
-  return member_of(spare_diagonals(sheet, rigid, *deploying.from_deg), &SpareDiagonals::amount);
-}
-
-Value shape_rms(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto off = options.shape->fitted(sheet);
+Value shape_rms(GoalValues& values) {
+  const auto off = values.options().shape->fitted(values.sheet());
   return off ? Value(-off->rms_mm()) : std::nullopt;
 }
 
-Value shape_max(const Sheet& sheet, const OptimiseOptions& options) {
-  const auto off = options.shape->fitted(sheet);
+Value shape_max(GoalValues& values) {
+  const auto off = values.options().shape->fitted(values.sheet());
   return off ? Value(-off->max_mm()) : std::nullopt;
 }
 
 struct Functions {
   std::string_view name;
-  Value (*value)(const Sheet& sheet, const OptimiseOptions& options);
+  Value (*value)(GoalValues& values);
   std::vector<GoalTerm> (*linearization)(SheetChanges& changes);
 };
 
@@ -116,7 +119,7 @@ constexpr Functions kFunctions[] = {
     {"critical_friction_n_mm_per_mm", critical_friction, local_critical_friction},
     {"bent_critical_friction_n_mm_per_mm", bent_critical_friction, local_bent_critical_friction},
     {"static_friction_n_mm_per_mm", static_friction, local_static_friction},
-    {"chosen_friction_n_mm_per_mm", chosen_friction_n_mm_per_mm, local_chosen_friction},
+    {"chosen_friction_n_mm_per_mm", chosen_friction, local_chosen_friction},
     {"miscut_margin_mm", miscut_margin, local_margin},
     {"energy_n_mm", stored_energy, local_energy},
     {"deploys_from_deg", deployed_angle, local_deployed_angle},
@@ -139,9 +142,18 @@ const Functions& functions_of(const Goal& goal) {
 
 }  // namespace
 
+const StudyResult<BentPanels>& GoalValues::bent() {
+  if (!bent_) bent_ = bend_panels(sheet_, options_.deploying, options_.bending);
+  return *bent_;
+}
+
+Value GoalValues::value(const Goal& goal) {
+  assert(options_.shape || !goal.needs_target);
+  return functions_of(goal).value(*this);
+}
+
 Value value_of(const Goal& goal, const Sheet& sheet, const OptimiseOptions& options) {
-  assert(options.shape || !goal.needs_target);
-  return functions_of(goal).value(sheet, options);
+  return GoalValues(sheet, options).value(goal);
 }
 
 std::vector<GoalTerm> linearization_of(const Goal& goal, SheetChanges& changes) {

@@ -61,7 +61,7 @@ std::vector<GoalTerm> rigid_energies(SheetChanges& changes) {
 }
 
 std::vector<GoalTerm> bent_energies(SheetChanges& changes) {
-  const auto bent = bend_panels(changes.sheet, changes.options.deploying, changes.options.bending);
+  const auto& bent = changes.bent();
   if (!bent) return {};
   const SpringChanges springs(changes);
   const BentAngle& first = bent->angles.front();

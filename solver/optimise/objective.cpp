@@ -41,9 +41,9 @@ double force_n(const Sheet& sheet, const ReleaseOptions& deploying) {
 bool is_by_energy(const Sheet& sheet) { return sheet.model().criterion().energy.has_value(); }
 
 // Returns whether all goals with floors keep them.
-bool keeps_floors(const Sheet& sheet, const OptimiseOptions& options) {
-  return std::ranges::all_of(options.floors, [&](const OptimiseFloor& floor) {
-    const auto value = value_of(*floor.goal, sheet, options);
+bool keeps_floors(GoalValues& values) {
+  return std::ranges::all_of(values.options().floors, [&](const OptimiseFloor& floor) {
+    const auto value = values.value(*floor.goal);
     return value && *value >= floor.least;
   });
 }
@@ -81,10 +81,9 @@ bool keeps_slope(const Sheet& sheet, const Sheet& before, const OptimiseOptions&
 }
 
 std::optional<double> objective(const Sheet& sheet, const OptimiseOptions& options) {
-  if (!fits(sheet, options) || !goes_all_the_way(sheet, options) || !keeps_floors(sheet, options)) {
-    return {};
-  }
-  return value_of(*options.goal, sheet, options);
+  if (!fits(sheet, options) || !goes_all_the_way(sheet, options)) return {};
+  GoalValues values(sheet, options);
+  return keeps_floors(values) ? values.value(*options.goal) : std::nullopt;
 }
 
 }  // namespace misalign::solver

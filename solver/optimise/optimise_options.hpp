@@ -54,6 +54,8 @@ struct OptimiseOptions {
   /// Called a few times a second: an exception from it ends the search.
   std::function<void()> watch = [] {};
   int most_steps = 200;
+  /// True if single free shifts are tried, too, where no other step is better.
+  bool tries_flips = true;
   int most_evaluations = 400;  ///< sheets folded for one step of ternary shifts
 };
 

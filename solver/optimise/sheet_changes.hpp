@@ -29,12 +29,21 @@ struct SheetChanges {
     return flat;
   }
 
+  /// Its bent panels.
+  const StudyResult<BentPanels>& bent() {
+    if (!bent_) bent_ = bend_panels(sheet, options.deploying, options.bending);
+    return *bent_;
+  }
+
   const Sheet& sheet;
   const OptimiseOptions& options;
   const Coordinates variables;
   bool is_known = true;
   PathGradients gradients;
   const PathGradients::AtAngle flat;
+
+ private:
+  std::optional<StudyResult<BentPanels>> bent_;
 };
 
 /// Springs that pull and push: f = k (L - L_rest) + F s, with s the sign of a diagonal's change

@@ -1,7 +1,7 @@
 """Kits of plates beside the folded sheets that they are cut for. Standard input has a line for each:
 
-    SHEET.fold KIT.dxf --crease film|bevel|pin --thickness T --from DEG [--barrel D] [--clearance C] [--film F]
-    [--joint-bore D] [--spring-bore D] [--edge E] [--wire W --play P] [--thicker T] [--wrong]
+    SHEET.fold KIT.dxf --crease film|bevel|pin|offset --thickness T --from DEG [--barrel D] [--clearance C] [--film F]
+    [--spacer S] [--joint-bore D] [--spring-bore D] [--edge E] [--wire W --play P] [--thicker T] [--wrong]
 
 Plates are rebuilt from the drawing alone: contours, axes of hinges, lines and angles of bevels. They are laid into the
 folded states of the FOLD file by their axes. No two plates or barrels may overlap there (separating axes of convex
@@ -197,7 +197,10 @@ class Check:
     def __init__(self, wish):
         self.wish, self.faults = wish, []
         self.sheet = Sheet(wish.sheet, wish.from_deg)
-        self.half = (wish.thicker or wish.thickness) / 2
+        thickness = wish.thicker or wish.thickness
+        # Heights of both faces over the axes.
+        self.low, self.high = (wish.spacer, wish.spacer + thickness) if wish.crease == "offset" else (
+            -thickness / 2, thickness / 2)
         drawing = Drawing(wish.kit)
         self.faults += drawing.faults
         contours = [points for points, closed in drawing.paths["cut"] if closed and area(points) > 0]
@@ -225,8 +228,10 @@ class Check:
             turns = np.arange(0, 2 * math.pi, 0.04)
         readings = [list(words_of(paths, [turn])) for turn in turns]
         own = lambda words: sum(word[2] in self.sheet.faces for word in words)
+        corners = lambda words: max((sum(f"A{v + 1}" in {w[2] for w in words} for v in self.sheet.faces[word[2]])
+                                     for word in words if word[2] in self.sheet.faces), default=0)
         others = lambda words: sum(bool(re.fullmatch(r"[Abs]\d+", word[2])) for word in words)
-        return max(readings, key=lambda words: (own(words) == 1, own(words) + 2 * others(words) - len(words)), default=[])
+        return max(readings, key=lambda words: (own(words) == 1, corners(words), own(words) + 2 * others(words) - len(words)), default=[])
 
     def expect(self, good, words):
         if not good:
@@ -296,7 +301,9 @@ class Check:
             half = self.sheet.largest_fold(letter) / 2
             wanted = {"film": (max(wish.thickness * math.tan(half), wish.film) + wish.clearance) / 2,
                       "bevel": wish.clearance / 2,
-                      "pin": max(wish.barrel, wish.thickness / math.cos(half)) / 2 + wish.clearance}[wish.crease]
+                      "pin": max(wish.barrel, wish.thickness / math.cos(half)) / 2 + wish.clearance,
+                      "offset": wish.clearance / 2 + (wish.spacer + wish.thickness) * math.tan(half) * (letter == "V"),
+                      }[wish.crease]
             for plate in self.plates.values():
                 face = self.sheet.faces[plate.label]
                 for k, side in enumerate(plate.sides):
@@ -378,7 +385,7 @@ class Check:
             flat = [p for p in flat if math.dist(p, (x, y)) > radius + 1e-3]
             turns = [2 * math.pi * k / 32 for k in range(32)]
             disc = [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in turns]
-            solids.append(layered([(-self.half, disc), (self.half, disc)]))
+            solids.append(layered([(self.low, disc), (self.high, disc)]))
         if discs:
             # Sides of the contour go on to where they meet.
             face = self.sheet.faces[plate.label]
@@ -394,7 +401,7 @@ class Check:
             for p, q in plate.bevels[kind]:
                 rest = clipped(rest, plate.on_sheet(p), plate.on_sheet(q), middle)
             faces[kind] = rest
-        hull = [(-self.half, faces["mountain"]), (0.0, flat), (self.half, faces["valley"])]
+        hull = [(self.low, faces["mountain"]), (0.0, flat), (self.high, faces["valley"])]
         return solids + self.halves(hull, plate)
 
     def halves(self, hull, plate):
@@ -462,7 +469,7 @@ def main():
     words.add_argument("kit")
     words.add_argument("--crease")
     words.add_argument("--from", type=float, dest="from_deg")
-    for name in ("--thickness", "--barrel", "--clearance", "--film", "--joint-bore", "--spring-bore", "--thicker", "--wire", "--play"):
+    for name in ("--thickness", "--barrel", "--clearance", "--film", "--spacer", "--joint-bore", "--spring-bore", "--thicker", "--wire", "--play"):
         words.add_argument(name, type=float, default=0)
     words.add_argument("--edge", type=float, default=2)
     words.add_argument("--wrong", action="store_true")

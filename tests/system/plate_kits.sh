@@ -42,9 +42,15 @@ bores="--joint-bore 1.2 --spring-bore 1.5"
   kit 8x6.json bevel 2 60
   kit 8x6.json pin 2 60 --barrel 2 --clearance 0.2
   kit dome.json pin 2 90 --barrel 2 --clearance 0.2
+  # shellcheck disable=SC2086
+  kit "$patterns/table1.json" offset 1.5 90 $bores --spacer 0.2
+  kit 8x6.json offset 1 60 --clearance 0.1
 } > checks
+spacers=$(echo kit8/*-kit-spacers.dxf)
+# shellcheck disable=SC2086
+echo "sheets/table1.fold $spacers --crease offset --thickness 0.2 --from 90 $bores" >> checks
 # What sees nothing wrong must be able to: thicker plates of the same contours overlap.
-sed -n '1,2s/$/ --thicker 3.4 --wrong/p; 3s/$/ --thicker 6 --wrong/p' checks > wrong
+sed -n '1,2s/$/ --thicker 3.4 --wrong/p; 3s/$/ --thicker 6 --wrong/p; 8s/$/ --thicker 2 --wrong/p' checks > wrong
 "$python" -B "$source_dir/tests/system/plate_kit_check.py" < checks || fail "kits of plates"
 "$python" -B "$source_dir/tests/system/plate_kit_check.py" < wrong > /dev/null || fail "thicker plates: nothing overlaps"
 
@@ -89,6 +95,21 @@ for crease in film bevel pin; do
     fail "printed plates: $crease"
 done
 
+# Balls in sockets: closed shells, clear of each other; where they swing too far they are refused.
+options="--kit --crease bevel --thickness 4 --from 60 --trim 6 --joint ball --ball 5 --clearance 0.1"
+for format in stl 3mf; do
+  # shellcheck disable=SC2086
+  "$program" export "$patterns/table1.json" --format $format $options --output print-ball > names-$format ||
+    fail "print balls as $format"
+done
+# shellcheck disable=SC2046
+"$python" -B "$source_dir/tests/system/print_check.py" sheets/table1.fold 60 "$(cat names-3mf)" $(cat names-stl) ||
+  fail "printed balls"
+
+# Tabs: a strip for each joint.
+"$program" export "$patterns/table1.json" --format dxf --kit --joint tab --joint-bore 1.2 --output tabs > names || fail "tabs"
+grep -q "kit-strips.dxf" names || fail "no strips of tabs: $(cat names)"
+
 # Plates for 60 degrees are within one another at 90.
 for format in stl 3mf; do
   "$program" export "$patterns/table1.json" --format $format --kit --crease film --thickness 4 --from 60 --output early \
@@ -115,6 +136,12 @@ refused "have no bores" --format dxf --joint ball --joint-bore 1
 refused "no hinge of printed plates" --format stl --crease score --thickness 3 --from 90
 refused "less than 0.6 mm of material" --format stl --crease pin --thickness 2 --from 90
 refused "no meaning without" --format dxf --crease pin --thickness 3 --from 90 --pin 1
+refused "no meaning without --crease offset" --format dxf --crease film --thickness 3 --from 90 --spacer 1
+refused "a height above their films" --format dxf --crease offset --thickness 9 --from 90
+refused "no hinge of printed plates" --format stl --crease offset --thickness 1 --from 90
+refused "not held by its socket" --format stl --crease bevel --thickness 1 --from 150 --joint ball
+refused "less than the radius of sockets" --format stl --crease bevel --thickness 2 --from 60 --trim 2 --joint ball --ball 5
+refused "too long for the tab" --format dxf --joint tab --joint-bore 1.2 --bore-edge 0.1
 "$program" export "$patterns/table1.json" --format 3mf --output never > /dev/null 2> err && fail "3mf without --kit"
 grep -q "add --kit" err || fail "3mf without --kit: $(cat err)"
 "$program" export "$patterns/table1.json" --format dxf --kit --crease butt --thickness 0.2 --from 90 --allow-misfit \

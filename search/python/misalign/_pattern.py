@@ -162,7 +162,7 @@ class Pattern:
         `diameter_mm` diameter of the springs, of which those that touch are found; None for the design's: without
                     one springs are not judged
         `end_mm`    length left out at each end of a spring; None for two diameters
-        `offset_ends` True to find the least offset of the springs' ends with which none touch
+        `offset_ends` True to find faces and layers of the springs in which none touch
         `fill`      the holes' filling, as the key `fill` of a design, with its `diameter_mm`; None for the design's
 
         All studies raise `misalign.Error`: 2 for values that do not fit the sheet, 1 if its path is lost or its panels
@@ -305,7 +305,7 @@ class Pattern:
                  preload_n: float | None = None, thickness_mm: float | None = None, grid_mm: float | None = None,
                  within_family: bool = False, subject_to: Sequence[str] = (),
                  stiffness_within: Sequence[float] = (), preload_within: Sequence[float] = (),
-                 rest_deg: float | None = None, miscut_mm: float = 0.05, trials: int = 200, rim: bool = False,
+                 rest_deg: float | None = None, miscut_mm: float | None = None, trials: int = 200, rim: bool = False,
                  keep_card: bool = False) -> tuple[Pattern, dict[str, Any]]:
         """Optimises this sheet; returns the optimum and the JSON of `misalign optimise`.
 
@@ -320,7 +320,7 @@ class Pattern:
         `subject_to`        constraints: `"stroke_max <= 0.06"`, `"miscut_margin_mm >= 0.1"`, `"shape_max_mm <= 0.5"`
         `stiffness_within`, `preload_within`  bounds of the springs' stiffness and preload, which are optimised too
         `rest_deg`          pilot angle at which springs are relaxed; None for flat
-        `miscut_mm`, `trials`  cutting error and number of copies, for yields
+        `miscut_mm`, `trials`  cutting error, None for the design's, and number of copies, for yields
 
         >>> better, said = misalign.read("search/patterns/table1.json").optimise(deploys_from_deg=150, ternary=True)
         >>> said["after_n_mm_per_mm"] > 5 * said["before_n_mm_per_mm"], better.fold().deploys_from_deg >= 150

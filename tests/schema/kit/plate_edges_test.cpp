@@ -22,8 +22,8 @@ constexpr double kThickness_mm = 2, kFrom_deg = 60;
 KitOptions plate_options(CreaseCut crease) {
   KitOptions options;
   options.crease = crease;
-  options.plates = {
-      .thickness_mm = kThickness_mm, .from_deg = kFrom_deg, .trim_mm = 5, .barrel_mm = 2.4};
+  options.plates = {.thickness_mm = kThickness_mm, .trim_mm = 5, .barrel_mm = 2.4};
+  options.from_deg = kFrom_deg;
   return options;
 }
 
@@ -84,6 +84,26 @@ TEST(PlateEdges, MeetAtTheLargestFold) {
         }
       }
     }
+  }
+}
+
+// Plates above films meet with the upper corners of valleys' edges; those of mountains, which open,
+// reach the axis.
+TEST(PlateEdges, OffsetPlatesMeetAtValleysAlone) {
+  const DeployingKit kit;
+  KitOptions options = plate_options(CreaseCut::offset);
+  options.plates->spacer_mm = 0.5;
+  const PlateEdges edges(kit.sheet, options);
+  EXPECT_EQ(edges.reach_mm(), kThickness_mm + 0.5);
+  for (const bool valley : {false, true}) {
+    const PlateEdge& edge = edges.hinge(valley);
+    const double fold_rad = largest_fold_rad(kit.sheet, valley);
+    if (!valley) {
+      EXPECT_EQ(edge.back_mm, 0);
+      continue;
+    }
+    EXPECT_NEAR(beyond_middle(edge.back_mm, kThickness_mm + 0.5, fold_rad), 0, 1e-9);
+    EXPECT_LT(beyond_middle(edge.back_mm, kThickness_mm + 0.5, 0.99 * fold_rad), 0);
   }
 }
 
@@ -178,7 +198,7 @@ TEST(PlateEdges, HingesOnFacesNeedConsent) {
   for (const int facet : kit.sheet.panels().facets) EXPECT_EQ(edges.back_mm(facet)[0], 0);
   // Little folding leaves little misfit.
   options.plates->allows_misfit = false;
-  options.plates->from_deg = 2;
+  options.from_deg = 2;
   EXPECT_NO_THROW(PlateEdges(kit.sheet, options));
 }
 

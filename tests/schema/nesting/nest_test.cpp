@@ -122,6 +122,30 @@ TEST(Nest, OutlinesKeepTheGapAndTheirBeds) {
   }
 }
 
+// Sides that are almost parallel, and almost along the bed's: places on a bound are rounded there.
+TEST(Nest, PanelsThatAreNearlyAlikeAreApart) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> part(-1, 1);
+  double least = INFINITY;
+  for (int trial = 0; trial < 10; ++trial) {
+    const double off_mm = std::pow(10.0, -(trial % 10));
+    std::vector<NestRings> outlines(
+        8, {{{0, 0}, {80, 0}, {80 + 40.0 * (trial % 2), 70}, {40.0 * (trial % 2), 70}}});
+    for (NestRings& rings : outlines) {
+      for (Vector2d& point : rings[0]) point += off_mm * Vector2d(part(random), part(random));
+    }
+    const NestBed bed{{300, INFINITY}, 5};
+    const NestResult result = nest(shapes_of(outlines), bed);
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+      for (std::size_t j = 0; j < k; ++j) {
+        least = std::min(least, apart(placed(outlines[k], result.places[k]),
+                                      placed(outlines[j], result.places[j])));
+      }
+    }
+  }
+  EXPECT_GE(least, 5 - 1e-6);
+}
+
 TEST(Nest, IsTheSameTwice) {
   std::mt19937 random(3);
   std::vector<NestRings> outlines;

@@ -95,21 +95,6 @@ TEST(SpringTable, RefusesEachFaultInOneSentence) {
   }
 }
 
-TEST(SpringTable, IsReadAsItWasWritten) {
-  const std::vector<SpringRow> common = common_springs();
-  const std::vector<SpringRow> read = spring_table_of(spring_table_csv(common), "common");
-  ASSERT_EQ(read.size(), common.size());
-  for (std::size_t k = 0; k < read.size(); ++k) {
-    EXPECT_EQ(read[k].name, common[k].name);
-    // Numbers are written with the digits of shown_number.
-    EXPECT_NEAR(read[k].spring.rate_n_per_mm, common[k].spring.rate_n_per_mm,
-                1e-9 * common[k].spring.rate_n_per_mm);
-    EXPECT_NEAR(read[k].spring.limit_mm, common[k].spring.limit_mm, 1e-9);
-    EXPECT_NEAR(read[k].spring.initial_n, common[k].spring.initial_n, 1e-9);
-    EXPECT_EQ(read[k].spring.action, common[k].spring.action);
-  }
-}
-
 // The stress in the wire by torsion alone, MPa.
 double shear_mpa(const solver::StockSpring& spring, double force_n) {
   const double radius_mm = spring.wire_mm / 2, arm_mm = (spring.outer_mm - spring.wire_mm) / 2;

@@ -24,7 +24,8 @@ using Eigen::Vector3d;
 KitOptions printed_options(CreaseCut crease, bool has_bores) {
   KitOptions options;
   options.crease = crease;
-  options.plates = {.thickness_mm = 4, .from_deg = 60, .trim_mm = 5, .barrel_mm = 4};
+  options.plates = {.thickness_mm = 4, .trim_mm = 5, .barrel_mm = 4};
+  options.from_deg = 60;
   options.plates->clearance_mm = crease == CreaseCut::pin ? 0.2 : 0.1;
   if (crease == CreaseCut::film) options.plates->film_thickness_mm = 0.5;
   if (has_bores) options.joint_bore_mm = options.spring_bore_mm = 1.5;

@@ -57,7 +57,7 @@ TEST(NumberChoice, IsAsGoodAsTheBestOfAGrid) {
   const FreeSheet sheet(kSticky,
                         {{number("thickness_mm", {0.5, 3}), number("stiffness_n_per_mm", {0.5, 20}),
                           number("preload_n", {0, 8})}});
-  const NumberChoice choice = choose_numbers(sheet.on, sheet.free, {.most_cards = 60});
+  const NumberChoice choice = choose_numbers(sheet.on, sheet.free, 60);
   EXPECT_NEAR(sheet.score(choice.design), choice.score.value, 1e-9);
   double best = -10;
   for (const double thickness_mm : {1.0, 3.0}) {
@@ -81,7 +81,7 @@ TEST(NumberChoice, KeepsToListsAndSwitches) {
   constexpr char kTouching[] = R"({"from_deg": 90, "thickness_mm": 1, "hold_flat": true,
     "springs": {"stiffness_n_per_mm": 2}, "hinges": {"friction_n_mm_per_mm": 0.002}})";
   const FreeSheet sheet(kTouching, free);
-  const NumberChoice choice = choose_numbers(sheet.on, sheet.free, {.most_cards = 30});
+  const NumberChoice choice = choose_numbers(sheet.on, sheet.free, 30);
   const double thickness_mm = *choice.design.thickness_mm;
   EXPECT_TRUE(thickness_mm == 0.5 || thickness_mm == 1.5 || thickness_mm == 2.5) << thickness_mm;
   EXPECT_EQ(choice.design.springs_on, solver::SpringsOn::one_a_hole);  // else they touch
@@ -91,8 +91,8 @@ TEST(NumberChoice, KeepsToListsAndSwitches) {
 
 TEST(NumberChoice, MakesNoMoreCardsThanAllowed) {
   const FreeSheet sheet(kSticky, {{number("preload_n", {0, 8})}});
-  const NumberChoice one = choose_numbers(sheet.on, sheet.free, {.most_cards = 1}),
-                     more = choose_numbers(sheet.on, sheet.free, {.most_cards = 8});
+  const NumberChoice one = choose_numbers(sheet.on, sheet.free, 1),
+                     more = choose_numbers(sheet.on, sheet.free, 8);
   EXPECT_GE(more.score.value, one.score.value);
   EXPECT_EQ(one.cards, 1);
   EXPECT_LE(more.cards, 8);

@@ -74,7 +74,7 @@ TEST(Studies, SayWhichSpringsTouch) {
     schema::Design design;
     design.from_deg = from_deg;
     design.diameter_mm = diameter_mm;
-    return contact_of(subject.sheet, contact_options(design, {}, {end_mm}));
+    return contact_of(subject.sheet, contact_options(design, {}, end_mm));
   };
   EXPECT_TRUE(study_json(subject, judged({}, {})).at("springs").is_null());
   const solver::ContactStudy study = judged(4, {});
@@ -116,11 +116,8 @@ TEST(Studies, TakeSpringsAsBodiesFromTheDesign) {
   design.fill_kind = schema::FillKind::plate;
   EXPECT_FALSE(contact_options(design, {}, {}).springs);
   design.fill_kind = schema::FillKind::none;
-  expect_refused(
-      [&] {
-        contact_options(design, {}, {{}, solver::OffsetTrial::tried});
-      },
-      Cause::bad_request, "offset_ends: is of springs, and this sheet's holes have none");
+  expect_refused([&] { faces_of_springs(all.sheet, design, {}); }, Cause::bad_request,
+                 "offset_ends: is of springs, and this sheet's holes have none");
 }
 
 // Diagonals of one hole cross when it is flat: springs on both would touch.

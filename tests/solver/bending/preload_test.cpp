@@ -37,7 +37,8 @@ TEST_F(Bent, PreloadMovesItOnNearFlat) {
   EXPECT_GT(with.friction.static_n_mm_per_mm, 20 * without);
   const BentWay way(own.sheet, {}, 4, 1, 36, 16);
   const VectorXd all = sides_of_diagonals(*own.sheet.way());
-  const BestPreload best = best_preload(way, 50, 1, *preload_at_flat(own.sheet, {}, 4, all), all);
+  const BestPreload best = best_preload(way, VectorXd::Constant(all.size(), 50), 1,
+                                        *preload_at_flat(own.sheet, {}, 4, all), all);
   EXPECT_GE(best.static_n_mm_per_mm, with.friction.static_n_mm_per_mm * (1 - 1e-6));
   deploying.sheet.springs().rest_deg = 20;
   EXPECT_EQ(bend_panels(own.sheet, deploying, {}).fault()->name, "preload_n");

@@ -51,8 +51,8 @@ TEST_P(ForeseenGoals, ChangeAsTheySay) {
     options_.shape = std::make_shared<const ShapeMeasure>(*ShapeMeasure::of(solver_, bent, 60));
   }
   if (what.goal == std::string_view("spring_clearance_mm")) {
-    options_.bodies = SpringBodies{.diameter_mm = 2};
     springs().on = SpringsOn::one_a_hole;  // others cross
+    options_.bodies = SpringBodies{.diameter_mm = 2, .fill = springs()};
   }
   springs().rest_deg = what.rest_deg;
   springs().preload.each_n = what.preload_n;
@@ -66,7 +66,9 @@ TEST_P(ForeseenGoals, ChangeAsTheySay) {
     const auto value = value_of(*options_.goal, own, options_);
     if (!value) continue;
     if (*value <= 0 && !options_.goal->is_to_be_small && !options_.goal->has_any_sign) continue;
-    const LocalModel local = *local_model(own, options_);
+    const auto model = local_model(own, options_);
+    ASSERT_TRUE(model) << what.name << ", trial " << trial;
+    const LocalModel& local = *model;
     const VectorXd none = VectorXd::Zero(local.coordinates);
     // Energies between some angles stand for their derivatives.
     EXPECT_NEAR(local.goal(none) / *value, 1, what.between_angles)
