@@ -30,14 +30,14 @@ const char* joint_steps(JointKind kind) {
       return "Bend the wire through both bores, pull it tight while the sheet is flat, and twist "
              "its ends. Flat, the bores are farthest apart.";
     case JointKind::ball:
-      return "The middle of each ball is the vertex: half way between both panels, at half their "
-             "thickness.";
+      return "The middle of each ball is the vertex: half way between both panels, in the plane of "
+             "the hinges' axes.";
     case JointKind::tab:
       break;
   }
   return "Rivet each strip of NAME-kit-strips through its bores to both panels, and clamp it up to "
-         "its two lines: its free length lies half on either side of the vertex, at half the "
-         "thickness of the panels.";
+         "its two lines: its free length lies half on either side of the vertex, in the plane of "
+         "the hinges' axes.";
 }
 
 std::string joint_section(const solver::Sheet& sheet, const KitOptions& options) {

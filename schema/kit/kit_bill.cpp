@@ -50,6 +50,11 @@ class Bill {
                  : std::string()));
     text += row("panels", sheet_.panels().facets.size(),
                 fmt::format("{:.0f} cm² of sheet", mass_t / plates.area_density() / kCm2_mm2));
+    const auto& plates_of_kit = input_.options.plates;
+    if (plates_of_kit && plates_of_kit->spacer_mm > 0) {
+      text += row("spacers, NAME-kit-spacers", sheet_.panels().facets.size(),
+                  input_.length(plates_of_kit->spacer_mm, 2) + " thick");
+    }
     if (input_.design.thickness_mm) {
       text += table_row({fmt::format("mass of panels of {:g} g/cm³", plates.density_g_per_cm3), "",
                          fmt::format("{:.1f} g", kG_t * mass_t)},
@@ -164,6 +169,7 @@ class Bill {
           "<p>Panels come into contact at {:.4g}°: plates of no thickness reach {:.10g}°.</p>\n",
           input_.contact->reach_deg, input_.contact->used_from_deg);
     }
+    if (input_.options.crease == CreaseCut::offset) return "";  // they have another
     return fmt::format(
         "<p>Largest panel thickness to fold to {:.10g}°: {}, with hinges at the mid-plane, edges "
         "tapered at creases, and corners trimmed by {}.</p>\n",

@@ -249,6 +249,14 @@ KitFittings kit_fittings(const solver::Sheet& sheet, const KitOptions& options) 
                     "nothing would be left of a tab round its bore (springs end on vertices)",
                     "take more, or " + parameter("spring_at", "panel")});
   }
+  const bool has_loops = !options.joints || options.joints->kind == solver::JointKind::loop;
+  if (options.spring_bore_mm && at_vertices && options.spring_at != SpringAt::panel && !has_loops &&
+      !sheet.mechanism().balls.empty()) {
+    throw UserError(OptionFault{"spring_bore_mm", fmt::format("{:g}", *options.spring_bore_mm),
+                                "springs that end at ball joints hang in loops of wire, and these "
+                                "joints have none",
+                                "take " + parameter("spring_at", "panel")});
+  }
   const PlateEdges edges(sheet, options);
   KitFittings fittings = FittingsMaker(sheet, options, edges, 1).make();
   const std::string bad = misplaced(sheet, fittings, options.bore_edge_mm);

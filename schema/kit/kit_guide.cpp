@@ -78,8 +78,10 @@ std::string kit_guide(const GuideInput& input) {
   return text + kit_bill(input) + material_sheets(input) + layer_table(input) + kit_steps(input) +
          joint_section(input.sheet, input.options) +
          springs_way_section(input.sheet, input.design, fittings, input.from_deg()) +
-         hinge_table(input.sheet, input.design.thickness_mm, input.actuation.from_row,
-                     input.from_deg(), input.options.unit) +
+         (input.options.crease == CreaseCut::offset
+              ? ""  // which is said above
+              : hinge_table(input.sheet, input.design.thickness_mm, input.actuation.from_row,
+                            input.from_deg(), input.options.unit)) +
          filling_table(
              input.sheet, input.actuation,
              [&](int diagonal) { return kit_spring_lengths(input, diagonal); },

@@ -30,7 +30,7 @@ class Steps {
   std::string trial() const {
     const bool has_springs = std::holds_alternative<solver::Springs>(input_.fill());
     return fmt::format(
-        "<li><b>Try first.</b> {} {} a few times, tie the third square to the corner{}. Then set "
+        "<li><b>Try first.</b> {} {} a few times, join the third square to the corner{}. Then set "
         "kerf and bores.</li>\n",
         input_.options.test_piece ? "Cut the test piece, which has a file of its own."
                                   : "Cut one hinge and one ball joint of the material.",

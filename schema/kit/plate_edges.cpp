@@ -33,9 +33,9 @@ PlateEdge edge_at(const KitHinges& hinges, bool valley, CreaseCut crease,
   } else if (crease == CreaseCut::pin) {
     edge.back_mm = std::max(0.5 * plates.barrel_mm, half_mm / std::cos(half_rad)) + clear_mm;
   } else if (crease == CreaseCut::offset) {
-    const double closing_mm =
-        valley ? hinges.gap_mm(plates.spacer_mm + plates.thickness_mm) : 0.5 * plates.film_mm;
-    edge.back_mm = std::max(closing_mm, 0.5 * plates.film_mm) + 0.5 * clear_mm;
+    const double height_mm = plates.spacer_mm + plates.thickness_mm;
+    edge.back_mm =
+        std::max(valley ? hinges.gap_mm(height_mm) : 0, 0.5 * plates.film_mm) + 0.5 * clear_mm;
   }
   return edge;
 }
@@ -91,7 +91,7 @@ PlateEdges::PlateEdges(const solver::Sheet& sheet, const KitOptions& options) {
     words_ += "; " + words_of(options.crease, mountain_, mountains) + "; " +
               words_of(options.crease, valley_, valleys);
     if (options.crease == CreaseCut::offset) {
-      words_ += "; films in one plane below all plates";
+      words_ += "; films and hooks of springs in one plane below all plates";
       if (plates.spacer_mm > 0) {
         words_ += fmt::format(", with spacers of {:g} mm on them", plates.spacer_mm);
       }

@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLargestName_mm = 2.5, kNamePart = 0.3;  // height, as a share of the width
+// Heights of names: the largest, and as a share of the material beside a bore.
+constexpr double kLargestName_mm = 2.5, kNamePart = 0.8;
 
 // A strip along x with the vertex at the origin; bores at these distances from it.
 KitItem strip_item(int vertex, double before_mm, double behind_mm, const KitOptions& options) {
@@ -40,9 +41,9 @@ KitItem strip_item(int vertex, double before_mm, double behind_mm, const KitOpti
   for (const double x : {-free_mm, free_mm}) {
     engraved.paths.push_back({{{x, -edge_mm}, {x, edge_mm}}, false});
   }
-  const double height_mm = std::min(kLargestName_mm, kNamePart * 2 * edge_mm);
-  const Vector2d middle(0.5 * (free_mm + behind_mm - bore_mm), 0.5 * (bore_mm + edge_mm));
-  for (DrawnPath& stroke : strokes_of({middle, solver::vertex_label(vertex), height_mm})) {
+  const double height_mm = std::min(kLargestName_mm, kNamePart * options.bore_edge_mm);
+  const Vector2d base(behind_mm, 0.5 * (bore_mm + edge_mm - height_mm));  // above the second bore
+  for (DrawnPath& stroke : strokes_of({base, solver::vertex_label(vertex), height_mm})) {
     engraved.paths.push_back(std::move(stroke));
   }
   return item;
@@ -54,6 +55,10 @@ KitSheets kit_strip_sheets(const solver::Sheet& sheet, const KitFittings& fittin
                            const KitOptions& options, const std::string& title) {
   const auto& balls = sheet.mechanism().balls;
   if (!options.joints || options.joints->kind != solver::JointKind::tab || balls.empty()) return {};
+  if (options.bore_edge_mm == 0) {
+    throw UserError(solver::OptionFault{"bore_edge_mm", "0", "leaves nothing of tabs beside bores",
+                                        "take more"});
+  }
   const KitLayout layout(options);
   std::vector<KitItem> items;
   for (std::size_t k = 0; k < balls.size(); ++k) {

@@ -35,7 +35,8 @@ class TestPiece {
         clear_mm_(tab_mm_ > 0
                       ? std::hypot(tab_mm_, edges.reach_mm()) + kTabSlot_mm + options.kerf_mm
                       : 0),
-        side_mm_(std::max({kLeastSide_mm, 4 * from_corner_mm_, 4 * clear_mm_})) {}
+        side_mm_(std::max({kLeastSide_mm, 4 * from_corner_mm_, 4 * clear_mm_}) + hinge_.back_mm +
+                 hinge_.bevel_mm) {}
 
   LineDrawing drawing(const std::string& title) {
     const double apart_mm = options_.gap_mm + options_.kerf_mm;

@@ -23,7 +23,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using solver::OptionFault;
 
-// Length of necks and stems within their plates.
+// Largest length of necks and stems within their plates, where bores leave room.
 constexpr double kWithin_mm = 2;
 
 // A panel's axes as columns: along its first side, and its normal last.
@@ -85,9 +85,16 @@ class JointMaker {
       : sheet_(sheet),
         sizes_(options),
         trim_mm_(options.plates->trim_mm),
+        last_mm_(trim_mm_ + std::min(kWithin_mm, options.bore_edge_mm)),
         rows_(solver::rows_of_use(sheet, options.from_deg)) {
     flat_mm_ = Matrix3Xd::Zero(3, sheet.vertices_mm().cols());
     flat_mm_.topRows<2>() = sheet.vertices_mm();
+    if (options.joints->clearance_mm < kLeastBallClearance_mm) {
+      throw UserError(
+          OptionFault{"joints.clearance_mm", fmt::format("{:g}", options.joints->clearance_mm),
+                      "too little for balls and sockets that are printed in one another",
+                      fmt::format("take {:g} mm or more", kLeastBallClearance_mm)});
+    }
     if (trim_mm_ >= sizes_.outer_mm) return;
     throw UserError(
         OptionFault{"trim_mm", fmt::format("{:g}", trim_mm_),
@@ -98,7 +105,7 @@ class JointMaker {
   Solid ball(const solver::BallJoint& joint) const {
     PlanePoints profile = arc(sizes_.ball_mm, 0, std::numbers::pi - neck_rad(sizes_.ball_mm));
     profile.front().x() = 0;
-    append(profile, {{sizes_.neck_mm, trim_mm_ + kWithin_mm}, {0, trim_mm_ + kWithin_mm}});
+    append(profile, {{sizes_.neck_mm, last_mm_}, {0, last_mm_}});
     return lathe(profile, at(joint), bisector(joint.from_facet, joint.vertex));
   }
 
@@ -113,10 +120,9 @@ class JointMaker {
 
   // It reaches from within the socket's wall into the plate.
   Solid stem(const solver::BallJoint& joint) const {
-    const double first_mm = sizes_.socket_mm + 0.25 * (sizes_.outer_mm - sizes_.socket_mm),
-                 last_mm = trim_mm_ + kWithin_mm;
+    const double first_mm = sizes_.socket_mm + 0.25 * (sizes_.outer_mm - sizes_.socket_mm);
     return lathe(
-        {{0, first_mm}, {sizes_.neck_mm, first_mm}, {sizes_.neck_mm, last_mm}, {0, last_mm}},
+        {{0, first_mm}, {sizes_.neck_mm, first_mm}, {sizes_.neck_mm, last_mm_}, {0, last_mm_}},
         at(joint), bisector(joint.to_facet, joint.vertex));
   }
 
@@ -162,7 +168,7 @@ class JointMaker {
 
   const solver::Sheet& sheet_;
   const BallSizes sizes_;
-  const double trim_mm_;
+  const double trim_mm_, last_mm_;  // distances from the vertex: of plates, and of ends within them
   const Eigen::Index rows_;
   Matrix3Xd flat_mm_;
 };

@@ -18,6 +18,8 @@ namespace misalign::schema {
 inline constexpr double kMostRim = 0.97;
 /// The least wall of a socket, and its share of the ball's radius.
 inline constexpr double kSocketWall_mm = 0.8, kSocketWallPart = 0.3;
+/// The least diametral clearance of balls, with which printed ones do not fuse.
+inline constexpr double kLeastBallClearance_mm = 0.1;
 /// The neck's radius, as a share of the ball's.
 inline constexpr double kNeckPart = 0.45;
 

@@ -11,8 +11,9 @@ namespace misalign::search {
 
 /// The reserve of a requirement is how many times over it is met, less 1: of margins over friction
 /// the ratio of the frictions that are overcome, of a yield that of the copies that may fail. More
-/// than kMostReserve makes no design better, and angles that are reached have none.
-inline constexpr double kMostReserve = 1;
+/// than kMostReserve makes no design better, as requirements have margins of their own. Angles that
+/// are reached have no reserve.
+inline constexpr double kMostReserve = 0.25;
 
 struct CardScore {
   /// The least reserve where all requirements are met; otherwise less than 0 by at least kFailure

@@ -18,9 +18,9 @@
 namespace misalign::search {
 namespace {
 
-// Cards of a rough design, and of a refined one; the numbers of sheets that are refined and
-// optimised, and the steps of an optimisation.
-constexpr int kRoughCards = 4, kRefinedCards = 30;
+// Cards of a rough design, of a refined one, and of the best; the numbers of sheets that are
+// refined and optimised, and the steps of an optimisation.
+constexpr int kRoughCards = 4, kRefinedCards = 12, kBestCards = 30;
 constexpr std::size_t kRefined = 3, kOptimised = 2;
 constexpr std::uint32_t kSteps = 30;
 
@@ -38,17 +38,15 @@ class Designer {
       steps.push_back({source.how, [this, &source] {
                          std::vector<DesignTry> tries;
                          for (const MadeSheet& sheet : source.make()) {
-                           tries.push_back(tried(sheet, DesignStage::rough));
+                           tries.push_back(tried(sheet, DesignStage::rough, kRoughCards));
                          }
                          return tries;
                        }});
     }
     take(steps, "sheets tried");
-    take(next_steps(kRefined, DesignStage::refined, [](const DesignTry&) { return true; }),
-         "designs refined");
-    take(next_steps(kOptimised, DesignStage::optimised,
-                    [this](const DesignTry& best) { return can_be_optimised(best); }),
-         "sheets optimised");
+    take(refining_steps("refined", kRefined, kRefinedCards), "designs refined");
+    take(refining_steps("refined further", 1, kBestCards), "designs refined further");
+    take(optimising_steps(), "sheets optimised");
     return std::move(tries_);
   }
 
@@ -103,33 +101,49 @@ class Designer {
     }
   }
 
-  // Steps that go on with the best tries.
-  std::vector<Step> next_steps(std::size_t most, DesignStage stage,
-                               const std::function<bool(const DesignTry&)>& is_next) {
-    std::vector<Step> steps;
+  // The best tries, while they have too little reserve.
+  std::vector<const DesignTry*> to_improve() const {
+    std::vector<const DesignTry*> found;
     for (const DesignTry& best : tries_) {
-      const bool is_enough = best.score.value >= kMostReserve;
-      if (steps.size() >= most || best.pattern.is_null() || is_enough) break;
-      if (!is_next(best)) continue;
-      const char* const name = stage == DesignStage::refined ? "refined: " : "optimised: ";
-      steps.push_back({name + best.how, [this, best, stage] {
-                         const MadeSheet sheet = stage == DesignStage::refined
-                                                     ? MadeSheet{best.how, best.pattern, ""}
-                                                     : optimised_sheet(best);
-                         return std::vector{tried(sheet, stage)};
+      if (best.pattern.is_null() || best.score.value >= kMostReserve) break;
+      found.push_back(&best);
+    }
+    return found;
+  }
+
+  std::vector<Step> refining_steps(const std::string& name, std::size_t most, int cards) {
+    std::vector<Step> steps;
+    for (const DesignTry* const best : to_improve()) {
+      if (steps.size() == most) break;
+      steps.push_back({name + ": " + best->how, [this, best = *best, cards] {
+                         const MadeSheet sheet{best.how, best.pattern, ""};
+                         return std::vector{tried(sheet, DesignStage::refined, cards)};
                        }});
     }
     return steps;
   }
 
-  DesignTry tried(const MadeSheet& sheet, DesignStage stage) const {
+  std::vector<Step> optimising_steps() {
+    std::vector<Step> steps;
+    for (const DesignTry* const best : to_improve()) {
+      if (steps.size() == kOptimised) break;
+      if (!can_be_optimised(*best)) continue;
+      steps.push_back({"optimised: " + best->how, [this, best = *best] {
+                         return std::vector{
+                             tried(optimised_sheet(best), DesignStage::optimised, kBestCards)};
+                       }});
+    }
+    return steps;
+  }
+
+  DesignTry tried(const MadeSheet& sheet, DesignStage stage, int cards) const {
     DesignTry tried{sheet.how, stage, nullptr, sheet.why, "", {}, {}};
     if (sheet.pattern.is_null()) return tried;
     try {
       const Subject subject(sheet_of_made_pattern(sheet.pattern, sheet.how), {});
       const CardSheet on = card_sheet(subject);
       NumberChoice choice = choose_numbers(
-          on, wish_.free, stage == DesignStage::rough ? kRoughCards : kRefinedCards,
+          on, wish_.free, cards,
           stage == DesignStage::refined ? ChoiceStarts::design : ChoiceStarts::springs);
       const CardSheet chosen{on.chosen, on.sheet, choice.design, on.used_deg};
       const schema::Card card =

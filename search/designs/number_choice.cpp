@@ -112,16 +112,9 @@ class NumberSearch {
     return best;
   }
 
-  // Tries all changes by a factor; returns whether one was better.
+  // Tries the switches, then all changes by a factor; returns whether one was better.
   bool step(double factor) {
     bool is_better = false;
-    for (const FreeNumber& number : free_.numbers) {
-      for (const bool is_up : {true, false}) {
-        while (!is_done() && consider(changed(number, is_up ? factor : 1 / factor))) {
-          is_better = true;
-        }
-      }
-    }
     const auto toggle = [&](bool is_free, void (*change)(Design&)) {
       if (!is_free || is_done()) return;
       Design design = best_->design;
@@ -134,6 +127,13 @@ class NumberSearch {
       const bool is_one = design.springs_on == solver::SpringsOn::one_a_hole;
       design.springs_on = is_one ? solver::SpringsOn::all : solver::SpringsOn::one_a_hole;
     });
+    for (const FreeNumber& number : free_.numbers) {
+      for (const bool is_up : {true, false}) {
+        while (!is_done() && consider(changed(number, is_up ? factor : 1 / factor))) {
+          is_better = true;
+        }
+      }
+    }
     return is_better;
   }
 

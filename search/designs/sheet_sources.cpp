@@ -41,8 +41,9 @@ struct Base {
   std::vector<double> amplitudes_mm() const {
     const auto [least, most] = *free.amplitude_mm;
     std::vector<double> amplitudes_mm = log_spaced(most, least, kAmplitudes);
-    const auto same = std::ranges::unique(amplitudes_mm, {}, shown_mm);
-    amplitudes_mm.erase(same.begin(), same.end());
+    const auto is_same = [](double a, double b) { return shown_mm(a) == shown_mm(b); };
+    amplitudes_mm.erase(std::unique(amplitudes_mm.begin(), amplitudes_mm.end(), is_same),
+                        amplitudes_mm.end());
     return amplitudes_mm;
   }
   // Draws with larger shifts seldom deploy, and each takes a path of its own to its flat state.

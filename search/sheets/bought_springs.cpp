@@ -100,17 +100,17 @@ class SpringBuyer {
   // of a table with several might be placed where these are not.
   void choose() {
     order_.bent_n_mm_per_mm.reset();
-    bool touched = false, touch = false;
+    bool touch = false;
     do {
-      touched |= touch;
       order_.choice =
           value_or_throw(solver::choose_stock(sheet_, schema::springs_of(order_.table), options_),
                          sheet_.name(), "no springs are chosen");
       touch = order_.choice.drives() && forbid_touching();
+      touched_ |= touch;
     } while (touch);
     const auto outer_mm = [](const schema::SpringRow& row) { return row.spring.outer_mm; };
     const auto [least, most] = std::ranges::minmax_element(order_.table, {}, outer_mm);
-    if (touched && outer_mm(*least) < outer_mm(*most)) order_.choice.is_proven = false;
+    if (touched_ && outer_mm(*least) < outer_mm(*most)) order_.choice.is_proven = false;
   }
 
   // Returns whether springs touch each other or panels; then they are not taken again.
@@ -148,6 +148,7 @@ class SpringBuyer {
   const schema::Design& design_;
   schema::SpringOrder order_;
   solver::StockOptions options_;
+  bool touched_ = false;  // true: options_ bar springs that touch with the largest diameter
 };
 
 }  // namespace

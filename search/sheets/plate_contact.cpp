@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "search/sheets/studies.hpp"
 
 namespace misalign::search {
@@ -38,14 +40,15 @@ solver::ContactStudy contact_of_plates(const solver::Sheet& sheet,
 schema::KitOptions trimmed_kit(const solver::Sheet& sheet, const schema::KitOptions& kit,
                                std::optional<double> trim_mm) {
   schema::KitOptions trimmed = kit;
-  if (!kit.plates || !schema::are_set_back(kit.crease)) return trimmed;
+  const bool folds = kit.from_deg || sheet.deploys_from_deg() > 0;  // PlateEdges refuses others
+  if (!kit.plates || !schema::are_set_back(kit.crease) || !folds) return trimmed;
   const schema::PlateOptions& plates = *kit.plates;
   const solver::ContactOptions options = {trim_mm, kit.from_deg};
   solver::ContactStudy study;
   if (kit.crease == schema::CreaseCut::offset) {
     // They lie within plates of twice their height round the plane of the axes.
     study = contact_within(sheet, options,
-                           {"thickness_mm", "a height above their films",
+                           {"thickness_mm", "a height, spacers included, above their films",
                             plates.spacer_mm + plates.thickness_mm, 0.5});
   } else if (kit.crease == schema::CreaseCut::pin && plates.barrel_mm > plates.thickness_mm) {
     study = contact_within(sheet, options, {"barrel_mm", "a thickness", plates.barrel_mm});
@@ -53,7 +56,11 @@ schema::KitOptions trimmed_kit(const solver::Sheet& sheet, const schema::KitOpti
     study = contact_of_plates(sheet, options, plates.thickness_mm);
   }
   trimmed.plates->trim_mm = study.trim_mm;
-  if (trimmed.joints) trimmed.joints->trim_mm = study.trim_mm;
+  if (trimmed.joints) {
+    trimmed.joints->trim_mm = study.trim_mm;
+    // Nothing of a plate clamps a tab nearer to its vertex.
+    trimmed.joints->strip_mm = std::max(trimmed.joints->strip_mm, 2 * study.trim_mm);
+  }
   return trimmed;
 }
 

@@ -164,11 +164,8 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
   const auto only_of = [&](const char* option, schema::CreaseCut crease, const char* with) {
     only_with(option, !kit.crease || kit.crease == crease, with);
   };
-  only_of("--barrel", schema::CreaseCut::pin, "--crease pin");
   only_of("--pin", schema::CreaseCut::pin, "--crease pin");
   only_of("--slot", schema::CreaseCut::film, "--crease film");
-  only_of("--spacer", schema::CreaseCut::offset, "--crease offset");
-  only_of("--allow-misfit", schema::CreaseCut::butt, "--crease butt");
   only_with("--spring-at", kit.options.spring_bore_mm.has_value(), "--spring-bore");
   only_with("--dash-mm", kit.crease == schema::CreaseCut::dash, "--crease dash");
   only_with("--friction", files.format == ExportFormat::mjcf, "--format mjcf");

@@ -182,6 +182,20 @@ std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::
                             "is of springs, and the design's holes have none", "leave it out"});
   }
   kit.crease = call.crease.value_or(design.crease_or(kit.crease));
+  const auto only_of = [&](bool is_given, const char* option, bool has_sense, const char* with) {
+    if (!is_given || has_sense) return;
+    throw schema::UserError(
+        schema::Cause::bad_request,
+        fmt::format("{} has no meaning without {}; take it out, or add that", option, with));
+  };
+  only_of(call.barrel_mm.has_value(), "--barrel", kit.crease == schema::CreaseCut::pin,
+          "--crease pin");
+  only_of(call.plates.spacer_mm > 0, "--spacer", kit.crease == schema::CreaseCut::offset,
+          "--crease offset");
+  only_of(call.plates.allows_misfit, "--allow-misfit", kit.crease == schema::CreaseCut::butt,
+          "--crease butt");
+  only_of(kit.ball_mm.has_value(), "--ball", design.joint_kind == solver::JointKind::ball,
+          "--joint ball");
   kit.from_deg = design.from_deg;
   kit.plates = plates_of(call, design, kit.crease);
   take_joints(design, call, kit);

@@ -62,10 +62,10 @@ std::optional<OptionFault> preload_fault(const Fill& fill) {
                        "is what springs are left with at flat, and these are relaxed at an angle",
                        "give one of the two"};
   }
-  if (springs.pull_only) {
+  if (springs.pull_only && springs.on == SpringsOn::all) {
     return OptionFault{"preload_n", value,
                        "needs springs that push on the diagonals that shorten, and wires only pull",
-                       "leave out one of the two"};
+                       "leave out one of the two, or have one spring a hole"};
   }
   return {};
 }

@@ -83,7 +83,8 @@ StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& o
     if (its && *its >= floor.least) continue;
     const Goal& goal = *floor.goal;
     return OptionFault{
-        "subject_to", goal.relation() + shown(" %g", goal.in_unit(floor.least)),
+        "subject_to",
+        std::string(goal.name) + " " + goal.relation() + shown(" %g", goal.in_unit(floor.least)),
         its ? "the sheet that it starts from has " + shown("%.4g", goal.in_unit(*its))
             : "of the sheet that it starts from it is not known",
         goal.is_to_be_small ? "allow more, or begin with another sheet"

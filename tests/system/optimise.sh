@@ -119,7 +119,7 @@ refused 2 "static_friction_n_mm_per_mm" "$table1" --goal static_friction
 refused 2 "nothing drives the sheet that it starts from to flat" "$table1" --goal static_friction_n_mm_per_mm --preload 5
 refused 2 "--within-family: the sheet that it starts from is no member" "$table1" --within-family
 refused 2 "--subject-to stroke >= 1: stroke is no number that can be limited (did you mean" "$table1" --subject-to "stroke >= 1"
-refused 2 "--subject-to >= 1: the sheet that it starts from has" "$table1" --deploys-from 150 --goal critical_friction_n_mm_per_mm --subject-to "miscut_margin_mm >= 1"
+refused 2 "--subject-to miscut_margin_mm >= 1: the sheet that it starts from has" "$table1" --deploys-from 150 --goal critical_friction_n_mm_per_mm --subject-to "miscut_margin_mm >= 1"
 refused 3 "nowhere.json" nowhere.json
 refused 3 "table1: has no \"target\"" "$table1" --goal shape_rms_mm
 refused 3 "table1: has no \"target\"" "$table1" --subject-to "shape_max_mm <= 0.5"
@@ -135,7 +135,7 @@ json_test said.json "json_extract(j, '\$.after_n_mm_per_rad') > 1.1 * json_extra
 "$program" optimise stiffer.json --goal shape_max_mm --rim --steps 2 --json > said.json || fail "a dome that is better"
 json_test said.json "json_extract(j, '\$.before_mm') <= 0.5 AND json_extract(j, '\$.after_mm') < json_extract(j, '\$.before_mm')" ||
   fail "a dome that is better: $(head -c 300 said.json)"
-refused 2 "--subject-to <= 1e-05: the sheet that it starts from has" stiffer.json --subject-to "shape_max_mm <= 0.00001"
+refused 2 "--subject-to shape_max_mm <= 1e-05: the sheet that it starts from has" stiffer.json --subject-to "shape_max_mm <= 0.00001"
 sed -E 's/"at_deg": 90(\.0)?/"at_deg": 120/' dome.json > beyond.json
 refused 2 "does not fold to the target's angle" beyond.json --goal shape_max_mm
 tr '\n' ' ' < "$table1" | sed 's/"displacements_mm": {[^}]*}/"displacements_mm": {}/' > plain.json

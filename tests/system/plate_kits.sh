@@ -45,6 +45,8 @@ bores="--joint-bore 1.2 --spring-bore 1.5"
   # shellcheck disable=SC2086
   kit "$patterns/table1.json" offset 1.5 90 $bores --spacer 0.2
   kit 8x6.json offset 1 60 --clearance 0.1
+  kit dome.json film 2 90
+  kit dome.json offset 1 90
 } > checks
 spacers=$(echo kit8/*-kit-spacers.dxf)
 # shellcheck disable=SC2086
@@ -108,6 +110,10 @@ done
 
 # Tabs: a strip for each joint.
 "$program" export "$patterns/table1.json" --format dxf --kit --joint tab --joint-bore 1.2 --output tabs > names || fail "tabs"
+# The corners of plates are trimmed by 5 mm: nothing clamps a tab nearer to its vertex.
+"$program" export "$patterns/table1.json" --format dxf --kit --crease film --thickness 2 --from 60 --joint tab --joint-bore 1.2 \
+  --output thick-tabs > others || fail "tabs of plates"
+grep -q "free length of 10 mm" thick-tabs/table1-kit.html || fail "tabs of plates are clamped where no plate is"
 grep -q "kit-strips.dxf" names || fail "no strips of tabs: $(cat names)"
 
 # Plates for 60 degrees are within one another at 90.
@@ -137,7 +143,11 @@ refused "no hinge of printed plates" --format stl --crease score --thickness 3 -
 refused "less than 0.6 mm of material" --format stl --crease pin --thickness 2 --from 90
 refused "no meaning without" --format dxf --crease pin --thickness 3 --from 90 --pin 1
 refused "no meaning without --crease offset" --format dxf --crease film --thickness 3 --from 90 --spacer 1
-refused "a height above their films" --format dxf --crease offset --thickness 9 --from 90
+refused "no meaning without --crease offset" --format dxf --spacer 1
+refused "no meaning without --crease pin" --format dxf --barrel 3
+refused "no meaning without --joint ball" --format stl --crease bevel --thickness 3 --from 60 --ball 5
+refused "take --spring-at panel" --format dxf --joint tab --joint-bore 1.2 --spring-bore 1.5
+refused "a height, spacers included" --format dxf --crease offset --thickness 9 --from 90
 refused "no hinge of printed plates" --format stl --crease offset --thickness 1 --from 90
 refused "not held by its socket" --format stl --crease bevel --thickness 1 --from 150 --joint ball
 refused "less than the radius of sockets" --format stl --crease bevel --thickness 2 --from 60 --trim 2 --joint ball --ball 5

@@ -32,6 +32,20 @@ TEST(StripDrawing, StripsHaveTheBoresOfBothPanels) {
   const auto& bores = layer_of(sheets.beds[0], "bore").circles;
   const std::size_t joints = kit.sheet.mechanism().balls.size();
   ASSERT_EQ(cuts.size(), joints);
+  // Names and lines are engraved within their strips.
+  for (const DrawnPath& line : layer_of(sheets.beds[0], "engrave").paths) {
+    for (const Eigen::Vector2d& point : line.points_mm) {
+      const bool is_within = std::ranges::any_of(cuts, [&](const DrawnPath& cut) {
+        for (std::size_t k = 0; k < 4; ++k) {
+          const Eigen::Vector2d along = cut.points_mm[(k + 1) % 4] - cut.points_mm[k],
+                                off = point - cut.points_mm[k];
+          if (cross(along, off) < -1e-9 * along.norm()) return false;
+        }
+        return true;
+      });
+      EXPECT_TRUE(is_within) << point.transpose();
+    }
+  }
   ASSERT_EQ(bores.size(), 2 * joints);
   std::vector<double> apart_mm, wanted_mm;
   for (const DrawnPath& cut : cuts) {

@@ -136,6 +136,9 @@ TEST(BallJoints, BallsThatWouldNotBeHeldAreRefused) {
   KitOptions options = ball_options(60);
   options.plates->trim_mm = 3;
   EXPECT_THROW(joints_alone(kit.sheet, options), UserError);
+  options = ball_options(60);
+  options.joints->clearance_mm = 0;
+  EXPECT_THROW(joints_alone(kit.sheet, options), UserError);
 }
 
 }  // namespace

@@ -113,6 +113,16 @@ TEST(Studies, TakeSpringsAsBodiesFromTheDesign) {
   };
   EXPECT_EQ(touching(all).size(), all.chosen.base.base.holes.size());
   EXPECT_TRUE(touching(one).empty());
+  // Both springs of a hole keep off each other in two layers, and lie on one of the faces.
+  const solver::SpringFaces faces = faces_of_springs(all.sheet, all.model.design(), {});
+  ASSERT_EQ(faces.springs.size(), 2 * all.chosen.base.base.holes.size());
+  const Json json =
+      study_json(all, contact_of(all.sheet, contact_options(all.model.design(), {}, {})), faces);
+  EXPECT_EQ(json.at("springs").at("faces").at("springs").size(), faces.springs.size());
+  EXPECT_GE(json.at("springs").at("faces").at("least_clearance_mm"), 0);
+  for (std::size_t d = 0; d < faces.springs.size(); d += 2) {
+    EXPECT_GE(std::abs(faces.springs[d].height_mm - faces.springs[d + 1].height_mm), 4);
+  }
   design.fill_kind = schema::FillKind::plate;
   EXPECT_FALSE(contact_options(design, {}, {}).springs);
   design.fill_kind = schema::FillKind::none;

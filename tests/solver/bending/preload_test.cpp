@@ -44,6 +44,21 @@ TEST_F(Bent, PreloadMovesItOnNearFlat) {
   EXPECT_EQ(bend_panels(own.sheet, deploying, {}).fault()->name, "preload_n");
 }
 
+// Springs on the diagonals that lengthen always pull, as wires do.
+TEST_F(Bent, PreloadPullsWiresOneAHole) {
+  ReleaseOptions deploying;
+  deploying.sheet.plates.thickness_mm = 4;
+  deploying.sheet.springs().preload.each_n = 1;
+  deploying.sheet.springs().pull_only = true;
+  EXPECT_EQ(bend_panels(own.sheet, deploying, {}).fault()->name, "preload_n");
+  deploying.sheet.springs().on = SpringsOn::one_a_hole;
+  const double of_wires = bent(deploying).friction.static_n_mm_per_mm;
+  deploying.sheet.springs().pull_only = false;
+  // Newton's method begins and ends elsewhere.
+  EXPECT_NEAR(bent(deploying).friction.static_n_mm_per_mm / of_wires, 1, 1e-5);
+  EXPECT_GT(of_wires, 0);
+}
+
 // Panels like rock: let go near flat it is there after a quarter of its period; also where springs
 // have preloads of their own.
 TEST_F(Bent, PreloadSwingsItAboutFlat) {

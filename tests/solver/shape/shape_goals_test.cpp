@@ -105,7 +105,7 @@ TEST_F(ShapedDome, IsRefusedWithABoundThatItDoesNotKeep) {
   options_.floors = {{goal_named("shape_max_mm"), -1e-9}};
   const auto found = optimise(Sheet(solver_, study_.shifts_mm), options_);
   ASSERT_TRUE(found.fault());
-  EXPECT_EQ(found.fault()->value, "<= 1e-09");
+  EXPECT_EQ(found.fault()->value, "shape_max_mm <= 1e-09");
 }
 
 }  // namespace
