@@ -9,6 +9,31 @@
 
 namespace misalign::schema {
 
+std::vector<std::string> faces_sentences(const solver::SpringFaces& faces) {
+  std::vector<std::string> sentences = {
+      fmt::format("Springs of {:g} mm, panels of {:g} mm, folded up to {:.10g}°.",
+                  faces.bodies.diameter_mm, faces.bodies.panel_mm, faces.to_deg)};
+  if (faces.springs.empty()) {
+    sentences.push_back(
+        fmt::format("No faces and layers{} keep the springs clear of each other and of panels: "
+                    "take thinner springs, or one a hole.",
+                    faces.is_proven ? "" : " that were tried"));
+    return sentences;
+  }
+  if (faces.closest) {
+    sentences.push_back(
+        fmt::format("Nothing meets: the smallest clearance is {:.2f} mm, at {:.3g}°.",
+                    faces.closest->clear_mm, faces.closest->pilot_deg));
+  }
+  if (faces.length_change_mm > 0) {
+    sentences.push_back(
+        fmt::format("Ends off the mid-plane change lengths by at most {:.2f} mm, with which the "
+                    "springs {} the sheet at every angle.",
+                    faces.length_change_mm, faces.drives ? "still drive" : "no longer drive"));
+  }
+  return sentences;
+}
+
 const char* word_of(solver::SheetFace face) {
   return face == solver::SheetFace::above ? "above" : "below";
 }

@@ -69,26 +69,10 @@ std::vector<std::string> pushing_springs(const solver::Sheet& sheet,
 }
 
 std::string sentences_of(const solver::Sheet& sheet, const solver::SpringFaces& faces) {
-  std::string text =
-      fmt::format("<p>Springs of {:g} mm, panels of {:g} mm, folded up to {:.10g}°. ",
-                  faces.bodies.diameter_mm, faces.bodies.panel_mm, faces.to_deg);
-  if (faces.springs.empty()) {
-    return text +
-           "No faces and layers keep the springs clear of each other and of panels: take thinner "
-           "springs, or one a hole.</p>\n";
-  }
-  if (faces.closest) {
-    text += fmt::format("Nothing meets: the smallest clearance is {:.2f} mm, at {:.3g}°. ",
-                        faces.closest->clear_mm, faces.closest->pilot_deg);
-  }
-  if (faces.length_change_mm > 0) {
-    text += fmt::format(
-        "Ends off the mid-plane change lengths by at most {:.2f} mm, with which the "
-        "springs {} the sheet at every angle. ",
-        faces.length_change_mm, faces.drives ? "still drive" : "no longer drive");
-  }
+  std::string text = fmt::format("<p>{}", fmt::join(faces_sentences(faces), " "));
+  if (faces.springs.empty()) return text + "</p>\n";
   text +=
-      "Hooks hang in from the face that the table names, at both ends. Hang the springs below "
+      " Hooks hang in from the face that the table names, at both ends. Hang the springs below "
       "first, then turn the sheet over.";
   const std::vector<std::string> pushing = pushing_springs(sheet, faces);
   if (!pushing.empty()) {

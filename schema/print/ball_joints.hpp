@@ -27,7 +27,7 @@ inline constexpr double kNeckPart = 0.45;
 struct BallSizes {
   double ball_mm, socket_mm, outer_mm, neck_mm;
 
-  BallSizes(const KitOptions& options);
+  explicit BallSizes(const KitOptions& options);
 };
 
 /// Adds balls and sockets to the plates (in the order of panels), as closed shells that reach into

@@ -1,22 +1,21 @@
 #include "search/sheets/joint_of_design.hpp"
 
-#include <algorithm>
-
 #include "schema/pattern/joint_kind.hpp"
 #include "search/sheets/folding_model.hpp"
+#include "solver/contact/contact.hpp"
 #include "solver/play/joint_play.hpp"
 #include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
 
 std::optional<double> play_of(const schema::Design& design, const solver::Sheet& sheet) {
-  const std::optional<solver::JointParts> joints = schema::joints_of(design);
+  std::optional<solver::JointParts> joints = schema::joints_of(design);
   if (design.play_mm || !joints) return design.play_mm;
-  const double used_deg = solver::angle_of_use(sheet, design.from_deg);
-  const auto rows = std::ranges::count_if(sheet.history().stations, [&](const auto& station) {
-    return station.pilot_deg <= used_deg + solver::kSameAngle_deg;
-  });
-  return solver::joint_play(sheet, *joints, rows).play_mm;
+  // Plates of its kit are trimmed as usual.
+  if (design.thickness_mm && schema::are_set_back(design.crease_or(schema::CreaseCut::score))) {
+    joints = joints->between_plates(solver::kTrimPart * sheet.mechanism().panel_width_mm);
+  }
+  return solver::joint_play(sheet, *joints, solver::rows_of_use(sheet, design.from_deg)).play_mm;
 }
 
 std::optional<double> play_of(const schema::Design& design, const schema::Campaign& campaign,

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "search/sheets/studies.hpp"
 
 namespace misalign::search {
@@ -56,11 +54,7 @@ schema::KitOptions trimmed_kit(const solver::Sheet& sheet, const schema::KitOpti
     study = contact_of_plates(sheet, options, plates.thickness_mm);
   }
   trimmed.plates->trim_mm = study.trim_mm;
-  if (trimmed.joints) {
-    trimmed.joints->trim_mm = study.trim_mm;
-    // Nothing of a plate clamps a tab nearer to its vertex.
-    trimmed.joints->strip_mm = std::max(trimmed.joints->strip_mm, 2 * study.trim_mm);
-  }
+  if (trimmed.joints) trimmed.joints = trimmed.joints->between_plates(study.trim_mm);
   return trimmed;
 }
 

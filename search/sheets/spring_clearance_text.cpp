@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -66,25 +67,7 @@ std::string spring_clearance_note(const schema::Pattern& base, const solver::Pan
 }
 
 std::string spring_faces_text(const solver::SpringFaces& faces) {
-  if (faces.springs.empty()) {
-    return fmt::format(
-        "\nno faces and layers keep springs of {:g} mm clear of each other and of panels of {:g} "
-        "mm{}\n",
-        faces.bodies.diameter_mm, faces.bodies.panel_mm,
-        faces.is_proven ? "" : ", of those that were tried");
-  }
-  std::string text = "\n";
-  if (faces.closest) {
-    text += fmt::format("smallest clearance of springs and panels: {:.3g} mm at {:.4g} deg\n",
-                        faces.closest->clear_mm, faces.closest->pilot_deg);
-  }
-  if (faces.length_change_mm > 0) {
-    text += fmt::format(
-        "ends off the mid-plane change lengths by at most {:.3g} mm; the energy {} "
-        "all the way\n",
-        faces.length_change_mm, faces.drives ? "falls" : "does not fall");
-  }
-  return text;
+  return fmt::format("\n{}\n", fmt::join(schema::faces_sentences(faces), "\n"));
 }
 
 std::string spring_faces_table(const solver::Mechanism& mechanism,

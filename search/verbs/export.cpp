@@ -129,10 +129,7 @@ void export_pattern(ExportCall& call) {
 // Refuses options that the requested format does not use.
 void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const CLI::App& verb) {
   const auto only_with = [&](const char* option, bool has_sense, const char* with) {
-    if (verb.count(option) == 0 || has_sense) return;
-    throw schema::UserError(
-        schema::Cause::bad_request,
-        std::string(option) + " has no meaning without " + with + "; take it out, or add that");
+    refuse_idle(verb.count(option) > 0, option, has_sense, with);
   };
   only_with("--step", files.in_states() && !(kit.wanted && files.is_printed()),
             "--format fold, obj or stl (without --kit)");

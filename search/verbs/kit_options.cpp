@@ -91,12 +91,8 @@ void take_joints(schema::Design design, const KitCall& call, schema::KitOptions&
     kit.joints = schema::joints_of(design);
     if (has_bores) kit.joint_bore_mm = kit.joints->bore_mm;
   }
-  if (call.bore_edge_mm && !kit.joint_bore_mm && !kit.spring_bore_mm) {
-    throw schema::UserError(
-        schema::Cause::bad_request,
-        "--bore-edge has no meaning without --joint-bore or --spring-bore; take "
-        "it out, or add that");
-  }
+  refuse_idle(call.bore_edge_mm.has_value(), "--bore-edge", kit.joint_bore_mm || kit.spring_bore_mm,
+              "--joint-bore or --spring-bore");
 }
 
 }  // namespace
@@ -182,20 +178,14 @@ std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::
                             "is of springs, and the design's holes have none", "leave it out"});
   }
   kit.crease = call.crease.value_or(design.crease_or(kit.crease));
-  const auto only_of = [&](bool is_given, const char* option, bool has_sense, const char* with) {
-    if (!is_given || has_sense) return;
-    throw schema::UserError(
-        schema::Cause::bad_request,
-        fmt::format("{} has no meaning without {}; take it out, or add that", option, with));
-  };
-  only_of(call.barrel_mm.has_value(), "--barrel", kit.crease == schema::CreaseCut::pin,
-          "--crease pin");
-  only_of(call.plates.spacer_mm > 0, "--spacer", kit.crease == schema::CreaseCut::offset,
-          "--crease offset");
-  only_of(call.plates.allows_misfit, "--allow-misfit", kit.crease == schema::CreaseCut::butt,
-          "--crease butt");
-  only_of(kit.ball_mm.has_value(), "--ball", design.joint_kind == solver::JointKind::ball,
-          "--joint ball");
+  refuse_idle(call.barrel_mm.has_value(), "--barrel", kit.crease == schema::CreaseCut::pin,
+              "--crease pin");
+  refuse_idle(call.plates.spacer_mm > 0, "--spacer", kit.crease == schema::CreaseCut::offset,
+              "--crease offset");
+  refuse_idle(call.plates.allows_misfit, "--allow-misfit", kit.crease == schema::CreaseCut::butt,
+              "--crease butt");
+  refuse_idle(kit.ball_mm.has_value(), "--ball", design.joint_kind == solver::JointKind::ball,
+              "--joint ball");
   kit.from_deg = design.from_deg;
   kit.plates = plates_of(call, design, kit.crease);
   take_joints(design, call, kit);

@@ -219,4 +219,11 @@ std::string first_given(const CLI::App& group) {
   return "";
 }
 
+void refuse_idle(bool is_given, const char* option, bool has_sense, const char* with) {
+  if (!is_given || has_sense) return;
+  throw schema::UserError(
+      schema::Cause::bad_request,
+      fmt::format("{} has no meaning without {}; take it out, or add that", option, with));
+}
+
 }  // namespace misalign::search

@@ -89,4 +89,8 @@ void add_trim(CLI::App& verb, std::optional<double>& trim_mm);
 /// The first option of a group that was given; empty if none was.
 std::string first_given(const CLI::App& group);
 
+/// Refuses an option that is given where it has no sense, for want of others. UserError
+/// (bad_request).
+void refuse_idle(bool is_given, const char* option, bool has_sense, const char* with);
+
 }  // namespace misalign::search

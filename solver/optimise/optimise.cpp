@@ -78,8 +78,9 @@ StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& o
                        "a diagonal of the sheet that it starts from elongates by more",
                        "name a larger one, or another sheet"};
   }
+  GoalValues values(start, from);
   for (const OptimiseFloor& floor : from.floors) {
-    const auto its = value_of(*floor.goal, start, from);
+    const auto its = values.value(*floor.goal);
     if (its && *its >= floor.least) continue;
     const Goal& goal = *floor.goal;
     return OptionFault{
@@ -90,7 +91,7 @@ StudyResult<Optimised> fitted_start(const Sheet& start, const OptimiseOptions& o
         goal.is_to_be_small ? "allow more, or begin with another sheet"
                             : "ask for less, or begin with another sheet"};
   }
-  const std::optional<double> value = value_of(*from.goal, start, from);
+  const std::optional<double> value = values.value(*from.goal);
   const bool has_any_sign = from.goal->is_to_be_small || from.goal->has_any_sign;
   if (!value || (*value <= 0 && !has_any_sign)) {
     return OptionFault{"goal", {}, from.goal->infeasible, from.goal->suggestion};

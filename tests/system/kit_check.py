@@ -18,7 +18,7 @@ import random
 import re
 import sys
 
-from kit_drawing import Drawing, turns_of
+from kit_drawing import Drawing, area, inside, turns_of
 from kit_page import Page
 
 NEAR = 0.01  # mm, of what the issue asks
@@ -29,16 +29,6 @@ CUTS = ("cut", "opening", "slit", "score_mountain", "score_valley", "dash_mounta
 
 def sides(points, closed=True):
     return list(zip(points, points[1:] + points[:1] if closed else points[1:]))
-
-
-def shoelace(ring):
-    return 0.5 * sum(p[0] * q[1] - p[1] * q[0] for p, q in sides(ring))
-
-
-def inside(point, ring):
-    x, y = point
-    return sum((p[1] > y) != (q[1] > y) and x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
-               for p, q in sides(ring)) % 2 == 1
 
 
 def beyond(point, p, q):
@@ -113,7 +103,7 @@ class Sheet:
         self.faces = {}
         for face in fold["faces_vertices"]:
             ring = [self.points[v] for v in face]
-            if shoelace(ring) < 0:
+            if area(ring) < 0:
                 face = face[::-1]
             self.faces["r%dc%d" % divmod(min(face), across)] = face
         for (x, y), (u, v) in ((self.points[a], self.points[b]) for a, b in fold["edges_vertices"]):
@@ -129,7 +119,7 @@ class Sheet:
         self.frames = [(0.0, [(x, y, 0.0) for x, y in self.points])] + \
             [(frame["misalign:pilot_deg"], frame["vertices_coords"]) for frame in fold["file_frames"]]
         rim = {v for edge, faces in self.faces_of_edges().items() if len(faces) == 1 for v in edge}
-        self.area = sum(shoelace([self.points[v] for v in face]) for face in self.faces.values())
+        self.area = sum(area([self.points[v] for v in face]) for face in self.faces.values())
         at = {v: [label for label, face in self.faces.items() if v in face] for v in rim}
         perimeter = self.perimeter()
         self.balls = {v: labels for v, labels in at.items() if len(labels) == 2 and v not in perimeter and
@@ -176,7 +166,7 @@ class Sheet:
     def perimeter(self):
         """Its vertices: on the longest walk along edges of one face."""
         walks = self.walks(set(self.faces))
-        return set(max(walks, key=lambda walk: abs(shoelace([self.points[v] for v in walk]))))
+        return set(max(walks, key=lambda walk: abs(area([self.points[v] for v in walk]))))
 
     def walks(self, labels):
         """Contours of some faces, their material on the left; holes that touch are apart."""
@@ -238,9 +228,9 @@ class Part:
     def find(self, sheet, kerf, has_tabs):
         """The turn and the shift that put the sheet's part, grown by half a kerf, on this one; the worst misfit."""
         wanted = sheet.walks(self.labels)
-        wanted.sort(key=lambda walk: -abs(shoelace([sheet.points[v] for v in walk])))
+        wanted.sort(key=lambda walk: -abs(area([sheet.points[v] for v in walk])))
         rings = [without_tabs(ring) for ring in self.rings()] if has_tabs else self.rings()
-        drawn = sorted(rings, key=lambda ring: -abs(shoelace(ring)))
+        drawn = sorted(rings, key=lambda ring: -abs(area(ring)))
         if sorted(map(len, wanted)) != sorted(map(len, drawn)):
             return f"contours of {sorted(map(len, drawn))} corners, not {sorted(map(len, wanted))}"
         for turn in turns_of(self.outer, sheet.directions):
@@ -280,7 +270,7 @@ class Part:
         turn from its sides to the ring's times their length, and that length."""
         best = (math.inf, [], 0.0, 1.0)
         wanted = [points[v] for v in walk]
-        if len(walk) != len(ring) or (shoelace(wanted) > 0) != (shoelace(ring) > 0):
+        if len(walk) != len(ring) or (area(wanted) > 0) != (area(ring) > 0):
             return best
         drawn_sides = sides(ring)
         for k in range(len(ring)):
@@ -361,15 +351,15 @@ class Check:
                     self.expect(key not in seen, f"a line twice: {p} {q}")
                     self.expect(len(key) == 2, f"a line of no length at {p}")
                     seen.add(key)
-        self.expect(all(shoelace(ring) > 0 for ring, _ in drawing.paths.get("cut", [])), "an opening among outer contours")
-        parts = [Part(drawing, ring) for ring in rings if shoelace(ring) > 0]
+        self.expect(all(area(ring) > 0 for ring, _ in drawing.paths.get("cut", [])), "an opening among outer contours")
+        parts = [Part(drawing, ring) for ring in rings if area(ring) > 0]
         for ring in rings:
-            if shoelace(ring) > 0:
+            if area(ring) > 0:
                 continue
             owners = [part for part in parts if all(inside(point, part.outer) for point in ring)]
             self.expect(owners, "an opening in no part")
             if owners:  # the smallest: a part may lie in another's opening
-                min(owners, key=lambda part: shoelace(part.outer)).inner.append(ring)
+                min(owners, key=lambda part: area(part.outer)).inner.append(ring)
         self.parts += parts
 
     def numbering(self):
@@ -416,7 +406,7 @@ class Check:
     def areas(self):
         if self.wish.kerf:
             return
-        drawn = sum(shoelace(ring) for part in self.parts for ring in part.rings())
+        drawn = sum(area(ring) for part in self.parts for ring in part.rings())
         wanted = self.sheet.area
         for vertex in self.tabs:
             for label, face in self.sheet.faces.items():
@@ -641,12 +631,12 @@ class Check:
         self.expect(len(marks) == 1, "marks at other places on another sheet")
         if {len(circles) for circles in marks} != {3}:
             return
-        (low, right, high), (count, area, least, apart) = min(marks), self.page.sheets()
+        (low, right, high), (count, shown, least, apart) = min(marks), self.page.sheets()
         self.near("marks", apart, (math.dist(low, right), math.dist(low, high)), 0.02)
-        total = sum(shoelace(ring) for part in self.parts for ring in part.rings())
+        total = sum(area(ring) for part in self.parts for ring in part.rings())
         room = (self.drawings[0].size[0] - 10) * (self.drawings[0].size[1] - 10)
         self.expect(count == len(self.drawings) and least == math.ceil(total / room), f"{count} sheets, at least {least}")
-        self.near("area", [area], [total], 51)
+        self.near("area", [shown], [total], 51)
 
     def notes(self):
         for drawing in self.drawings:

@@ -18,7 +18,7 @@ import sys
 
 import numpy as np
 
-from kit_drawing import Drawing, turns_of
+from kit_drawing import Drawing, area, inside, turns_of
 from stroke_reader import words_of
 
 DEEP = 0.01  # mm of overlap: bores, arcs and rounding are drawn within 0.005
@@ -37,12 +37,6 @@ def placed(points, targets):
     return turn, shift, np.abs(points @ turn.T + shift - targets).max()
 
 
-def inside(point, ring):
-    x, y = point
-    return sum((p[1] > y) != (q[1] > y) and x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
-               for p, q in zip(ring, ring[1:] + ring[:1])) % 2 == 1
-
-
 def distance(point, p, q):
     point, p, q = map(np.asarray, (point, p, q))
     share = np.clip((point - p) @ (q - p) / ((q - p) @ (q - p)), 0, 1)
@@ -54,10 +48,6 @@ def crossing(one, other):
     (p, q), (r, s) = np.array(one), np.array(other)
     along = np.linalg.solve(np.column_stack([q - p, r - s]), r - p)[0]
     return p + along * (q - p)
-
-
-def area(ring):
-    return 0.5 * sum(p[0] * q[1] - p[1] * q[0] for p, q in zip(ring, ring[1:] + ring[:1]))
 
 
 def clipped(ring, p, q, keep):

@@ -65,6 +65,12 @@ echo "sheets/table1.fold $(head -1 names) ${options/--joint loop/} --play $play"
   "$python" -B "$source_dir/tests/system/plate_kit_check.py" || fail "play of ball joints"
 echo "sheets/table1.fold $(head -1 names) ${options/--joint loop/} --play 0.31 --wrong" |
   "$python" -B "$source_dir/tests/system/plate_kit_check.py" > /dev/null || fail "another play is not seen"
+# The card of a design with plates and these hinges has the play of its kit.
+sed 's/"holes"/"design": { "from_deg": 90, "thickness_mm": 3, "hinges": { "kind": "bevel" }, "joints": { "kind": "loop", "bore_mm": 1.5, "wire_mm": 1.2 } }, "holes"/' "$patterns/table1.json" > plates.json
+"$program" card plates.json --no-remedies --trials 5 --json > card.json 2> err
+of_plates=$(sqlite3 :memory: "SELECT json_extract(value, '\$.wanted') FROM json_each(json_extract(readfile('card.json'),
+  '\$.lines')) WHERE json_extract(value, '\$.key') = 'play_mm'")
+[ "$(printf '%.2f' "$of_plates")" = "$(printf '%.2f' "$play")" ] || fail "plates: the card's play is $of_plates, the kit's $play"
 "$program" card "$patterns/table1.json" --from 60 --no-remedies --trials 5 --json --joint loop --joint-bore 1.5 \
   --wire 1.2 > card.json 2> err
 "$program" export "$patterns/table1.json" --format dxf --kit --from 60 --joint loop --joint-bore 1.5 --wire 1.2 --guide \
