@@ -13,8 +13,6 @@
 
 namespace misalign::schema {
 
-Catalogue::~Catalogue() = default;
-
 std::vector<DrawRange> Catalogue::done() const { return units_done(*database_); }
 
 Standing Catalogue::standing() const { return read_standing(*database_); }

@@ -40,7 +40,8 @@ class Catalogue {
   /// Opens a catalogue, or creates it if `missing` allows. An older schema is migrated after the
   /// file is copied. `storage` overrides what the file system reports. If creation fails, no file
   /// is left. UserError: see WriterLock, open_for_writing and storage_failure; foreign if it
-  /// belongs to another campaign; bad_input if it is empty but must exist.
+  /// belongs to another campaign; bad_input if it is empty but must exist, or has lost its log and
+  /// with it a part of what it holds.
   Catalogue(const std::string& path, const Campaign& campaign, const solver::Mechanism& mechanism,
             std::optional<Storage> storage = {}, Missing missing = Missing::created);
   ~Catalogue();
@@ -86,7 +87,8 @@ class Catalogue {
   std::uint64_t take_over_certificates(SQLite::Database& other);
   /// Ends the run for the reason `end`, see catalogue.sql, and closes the file.
   void end_run(const std::string& end);
-  /// Closes the catalogue as one plain file, without journals.
+  /// Closes the catalogue as one plain file, without journals, unless a reader is active.
+  /// UserError: see storage_failure.
   void close();
   /// Copies the log into the file as far as readers allow, so that a copy of the file alone has
   /// that much. Does not wait.
@@ -104,6 +106,7 @@ class Catalogue {
   void check_same_builds(const RunInfo& run) const;
   void migrate();
   void create();
+  int shut();
   void add_to_goal(const UnitRecord& unit, GoalEnd& end) const;
   void store_goal_end(const GoalEnd& end);
   void keep_tables(const std::vector<UnitRecord>& units);
@@ -116,6 +119,7 @@ class Catalogue {
   const solver::Mechanism& mechanism_;
   const std::string identity_;
   const Storage storage_;
+  const bool lacks_log_;  // its log was missing before it was opened
   WriterLock lock_;
   std::unique_ptr<SQLite::Database> database_;
   std::optional<WriteAheadLog> log_;

@@ -1,4 +1,6 @@
 // Opens and closes a catalogue: lays out a new one, migrates one of an older schema.
+#include <sqlite3.h>
+
 #include <filesystem>
 
 #include "schema/campaign/campaign_file.hpp"
@@ -7,6 +9,7 @@
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/connection.hpp"
+#include "schema/catalogue/recovery.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/file_name.hpp"
 #include "schema/files/output_file.hpp"
@@ -21,6 +24,7 @@ Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
       mechanism_(mechanism),
       identity_(identity(campaign)),
       storage_(storage.value_or(file_system_of(path_).storage)),
+      lacks_log_(lacks_log(path_)),
       lock_(path_, missing) {
   try {
     guarded(path_, [&] { open(missing); });
@@ -40,6 +44,7 @@ Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
 }
 
 void Catalogue::open(Missing missing) {
+  write_leftovers_again(path_, lacks_log_);
   database_ = open_for_writing(path_, storage_,
                                campaign_.search.splitting ? kSplittingCache_kb : kCache_kb);
   log_.emplace(*database_, path_, storage_);
@@ -49,6 +54,7 @@ void Catalogue::open(Missing missing) {
     check_same_campaign();
     log_->fold_in();
     migrate();
+    if (lacks_log_) expect_sound_without_log(*database_, path_);
   } else {
     create();  // before the log exists: the file alone names its campaign
   }
@@ -115,14 +121,28 @@ void Catalogue::create() {
   transaction.commit();
 }
 
-void Catalogue::close() {
-  // A finished catalogue is one plain file, readable even in a read-only directory. A reader that
-  // is active now prevents that, which does no harm.
+// Leaves one plain file, readable even in a read-only directory. A reader that is active now
+// prevents that, which does no harm. Returns SQLite's code of another failure.
+int Catalogue::shut() {
   writer_.reset();
   log_.reset();
   database_->setBusyTimeout(0);
-  database_->tryExec("PRAGMA journal_mode = DELETE");
+  const int result = database_->tryExec("PRAGMA journal_mode = DELETE");
   database_.reset();
+  // SQLite does not sync that it has removed a journal: a power cut would bring it back.
+  sync_directory_of(path_);
+  return result == SQLITE_BUSY || result == SQLITE_LOCKED ? SQLITE_OK : result;
+}
+
+void Catalogue::close() {
+  const int result = shut();
+  if (result != SQLITE_OK) {
+    throw storage_failure(path_, SQLite::Exception(sqlite3_errstr(result), result));
+  }
+}
+
+Catalogue::~Catalogue() {
+  if (database_) shut();  // after an error
 }
 
 bool holds_all(const std::string& path, const Campaign& campaign, const Goal& goal) {

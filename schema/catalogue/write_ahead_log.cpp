@@ -1,11 +1,16 @@
 #include "schema/catalogue/write_ahead_log.hpp"
 
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <vector>
 
+#include "schema/catalogue/journal_check.hpp"
 #include "schema/catalogue/writer_lock.hpp"
 #include "schema/files/file_bytes.hpp"
 #include "schema/files/file_name.hpp"
@@ -52,6 +57,28 @@ void WriteAheadLog::keep_small() {
   kept_bytes_ = log_bytes();
 }
 
+void write_leftovers_again(const std::string& path, bool lacks_log) {
+  check_journals(path);
+  const std::string leftover = lacks_log ? path : path + "-wal";
+  if (journal_bytes(leftover) == 0) return;
+  const int descriptor = ::open(leftover.c_str(), O_RDWR | O_CLOEXEC);
+  std::vector<char> part(std::size_t{1} << 20);
+  ssize_t size = descriptor < 0 ? -1 : 1;
+  for (off_t at = 0; size > 0; at += size) {
+    size = uninterrupted([&] { return ::pread(descriptor, part.data(), part.size(), at); });
+    if (size <= 0) break;
+    const auto bytes = static_cast<std::size_t>(size);
+    size = uninterrupted([&] { return ::pwrite(descriptor, part.data(), bytes, at); });
+  }
+  const bool is_written = size == 0 && uninterrupted([&] { return ::fsync(descriptor); }) == 0;
+  const int error = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (is_written) return;
+  throw UserError(Cause::failure, leftover + ": cannot be written again (" + std::strerror(error) +
+                                      "); see to its permissions and the disk, then the same "
+                                      "command goes on");
+}
+
 std::uintmax_t journal_bytes(const std::string& path) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
@@ -65,8 +92,12 @@ bool lacks_log(const std::string& path) {
   constexpr char kWithLog = 2;
   const std::string file = end_of_links(path);
   char header[kWriteVersion + 1] = {};
-  std::ifstream in(file, std::ios::binary);
-  if (!in.read(header, sizeof header)) return false;
+  const int descriptor =
+      ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // or a pipe waits
+  if (descriptor < 0) return false;
+  const ssize_t size = uninterrupted([&] { return ::read(descriptor, header, sizeof header); });
+  ::close(descriptor);
+  if (size != static_cast<ssize_t>(sizeof header)) return false;
   return std::string_view(header, kDatabaseHeader.size()) == kDatabaseHeader &&
          header[kWriteVersion] == kWithLog && journal_bytes(file + "-wal") == 0 &&
          !is_being_written(file);

@@ -1,4 +1,5 @@
-// Keeps SQLite's write-ahead log beside a catalogue small, and notices where it is missing.
+// Keeps SQLite's write-ahead log beside a catalogue small and durable, and notices where it is
+// missing.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -29,6 +30,12 @@ class WriteAheadLog {
   const Storage storage_;
   std::uintmax_t kept_bytes_ = 0;  // size when it could last not be folded in
 };
+
+/// Writes what another program has left once more, byte for byte, and syncs it: the log, or where
+/// it `lacks_log` the file itself. If that program's last sync failed, the system counts bytes as
+/// written that the disk does not have, and no later sync would write them. Under the writer's
+/// lock, and without connections to the file. UserError: failure, or as from check_journals.
+void write_leftovers_again(const std::string& path, bool lacks_log);
 
 /// Returns the size of a journal or a log; 0 without one.
 std::uintmax_t journal_bytes(const std::string& path);

@@ -14,15 +14,18 @@
 namespace misalign::schema {
 namespace {
 
+bool has_zero_byte(const std::string& path) { return path.find('\0') != std::string::npos; }
+
 /// An open file, and its error sentences.
 class OpenFile {
  public:
   OpenFile(const std::string& path, int flags)
       : path_(path),
         // A name from a file may hold a zero byte, which ends a name for the system.
-        descriptor_(path.find('\0') != std::string::npos ? -1 : uninterrupted([&] {
+        descriptor_(has_zero_byte(path) ? -1 : uninterrupted([&] {
           return ::open(path.c_str(), flags | O_CLOEXEC);
-        })) {}
+        })),
+        error_(is_open() || has_zero_byte(path) ? 0 : errno) {}
   ~OpenFile() {
     if (is_open()) ::close(descriptor_);
   }
@@ -34,6 +37,17 @@ class OpenFile {
     struct stat found {};
     ::fstat(descriptor_, &found);
     return found;
+  }
+  // The disk's failure is not the file's fault, and the reader is not sent to look for it
+  // elsewhere.
+  [[noreturn]] void refuse_unopened() const {
+    constexpr int kOfThePath[] = {0,     ENOENT, EACCES,       EPERM, ENOTDIR,
+                                  ELOOP, EISDIR, ENAMETOOLONG, ENXIO};
+    const bool is_disk = std::ranges::find(kOfThePath, error_) == std::end(kOfThePath);
+    const std::string why = is_disk ? std::strerror(error_) : "no such file, or no permission";
+    throw UserError(is_disk ? Cause::failure : Cause::bad_input,
+                    printable(path_) + ": cannot be opened (" + why + "); " +
+                        (is_disk ? "see to the system, then the same again" : "check the path"));
   }
   void skip_to(off_t place) const { ::lseek(descriptor_, place, SEEK_SET); }
   // Reads the next bytes, none at the end.
@@ -54,6 +68,7 @@ class OpenFile {
  private:
   const std::string path_;
   const int descriptor_;
+  const int error_;  // of opening it
 };
 
 }  // namespace
@@ -64,7 +79,7 @@ std::string read_file(const std::string& path, std::size_t most_bytes, FileKind 
   const auto refuse = [&](const std::string& why) {
     throw UserError(Cause::bad_input, printable(path) + ": " + why + "; check the path");
   };
-  if (!file.is_open()) refuse("cannot be opened (no such file, or no permission)");
+  if (!file.is_open()) file.refuse_unopened();
   if (kind == FileKind::regular && !S_ISREG(file.status().st_mode)) {
     refuse("is no regular file (and nothing else is read because a file names it)");
   }

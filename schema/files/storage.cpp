@@ -97,6 +97,7 @@ UserError storage_failure(const std::string& written, const SQLite::Exception& e
                                   kept + "see to the directory and its permissions" + again};
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
+    case SQLITE_PROTOCOL:  // another program stands still where it changes the log's index
       return {Cause::in_use,
               path + ": another program keeps it locked" + what + "; wait for that one to end"};
     case SQLITE_CORRUPT:

@@ -194,7 +194,8 @@ class SearchZero {
     for (const std::string& sentence : campaign().pattern.reading) {
       spdlog::info("{}: {}", options_.campaign_path, sentence);
     }
-    if (!catalogue_) return;
+    // Whoever wrote a complete file may have been killed before it synced the directory.
+    if (!catalogue_) return schema::sync_directory_of(path_);
     if (is_talkative() && !options_.command_for_all.empty()) {
       spdlog::info("using one core of {}; to use all: {}", usable_threads(),
                    options_.command_for_all);

@@ -1,7 +1,7 @@
 # A search among sheets of one shape: one digest whatever the ranks, kills, files, registers and functions of the C library;
 # ends that have the shape by other verbs' numbers; their front; and what cannot be is refused, all at once.
 . "$(dirname "$0")/lib.sh"
-draws=40
+draws=28
 campaign() {  # FILE SEARCH [ACCEPT]
   cat > "$1" << END
 {"name": "dome", "pattern": {"family": "miura", "rows": 4, "columns": 4}, "accept": {"deploys_from_deg": ${3:-105}},
@@ -15,7 +15,7 @@ search() { "$program" search dome.json --progress none "$@" > out 2> err; }
 search --catalogue calm.db || fail "search: $(cat err)"
 cat out
 sound calm.db $draws
-[ "$(sql calm.db 'SELECT (SELECT count(*) FROM ascent) = count(*) AND count(*) BETWEEN 5 AND 39 FROM candidate')" = 1 ] || fail "ends"
+[ "$(sql calm.db 'SELECT (SELECT count(*) FROM ascent) = count(*) AND count(*) BETWEEN 4 AND 27 FROM candidate')" = 1 ] || fail "ends"
 [ "$(sql calm.db "SELECT count(*) FROM screened WHERE cause = 'off_shape' AND tested_deg != 90")" = 0 ] || fail "off the shape elsewhere"
 "$program" verify calm.db --all --units 100 > out || { fail "verify"; cat out; }
 "$program" certify calm.db --best 3 --by shape_rms_mm > out || fail "certify"
@@ -27,8 +27,8 @@ for n in 2 3; do
 done
 search --catalogue baseline.db --instruction-set baseline
 GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4 "$program" search dome.json --progress none --catalogue library.db > out 2> err
-search --catalogue a.db --range 0:25
-search --catalogue b.db --range 15:$draws
+search --catalogue a.db --range 0:17
+search --catalogue b.db --range 11:$draws
 "$program" merge joined.db b.db a.db > out || { fail "merge"; cat out; }
 on_some_ranks() { "${ranks[@]}" $((1 + RANDOM % 3)) "$program" search dome.json --unit-draws 4 "$@"; }
 killed_often 3 on_some_ranks

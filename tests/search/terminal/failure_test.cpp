@@ -56,6 +56,12 @@ TEST(Failure, ASentenceForThePersonStays) {
   EXPECT_STREQ(failure.what(), "as it is");
 }
 
+// SQLite says so where a program stands still while it changes a log's index.
+TEST(Failure, AnotherProgramThatStandsStillKeepsItLocked) {
+  const SQLite::Exception still("locking protocol", SQLITE_PROTOCOL);
+  EXPECT_EQ(schema::storage_failure("a.db", still).cause(), Cause::in_use);
+}
+
 // A catalogue keeps what was committed; an output that has no name yet does not.
 TEST(Failure, OfAnOutputNothingIsKept) {
   const SQLite::Exception full("database or disk is full", SQLITE_FULL);
