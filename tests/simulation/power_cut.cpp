@@ -49,8 +49,11 @@ class Survivors {
         if (names_follow_) write_name(entry.file);
         break;
       case LogEntry::fail_sync:
-        // The system took what it could not write for written.
-        std::erase_if(files_[entry.file].waiting, [&](auto&) { return happens(random_, 0.5); });
+        // The system took bytes that it could not write for written; a size it keeps in its
+        // journal.
+        std::erase_if(files_[entry.file].waiting, [&](const Change& change) {
+          return !change.is_truncation && happens(random_, 0.5);
+        });
         break;
       case LogEntry::sync_names:
         for (const LogEntry& name : waiting_names_) apply(name);

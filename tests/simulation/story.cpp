@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "schema/catalogue/database.hpp"
+#include "schema/catalogue/writer_lock.hpp"
 #include "search/terminal/failure.hpp"
 #include "search/watch/live_state.hpp"
 #include "tests/simulation/endings.hpp"
@@ -224,7 +225,8 @@ class Story {
         copy_now(file, happens(random, 0.5));
         break;
       case Visit::take_away:
-        if (is_there(file) && !circumstances_.was_taken_away) {
+        // Not before the search has opened it: it would make a file of that name.
+        if (schema::is_being_written(path(file)) && !circumstances_.was_taken_away) {
           circumstances_.was_taken_away = true;
           ::rename(path(file).c_str(), path("away.db").c_str());
         }
