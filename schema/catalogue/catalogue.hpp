@@ -87,8 +87,7 @@ class Catalogue {
   std::uint64_t take_over_certificates(SQLite::Database& other);
   /// Ends the run for the reason `end`, see catalogue.sql, and closes the file.
   void end_run(const std::string& end);
-  /// Closes the catalogue as one plain file, without journals, unless a reader is active.
-  /// UserError: see storage_failure.
+  /// Closes the catalogue as one plain file; see close_as_one_file.
   void close();
   /// Copies the log into the file as far as readers allow, so that a copy of the file alone has
   /// that much. Does not wait.
@@ -106,7 +105,6 @@ class Catalogue {
   void check_same_builds(const RunInfo& run) const;
   void migrate();
   void create();
-  int shut();
   void add_to_goal(const UnitRecord& unit, GoalEnd& end) const;
   void store_goal_end(const GoalEnd& end);
   void keep_tables(const std::vector<UnitRecord>& units);

@@ -1,7 +1,6 @@
 // Opens and closes a catalogue: lays out a new one, migrates one of an older schema.
-#include <sqlite3.h>
-
 #include <filesystem>
+#include <utility>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/campaign_check.hpp"
@@ -121,28 +120,17 @@ void Catalogue::create() {
   transaction.commit();
 }
 
-// Leaves one plain file, readable even in a read-only directory. A reader that is active now
-// prevents that, which does no harm. Returns SQLite's code of another failure.
-int Catalogue::shut() {
+void Catalogue::close() {
   writer_.reset();
   log_.reset();
-  database_->setBusyTimeout(0);
-  const int result = database_->tryExec("PRAGMA journal_mode = DELETE");
-  database_.reset();
-  // SQLite does not sync that it has removed a journal: a power cut would bring it back.
-  sync_directory_of(path_);
-  return result == SQLITE_BUSY || result == SQLITE_LOCKED ? SQLITE_OK : result;
-}
-
-void Catalogue::close() {
-  const int result = shut();
-  if (result != SQLITE_OK) {
-    throw storage_failure(path_, SQLite::Exception(sqlite3_errstr(result), result));
-  }
+  close_as_one_file(std::move(database_), path_);
 }
 
 Catalogue::~Catalogue() {
-  if (database_) shut();  // after an error
+  try {
+    if (database_) close();
+  } catch (const std::exception&) {  // an earlier error is on its way
+  }
 }
 
 bool holds_all(const std::string& path, const Campaign& campaign, const Goal& goal) {

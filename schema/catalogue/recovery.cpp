@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/database.hpp"
@@ -28,15 +29,14 @@ void recover(const std::string& path) {
   const WriterLock lock(file, Missing::refused);
   guarded(file, [&] {
     write_leftovers_again(file, is_without_log);
-    const Storage storage = file_system_of(file).storage;
-    const auto database =
-        open_for_writing(file, storage);  // its first access to the file recovers it
-    const bool is_of_today = version_of(*database) == kSchemaVersion;
-    if (is_without_log && !is_of_today) return;  // the next search migrates it, and checks it then
-    if (is_without_log) expect_sound_without_log(*database, file);
-    database->tryExec("PRAGMA journal_mode = DELETE");
+    // Its first access to the file recovers it.
+    auto database = open_for_writing(file, file_system_of(file).storage);
+    if (is_without_log) {
+      if (version_of(*database) != kSchemaVersion) return;  // checked once a search has migrated it
+      expect_sound_without_log(*database, file);
+    }
+    close_as_one_file(std::move(database), file);
   });
-  sync_directory_of(file);
 }
 
 void recover_before_writing(const std::string& path) {

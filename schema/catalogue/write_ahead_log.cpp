@@ -79,6 +79,16 @@ void write_leftovers_again(const std::string& path, bool lacks_log) {
                                       "command goes on");
 }
 
+void close_as_one_file(std::unique_ptr<SQLite::Database> database, const std::string& path) {
+  database->setBusyTimeout(0);
+  const int result = database->tryExec("PRAGMA journal_mode = DELETE");
+  database.reset();
+  // SQLite does not sync that it has removed a journal: a power cut would bring it back.
+  sync_directory_of(path);
+  if (result == SQLITE_OK || result == SQLITE_BUSY || result == SQLITE_LOCKED) return;
+  throw storage_failure(path, SQLite::Exception(sqlite3_errstr(result), result));
+}
+
 std::uintmax_t journal_bytes(const std::string& path) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);

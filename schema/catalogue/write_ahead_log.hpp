@@ -4,6 +4,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <memory>
 #include <string>
 
 #include "schema/files/storage.hpp"
@@ -36,6 +37,11 @@ class WriteAheadLog {
 /// written that the disk does not have, and no later sync would write them. Under the writer's
 /// lock, and without connections to the file. UserError: failure, or as from check_journals.
 void write_leftovers_again(const std::string& path, bool lacks_log);
+
+/// Closes a writer's connection and leaves one plain file, readable even in a read-only directory,
+/// also after a power cut. A reader that is active now prevents that, which does no harm.
+/// UserError: see storage_failure.
+void close_as_one_file(std::unique_ptr<SQLite::Database> database, const std::string& path);
 
 /// Returns the size of a journal or a log; 0 without one.
 std::uintmax_t journal_bytes(const std::string& path);

@@ -55,7 +55,7 @@ bool rank_zero_speaks(const CLI::App& app) {
 // A launcher ends every rank as soon as one exits with an error: rank 0 too, which on a busy
 // machine may not have printed yet. So the others wait to be ended. After this time rank 0 has no
 // error of its own, as where the disk failed for one of them, and they speak themselves.
-void leave_it_to_rank_zero() { std::this_thread::sleep_for(std::chrono::seconds(10)); }
+void wait_to_be_ended() { std::this_thread::sleep_for(std::chrono::seconds(10)); }
 
 // Standard output may not have been written.
 int exit_code_once_written(int exit_code) {
@@ -71,7 +71,7 @@ int exit_code_once_written(int exit_code) {
 // Prints the sentence and the help to read; returns the contract's exit code.
 int usage_error(const CLI::App& app, const CLI::ParseError& error, const Words& words) {
   if (error.get_exit_code() == 0) return exit_code_once_written(app.exit(error));  // --help
-  if (rank_zero_speaks(app)) leave_it_to_rank_zero();
+  if (rank_zero_speaks(app)) wait_to_be_ended();
   if (words.empty()) {
     std::fputs(app.help().c_str(), stderr);
   } else {
@@ -147,7 +147,7 @@ int run_command_line(int argc, char** argv, const Parts& parts,
   } catch (const std::exception& error) {
     const schema::UserError failure = failure_of(error);
     const int exit_code = exit_code_of(failure.cause());
-    if (rank_zero_speaks(app)) leave_it_to_rank_zero();
+    if (rank_zero_speaks(app)) wait_to_be_ended();
     spdlog::error("{}", sentence_as_given(*chosen_verb(app), failure));
     return exit_code;
   }

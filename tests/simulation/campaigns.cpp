@@ -69,23 +69,16 @@ Told older_story(Random& random) {
 
 }  // namespace
 
-std::vector<std::string> Told::goal_words(std::uint64_t lo, std::uint64_t hi) const {
-  if (lo == 0 && hi == goal) {
-    if (campaign.stop.accepted) return {};
-    return {is_split ? "--populations" : "--draws", std::to_string(goal)};
+std::vector<std::string> Told::search_words(const std::string& catalogue, std::uint64_t lo,
+                                            std::uint64_t hi) const {
+  std::vector<std::string> words = {"search", "told.json", "--catalogue", catalogue,
+                                    "--allow-mixed-builds"};
+  if (lo > 0 || hi < goal) {
+    words.insert(words.end(), {"--range", fmt::format("{}:{}", lo, hi)});
+  } else if (!campaign.stop.accepted) {
+    words.insert(words.end(), {is_split ? "--populations" : "--draws", std::to_string(goal)});
   }
-  return {"--range", fmt::format("{}:{}", lo, hi)};
-}
-
-schema::Goal Told::goal_of(std::uint64_t lo, std::uint64_t hi) const {
-  schema::Goal wanted;
-  wanted.range.lo = lo;
-  if (campaign.stop.accepted) {
-    wanted.accepted = campaign.stop.accepted;
-  } else {
-    wanted.draws = hi - lo;
-  }
-  return wanted;
+  return words;
 }
 
 Told told_by(std::uint64_t seed, Random& random) {
@@ -194,6 +187,12 @@ void warm_up(Disk& disk) {
   schema::open_for_reading(disk.folder() + "/warm.db");
 }
 
+Json answer_of(const LifeEnd& end) {
+  Json seen = Json::parse(end.out, nullptr, false);
+  if (seen.is_discarded()) return {{"wrong", "a reader ended without an answer: " + end.err}};
+  return seen;
+}
+
 const Expected& expected_of(const Told& told, Disk& disk) {
   static std::map<std::string, Expected> known;
   const std::string key = fmt::format("{} {} {} {}", told.file.dump(), told.older_path, told.goal,
@@ -202,21 +201,14 @@ const Expected& expected_of(const Told& told, Disk& disk) {
   if (at != known.end()) return at->second;
   const bool is_plain = !told.is_split && told.older_version == 0 && !told.tempo.is_real &&
                         !told.campaign.search.has_ends();
-  if (is_plain) return known[key] = plain_loop(told.campaign, told.goal_of(0, told.goal));
+  if (is_plain) return known[key] = plain_loop(told.campaign, told.goal);
   disk.clear();
   disk.put("told.json", told.file.dump());
   if (told.older_version) disk.put("told.db", bytes_of_file(told.older_path));
-  std::vector<std::string> words = {"search",     "told.json", "--catalogue",         "told.db",
-                                    "--progress", "none",      "--allow-mixed-builds"};
-  for (const std::string& word : told.goal_words(0, told.goal)) words.push_back(word);
-  const LifeEnd end = run_through(disk, {.program = program(words)});
-  const LifeEnd look = run_through(disk, {.program = [&](int) {
-                                     print_look("told.db", told.campaign, nullptr);
-                                     return 0;
-                                   }});
-  const Json seen = Json::parse(look.out, nullptr, false);
-  if (end.code != 0 || seen.is_discarded() || seen.contains("wrong") || !seen.contains("digest")) {
-    throw std::runtime_error("an undisturbed run fails: " + end.err + look.out);
+  const LifeEnd end = run_through(disk, {program(told.search_words("told.db", 0, told.goal))});
+  const Json seen = answer_of(run_through(disk, {looking_at("told.db", told.campaign, nullptr)}));
+  if (end.code != 0 || seen.contains("wrong") || !seen.contains("digest")) {
+    throw std::runtime_error("an undisturbed run fails: " + end.err + seen.dump());
   }
   Expected expected;
   for (const std::uint64_t draw : seen["accepted"]) expected.accepted.insert(draw);

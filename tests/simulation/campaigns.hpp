@@ -21,8 +21,9 @@ struct Told {
   Tempo tempo = {};
   double expected_s = 1;  ///< virtual time of one rank
 
-  std::vector<std::string> goal_words(std::uint64_t lo, std::uint64_t hi) const;
-  schema::Goal goal_of(std::uint64_t lo, std::uint64_t hi) const;
+  /// The words of a search from `lo` to before `hi`.
+  std::vector<std::string> search_words(const std::string& catalogue, std::uint64_t lo,
+                                        std::uint64_t hi) const;
 };
 
 /// Chooses the campaign of a seed.
@@ -36,6 +37,9 @@ std::string bytes_of_file(const std::string& path);
 
 /// Runs the program with these words on a machine; see run_command_line.
 std::function<int(int)> program(const std::vector<std::string>& words);
+
+/// Returns the answer of a reader that has ended (looking_at).
+schema::Json answer_of(const LifeEnd& end);
 
 /// Makes what a process makes once, so that processes that are forked need not.
 void warm_up(Disk& disk);

@@ -110,7 +110,7 @@ class FileCall {
   bool ends_after_ = false;
 };
 
-DiskLog log() { return DiskLog(disk->state()); }
+void log(const LogEntry& entry) { DiskLog(disk->state()).add(entry); }
 
 int open_ours(const std::string& name, const char* path, int flags, mode_t mode) {
   const bool is_new = (flags & O_CREAT) != 0 && file_named(name) == 0;
@@ -122,8 +122,8 @@ int open_ours(const std::string& name, const char* path, int flags, mode_t mode)
   if (static_cast<std::size_t>(descriptor) >= open_files.size()) std::abort();
   const Part part = S_ISDIR(found.st_mode) ? Part::folder : part_of(name);
   open_files[static_cast<std::size_t>(descriptor)] = {inode_of(found), part};
-  if (is_new && S_ISREG(found.st_mode)) log().create(inode_of(found), name);
-  if ((flags & O_TRUNC) != 0) log().truncate(inode_of(found), 0);
+  if (is_new && S_ISREG(found.st_mode)) log({LogEntry::name, inode_of(found), 0, name});
+  if ((flags & O_TRUNC) != 0) log({LogEntry::truncate, inode_of(found)});
   return descriptor;
 }
 
@@ -136,17 +136,19 @@ ssize_t write_to(OpenFile& file, int descriptor, const void* bytes, std::size_t 
   const ssize_t written = at >= 0 ? syscall(SYS_pwrite64, descriptor, bytes, size, at)
                                   : syscall(SYS_write, descriptor, bytes, size);
   if (written > 0 && file.part != Part::index) {
-    log().write(file.file, static_cast<std::uint64_t>(place),
-                {static_cast<const char*>(bytes), static_cast<std::size_t>(written)});
+    log({LogEntry::write,
+         file.file,
+         static_cast<std::uint64_t>(place),
+         {static_cast<const char*>(bytes), static_cast<std::size_t>(written)}});
   }
   return written;
 }
 
 int sync_file(OpenFile& file, int descriptor) {
   FileCall call(Call::sync, file.part);
-  if (call.is(FaultKind::failed_sync)) log().fail_sync(file.file);
+  if (call.is(FaultKind::failed_sync)) log({LogEntry::fail_sync, file.file});
   if (call.fails()) return -1;
-  file.part == Part::folder ? log().sync_names() : log().sync(file.file);
+  log({file.part == Part::folder ? LogEntry::sync_names : LogEntry::sync, file.file});
   return static_cast<int>(syscall(SYS_fsync, descriptor));
 }
 
@@ -155,7 +157,7 @@ int rename_ours(const char* from, const char* to, unsigned flags) {
   FileCall call(Call::rename, part_of(new_name));
   if (call.fails()) return -1;
   const auto result = static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, flags));
-  if (result == 0) log().rename(old_name, new_name);
+  if (result == 0) log({LogEntry::rename, 0, 0, old_name, new_name});
   return result;
 }
 
@@ -200,7 +202,7 @@ void Disk::clear() {
   faults.clear();
 }
 
-void Disk::sync_names() { log().sync_names(); }
+void Disk::sync_names() { log({LogEntry::sync_names}); }
 
 void Disk::put(const std::string& name, const std::string& bytes) {
   const int descriptor =
@@ -210,7 +212,7 @@ void Disk::put(const std::string& name, const std::string& bytes) {
   }
   ::fsync(descriptor);
   ::close(descriptor);
-  log().sync_names();
+  log({LogEntry::sync_names});
 }
 
 void Disk::visit() {
@@ -219,7 +221,7 @@ void Disk::visit() {
 }
 
 void Disk::begin_life(int work, std::vector<Fault> of_life) {
-  state_->calls = state_->draws_made = 0;
+  state_->calls = state_->draws_made = state_->errors = 0;
   state_->asked_at = state_->ended_at = -1;
   state_->work = work;
   state_->has_ended = state_->lost_power = false;
@@ -280,7 +282,8 @@ int ftruncate64(int descriptor, off64_t size) noexcept {
   if (!file) return static_cast<int>(syscall(SYS_ftruncate, descriptor, size));
   FileCall call(Call::truncate, file->part);
   if (call.fails()) return -1;
-  if (file->part != Part::index) log().truncate(file->file, static_cast<std::uint64_t>(size));
+  if (file->part != Part::index)
+    log({LogEntry::truncate, file->file, static_cast<std::uint64_t>(size)});
   return static_cast<int>(syscall(SYS_ftruncate, descriptor, size));
 }
 int ftruncate(int, off_t) noexcept __attribute__((alias("ftruncate64")));
@@ -297,7 +300,7 @@ int unlink(const char* path) noexcept {
   FileCall call(Call::remove, part_of(name));
   if (call.fails()) return -1;
   const auto result = static_cast<int>(syscall(SYS_unlinkat, AT_FDCWD, path, 0));
-  if (result == 0) log().remove(name);
+  if (result == 0) log({LogEntry::remove, 0, 0, name});
   return result;
 }
 
@@ -314,7 +317,7 @@ int linkat(int, const char* from, int, const char* to, int flags) noexcept {
   FileCall call(Call::rename, part_of(name));
   if (call.fails()) return -1;
   const auto result = static_cast<int>(syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, flags));
-  if (result == 0) log().name(file_named(name), name);
+  if (result == 0) log({LogEntry::name, file_named(name), 0, name});
   return result;
 }
 }

@@ -10,35 +10,25 @@
 namespace misalign::simulation {
 
 struct LogEntry {
-  enum Kind { create, name, write, truncate, sync, fail_sync, remove, rename, sync_names };
+  enum Kind { name, write, truncate, sync, fail_sync, remove, rename, sync_names };
   Kind kind;
-  std::uint64_t file, at;      ///< a truncation's size
-  std::string_view bytes, to;  ///< written bytes, or a name; the new name
+  std::uint64_t file = 0, at = 0;        ///< a truncation's size
+  std::string_view bytes = {}, to = {};  ///< written bytes, or a name; the new name
 };
 
 class DiskLog {
  public:
   explicit DiskLog(DiskState& state) : state_(state) {}
 
-  void create(std::uint64_t file, std::string_view its_name) {
-    add({LogEntry::create, file, 0, its_name, {}});
+  void add(const LogEntry& entry) {
+    const std::uint64_t size = sizeof entry + entry.bytes.size() + entry.to.size();
+    if (state_.log_size + size > DiskState::kLog_bytes) std::abort();
+    char* const at = state_.log + state_.log_size;
+    std::memcpy(at, &entry, sizeof entry);
+    std::memcpy(at + sizeof entry, entry.bytes.data(), entry.bytes.size());
+    std::memcpy(at + sizeof entry + entry.bytes.size(), entry.to.data(), entry.to.size());
+    state_.log_size += size;
   }
-  void name(std::uint64_t file, std::string_view its_name) {
-    add({LogEntry::name, file, 0, its_name, {}});
-  }
-  void write(std::uint64_t file, std::uint64_t at, std::string_view bytes) {
-    add({LogEntry::write, file, at, bytes, {}});
-  }
-  void truncate(std::uint64_t file, std::uint64_t size) {
-    add({LogEntry::truncate, file, size, {}, {}});
-  }
-  void sync(std::uint64_t file) { add({LogEntry::sync, file, 0, {}, {}}); }
-  void fail_sync(std::uint64_t file) { add({LogEntry::fail_sync, file, 0, {}, {}}); }
-  void remove(std::string_view its_name) { add({LogEntry::remove, 0, 0, its_name, {}}); }
-  void rename(std::string_view from, std::string_view to) {
-    add({LogEntry::rename, 0, 0, from, to});
-  }
-  void sync_names() { add({LogEntry::sync_names, 0, 0, {}, {}}); }
 
   /// Calls `look` with each entry.
   template <class Look>
@@ -56,16 +46,6 @@ class DiskLog {
   }
 
  private:
-  void add(const LogEntry& entry) {
-    const std::uint64_t size = sizeof entry + entry.bytes.size() + entry.to.size();
-    if (state_.log_size + size > DiskState::kLog_bytes) std::abort();
-    char* const at = state_.log + state_.log_size;
-    std::memcpy(at, &entry, sizeof entry);
-    std::memcpy(at + sizeof entry, entry.bytes.data(), entry.bytes.size());
-    std::memcpy(at + sizeof entry + entry.bytes.size(), entry.to.data(), entry.to.size());
-    state_.log_size += size;
-  }
-
   DiskState& state_;
 };
 

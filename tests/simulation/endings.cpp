@@ -4,15 +4,16 @@
 #include <array>
 #include <csignal>
 
+#include "tests/simulation/told_file.hpp"
+
 namespace misalign::simulation {
 namespace {
 
 // A signal of the story, or of mpirun after one of a rank's.
-bool is_killed_by_story(const LifeEnd& end, const Planned& planned,
-                        const Circumstances& circumstances) {
+bool is_killed_by_story(const LifeEnd& end, const Planned& planned) {
   const bool is_under_mpirun = planned.life.ranks > 1;
   const bool by_launcher = is_under_mpirun && (planned.has_silence || planned.has_signal);
-  if (end.was_killed()) return planned.has_kill || by_launcher || circumstances.was_ended;
+  if (end.was_killed()) return planned.has_kill || by_launcher || end.was_cut;
   // Once a search has begun it catches these.
   constexpr std::array kSignals = {SIGTERM, SIGINT, SIGHUP, SIGUSR1};
   return planned.has_signal && std::ranges::count(kSignals, end.code) > 0 &&
@@ -20,10 +21,6 @@ bool is_killed_by_story(const LifeEnd& end, const Planned& planned,
 }
 
 }  // namespace
-
-bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
 
 bool says_complete(const LifeEnd& end, const std::string& file) {
   return !end.by_signal && contains(end.out, file + ": complete, ");
@@ -43,22 +40,21 @@ std::string unexplained(const LifeEnd& end, const Planned& planned,
                         const Circumstances& circumstances, const std::string& file) {
   const bool is_under_mpirun = planned.life.ranks > 1;
   if (end.by_signal) {
-    return is_killed_by_story(end, planned, circumstances) ? "" : "ended by a signal of nobody";
+    return is_killed_by_story(end, planned) ? "" : "ended by a signal of nobody";
   }
   constexpr double kLongestStop_s = 5;
   const bool must_stop = planned.has_signal && !planned.is_drain && planned.life.ranks == 1;
-  if (must_stop && circumstances.stop_s > kLongestStop_s) return "a stop that takes too long";
+  if (must_stop && end.stop_s > kLongestStop_s) return "a stop that takes too long";
   if (says_complete(end, file)) {
-    const bool may_fail = circumstances.had_error || planned.has_signal || planned.has_silence;
+    const bool may_fail = end.errors > 0 || planned.has_signal || planned.has_silence;
     return end.code == 0 || may_fail ? "" : "complete, with an error";
   }
   if (ended_early(end, planned, file)) return "";
   if (!contains(end.err, "misalign: ")) return "no sentence";
   const bool is_left = planned.is_asked_twice || is_under_mpirun;
   if (planned.has_signal && is_left && end.code > 128) return "";
-  const bool has_cause = circumstances.had_error || circumstances.was_taken_away ||
-                         planned.has_silence || planned.has_index_cut ||
-                         (is_under_mpirun && planned.has_signal);
+  const bool has_cause = end.errors > 0 || circumstances.was_taken_away || planned.has_silence ||
+                         circumstances.lost_index || (is_under_mpirun && planned.has_signal);
   if (end.code == 1 && has_cause) return "";
   if (end.code == 4 && circumstances.was_locked) return "";
   const bool is_gone = circumstances.was_taken_away && contains(end.err, "there is no such file");

@@ -7,15 +7,12 @@
 
 namespace misalign::simulation {
 
-bool contains(const std::string& text, std::string_view part);
-
-/// Events of a life that were not planned for it.
+/// The acts of others during a life.
 struct Circumstances {
-  bool had_error = false;       ///< a call of the file system failed
-  bool was_ended = false;       ///< a kill or power cut at a call
+  bool was_disturbed = false;   ///< somebody came
   bool was_locked = false;      ///< another program held the lock of SQLite's writer
-  double stop_s = 0;            ///< virtual time from the first request to stop to the end
   bool was_taken_away = false;  ///< its file was
+  bool lost_index = false;      ///< the index of its log was cut short
 };
 
 /// Returns whether a search says that its campaign is complete.

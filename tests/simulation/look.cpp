@@ -67,7 +67,7 @@ Json look_at(const std::string& path, const schema::Campaign& campaign, void (*b
   return look;
 }
 
-// XXH3-128 of bytes, as a sum of 128 bits or as 32 digits.
+// A sum of XXH3-128 hashes modulo 2^128.
 struct Sum {
   std::uint64_t low = 0, high = 0;
   void add(const XXH128_hash_t& term) {
@@ -98,30 +98,34 @@ std::set<std::uint64_t> within(const Json& draws, const DrawRange& range) {
 
 }  // namespace
 
-void print_look(const std::string& path, const schema::Campaign& campaign, void (*between)()) {
-  Json look;
-  try {
-    look = look_at(path, campaign, between);
-  } catch (const std::exception& error) {
-    const schema::UserError failure = search::failure_of(error);
-    look = {{"sentence", failure.sentence(search::kCommandLine.name_parameter)},
-            {"cause", search::exit_code_of(failure.cause())}};
-  }
-  std::puts(look.dump().c_str());
-  std::fflush(stdout);
+std::function<int(int)> looking_at(const std::string& path, const schema::Campaign& campaign,
+                                   void (*between)()) {
+  return [path, &campaign, between](int) {
+    Json look;
+    try {
+      look = look_at(path, campaign, between);
+    } catch (const std::exception& error) {
+      const schema::UserError failure = search::failure_of(error);
+      look = {{"sentence", failure.sentence(search::kCommandLine.name_parameter)},
+              {"cause", search::exit_code_of(failure.cause())}};
+    }
+    std::puts(look.dump().c_str());
+    return 0;
+  };
 }
 
 // Contract, "Digest"; a goal of accepted draws ends at a multiple of 4,096.
-Expected plain_loop(const schema::Campaign& campaign, const schema::Goal& goal) {
+Expected plain_loop(const schema::Campaign& campaign, std::uint64_t draws) {
+  constexpr std::uint64_t kGranule = 4096;
   const auto mechanism = solver::build_mechanism(campaign.pattern.base);
   const int threshold = static_cast<int>(campaign.threshold_deg / campaign.sample_deg + 0.5);
+  const auto& wanted = campaign.stop.accepted;
   std::vector<double> shifts_mm(2 * campaign.misalignment.vertices.size());
   Expected expected;
   Sum sum;
-  std::uint64_t draw = goal.range.lo;
-  for (; draw < goal.planned_end(); ++draw) {
-    const std::uint64_t made = draw - goal.range.lo;
-    if (goal.accepted && made % 4096 == 0 && expected.accepted.size() >= *goal.accepted) break;
+  std::uint64_t draw = 0;
+  for (; wanted || draw < draws; ++draw) {
+    if (wanted && draw % kGranule == 0 && expected.accepted.size() >= *wanted) break;
     search::draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm.data());
     const solver::Verdict verdict =
         invented_verdict(shifts_mm, static_cast<int>(mechanism.diagonals.size()));
@@ -136,7 +140,7 @@ Expected plain_loop(const schema::Campaign& campaign, const schema::Goal& goal) 
   }
   expected.end = expected.goal_end = draw;
   const std::string text = schema::identity(campaign) +
-                           bytes_of(goal.range.lo, draw, std::uint64_t{expected.accepted.size()},
+                           bytes_of(std::uint64_t{0}, draw, std::uint64_t{expected.accepted.size()},
                                     std::uint64_t{expected.undecided.size()}, sum.low, sum.high);
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
   expected.digest = fmt::format("{:016x}{:016x}", hash.high64, hash.low64);

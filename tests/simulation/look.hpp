@@ -1,20 +1,21 @@
 // Looks into a catalogue as any reader may, and compares it with a plain loop over all draws.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <set>
 #include <string>
 
 #include "schema/campaign/campaign.hpp"
-#include "schema/campaign/goal.hpp"
 #include "schema/files/input.hpp"
 
 namespace misalign::simulation {
 
-/// Prints what a catalogue holds, at one moment: {"digest", "goal_end", "done", "accepted",
-/// "undecided", "certified", "yields", "wrong": the first finding of a check, if any}, or
+/// Returns the program that prints what a catalogue holds, at one moment: {"digest", "goal_end",
+/// "done", "accepted", "undecided", "certified", "yields", "wrong": the first finding of a check,
+/// if any}, or
 /// {"sentence", "cause"} where it cannot be read. `between` is called once the moment is fixed.
-void print_look(const std::string& path, const schema::Campaign& campaign, void (*between)());
+std::function<int(int)> looking_at(const std::string& path, const schema::Campaign& campaign,
+                                   void (*between)());
 
 /// The contents of a finished campaign.
 struct Expected {
@@ -25,7 +26,7 @@ struct Expected {
 };
 
 /// Makes every draw of a plain campaign in turn, and computes the digest as its definition says.
-Expected plain_loop(const schema::Campaign& campaign, const schema::Goal& goal);
+Expected plain_loop(const schema::Campaign& campaign, std::uint64_t draws);
 
 /// The known contents of a catalogue: no later look may show less.
 class Kept {

@@ -44,7 +44,7 @@ MUTATIONS = {
 }
 MENDS = {
     "log not written again": (CATALOGUE + "write_ahead_log.cpp", "  if (journal_bytes(leftover) == 0) return;\n", "  if (!leftover.empty()) return;\n"),
-    "removed journal not synced": (CATALOGUE + "catalogue_opening.cpp", "would bring it back.\n  sync_directory_of(path_);\n", "would bring it back.\n"),
+    "removed journal not synced": (CATALOGUE + "write_ahead_log.cpp", "would bring it back.\n  sync_directory_of(path);\n", "would bring it back.\n"),
     "lost log not checked": (CATALOGUE + "catalogue_opening.cpp", "if (lacks_log_) expect", "if (false) expect"),
     "unreadable input called missing": ("schema/files/file_bytes.cpp", "ENAMETOOLONG, ENXIO}", "ENAMETOOLONG, EIO}"),
 }

@@ -33,12 +33,10 @@ int Planner::ranks(Random& random) const {
 }
 
 Planned Planner::search(const Share& share, bool is_faulty, std::uint64_t calls, Random& random) {
-  std::vector<std::string> words = {"search", "told.json", "--catalogue", share.file,
-                                    "--allow-mixed-builds"};
+  std::vector<std::string> words = told_.search_words(share.file, share.lo, share.hi);
   const auto add = [&](const std::vector<std::string>& more) {
     words.insert(words.end(), more.begin(), more.end());
   };
-  add(told_.goal_words(share.lo, share.hi));
   add({"--progress", one_of(std::array{"none", "plain", "json"}, random)});
   if (share.on_network) add({"--storage", "network"});
   if (!told_.is_split && happens(random, 0.5)) {
@@ -47,7 +45,7 @@ Planned Planner::search(const Share& share, bool is_faulty, std::uint64_t calls,
   Planned planned;
   planned.life.ranks = ranks(random);
   planned.life.seed = random();
-  planned.life.work = static_cast<int>(told_.work);
+  planned.life.work = told_.work;
   if (is_faulty) {
     planned.has_stopped_exit = happens(random, 0.5);
     if (planned.has_stopped_exit) add({"--stopped-exit", std::to_string(kStoppedExit)});
@@ -122,7 +120,6 @@ void Planner::add_visits(Planned& planned, double run_s, bool on_network, Random
     if (!is_in() || !can_be || (visit == Visit::take_away && told_.older_version)) continue;
     const Nanoseconds at = time_within(run_s, random);
     add(at, visit);
-    planned.has_index_cut = planned.has_index_cut || visit == Visit::cut_index;
     if (visit != Visit::long_look && visit != Visit::lock) continue;
     add(at + time_within(run_s, random),
         visit == Visit::lock ? Visit::unlock : Visit::end_long_look);

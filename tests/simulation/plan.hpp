@@ -39,7 +39,7 @@ struct Share {
 struct Planned {
   Life life;
   bool has_signal = false, is_drain = false, is_asked_twice = false, has_kill = false,
-       has_silence = false, has_index_cut = false, has_max_time = false, has_stopped_exit = false;
+       has_silence = false, has_max_time = false, has_stopped_exit = false;
 };
 
 class Planner {

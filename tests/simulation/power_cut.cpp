@@ -32,7 +32,6 @@ class Survivors {
 
   void replay(const LogEntry& entry) {
     switch (entry.kind) {
-      case LogEntry::create:
       case LogEntry::name:
       case LogEntry::remove:
       case LogEntry::rename:
@@ -102,7 +101,7 @@ class Survivors {
 
   void write_name(std::uint64_t file) {
     const auto at = std::ranges::find_if(waiting_names_, [&](const LogEntry& entry) {
-      return entry.kind == LogEntry::create && entry.file == file;
+      return entry.kind == LogEntry::name && entry.file == file;
     });
     if (at == waiting_names_.end()) return;
     for (auto name = waiting_names_.begin(); name <= at; ++name) apply(*name);

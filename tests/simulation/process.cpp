@@ -1,11 +1,13 @@
 #include "tests/simulation/process.hpp"
 
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -42,7 +44,7 @@ Process::Process(Disk& disk, const Life& life) : disk_(disk) {
     ::dup2(out_, STDOUT_FILENO);
     ::dup2(err_, STDERR_FILENO);
     if (::chdir(disk.folder().c_str()) != 0) std::abort();
-    life.is_visit ? disk.visit() : disk.begin_life(life.work, life.faults);
+    life.is_visit ? disk.visit() : disk.begin_life(static_cast<int>(life.work), life.faults);
     const auto note = [&](Nanoseconds DiskState::*time) -> std::function<void(Nanoseconds)> {
       return [&disk, time, counts = !life.is_visit](Nanoseconds now) {
         if (counts && disk.state().*time < 0) disk.state().*time = now;
@@ -75,12 +77,19 @@ std::optional<int> Process::run_on() {
   int status = 0;
   ::waitpid(id_, &status, 0);
   id_ = 0;
-  end_ = {WIFSIGNALED(status),
-          WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status),
-          disk_.state().lost_power,
-          disk_.state().calls,
-          text_of(out_),
-          text_of(err_)};
+  const DiskState& state = disk_.state();
+  end_.by_signal = WIFSIGNALED(status);
+  end_.code = end_.by_signal ? WTERMSIG(status) : WEXITSTATUS(status);
+  end_.lost_power = state.lost_power;
+  end_.was_cut = state.has_ended;
+  end_.calls = state.calls;
+  end_.errors = state.errors;
+  end_.draws_made = state.draws_made;
+  if (state.asked_at >= 0) {
+    end_.stop_s = static_cast<double>(state.ended_at - state.asked_at) / kSecond;
+  }
+  end_.out = text_of(out_);
+  end_.err = text_of(err_);
   return std::nullopt;
 }
 
@@ -89,6 +98,29 @@ void stand_still(int visit) {
   if (::write(tell, &visit, sizeof visit) != sizeof visit || ::read(hear, &go_on, 1) != 1) {
     ::syscall(SYS_exit_group, EXIT_FAILURE);
   }
+}
+
+Life visit(std::function<int(int)> program) {
+  Life life{std::move(program)};
+  life.is_visit = true;
+  return life;
+}
+
+std::string told_life(const Life& life, const LifeEnd& end) {
+  std::string text =
+      fmt::format("  {}: {} ranks", kWorkNames[static_cast<int>(life.work)], life.ranks);
+  for (const Fault& fault : life.faults) {
+    text += fmt::format(", {} at call {} for {}{}", kFaultNames[static_cast<int>(fault.kind)],
+                        fault.at, fault.lasts, fault.after_call ? " after it" : "");
+  }
+  for (const Happening& happening : life.happenings) {
+    text +=
+        fmt::format(", {} {} at {:.3f} s", std::array{"signal", "silence", "visit"}[happening.kind],
+                    happening.number, static_cast<double>(happening.at) / kSecond);
+  }
+  return text + fmt::format("; {} {} after {} calls{}\n{}{}", end.by_signal ? "signal" : "exit",
+                            end.code, end.calls, end.lost_power ? ", power cut" : "", end.err,
+                            end.out);
 }
 
 LifeEnd run_through(Disk& disk, const Life& life) {

@@ -13,11 +13,17 @@
 
 namespace misalign::simulation {
 
+/// The phases in which calls of the file system are counted.
+enum class Work { unit, piece, ascent, certificate, migration, merge, file, yield };
+inline constexpr const char* kWorkNames[] = {"unit",      "piece", "ascent", "certificate",
+                                             "migration", "merge", "file",   "yield"};
+inline constexpr int kWorks = 8;
+
 struct Life {
   std::function<int(int rank)> program;  ///< see run_job
   int ranks = 1;
   std::uint64_t seed = 0;
-  int work = 0;  ///< the phase that its calls are counted in
+  Work work = Work::unit;
   std::vector<Fault> faults = {};
   std::vector<Happening> happenings = {};
   bool is_visit = false;  ///< true: its calls are not counted, and never fail
@@ -28,7 +34,11 @@ struct LifeEnd {
   bool by_signal = false;
   int code = 0;  ///< exit code, or signal
   bool lost_power = false;
-  std::uint64_t calls = 0;  ///< number of its file calls
+  bool was_cut = false;      ///< a kill or power cut at a call has ended it
+  std::uint64_t calls = 0;   ///< number of its file calls
+  std::uint64_t errors = 0;  ///< calls that failed
+  std::uint64_t draws_made = 0;
+  double stop_s = 0;  ///< virtual time from the first request to stop to the end
   std::string out, err;
 
   bool was_killed() const;
@@ -58,6 +68,12 @@ class Process {
 
 /// Stands still, within a process, until its caller lets it run on.
 void stand_still(int visit);
+
+/// A process within another's life.
+Life visit(std::function<int(int)> program);
+
+/// Returns "unit: 2 ranks, kill at call 7 ...; exit 0 ..." and what it has printed.
+std::string told_life(const Life& life, const LifeEnd& end);
 
 /// Runs a process to its end, without looking.
 LifeEnd run_through(Disk& disk, const Life& life);

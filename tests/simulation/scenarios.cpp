@@ -41,8 +41,9 @@ class Scenarios {
   }
 
   LifeEnd search(std::vector<Fault> faults) {
-    Life life{program({"search", "told.json", "--catalogue", "a.db", "--draws", "40", "--progress",
-                       "none", "--unit-draws", "5"})};
+    auto words = told_.search_words("a.db", 0, told_.goal);
+    words.insert(words.end(), {"--progress", "none", "--unit-draws", "5"});
+    Life life{program(words)};
     life.faults = std::move(faults);
     const LifeEnd end = run_through(disk_, life);
     if (end.lost_power) disk_.lose_power(random_);
@@ -56,11 +57,7 @@ class Scenarios {
   // Goes on to the end; the catalogue must hold what a plain loop finds.
   void expect_whole(const std::string& what) {
     const LifeEnd end = search({});
-    const LifeEnd look = run_through(disk_, {[&](int) {
-                                       print_look("a.db", told_.campaign, nullptr);
-                                       return 0;
-                                     }});
-    const Json seen = Json::parse(look.out, nullptr, false);
+    const Json seen = answer_of(run_through(disk_, {looking_at("a.db", told_.campaign, nullptr)}));
     expect(end.code == 0 && Kept().take(seen, expected_, true).empty() &&
                seen["digest"] == expected_.digest,
            what, end);

@@ -8,12 +8,6 @@
 
 namespace misalign::simulation {
 
-/// The phases in which calls of the file system are counted.
-enum class Work { unit, piece, ascent, certificate, migration, merge, file, yield };
-inline constexpr const char* kWorkNames[] = {"unit",      "piece", "ascent", "certificate",
-                                             "migration", "merge", "file",   "yield"};
-inline constexpr int kWorks = 8;
-
 /// The part of a story that is played: a failure that stays is easier to read with less.
 struct Cast {
   int most_ranks = 12;
