@@ -1,4 +1,4 @@
-// Keeps the selected draw, filter, order and columns in the page's address, after the #. So a link,
+// Keeps the selected draw, its angle, filter, order and columns in the page's address, after the #. So a link,
 // a reload or the back button shows them again, also on a page opened from a file.
 
 const kQuiet_ms = 300; // faster changes are one step of the back button
@@ -10,6 +10,7 @@ const kNames = {
   up: "up",
   columns: "columns",
   beside: "beside",
+  at: "at",
 };
 
 /** The hash of all values that differ from the page's first. */
@@ -29,6 +30,9 @@ function read_hash() {
   return new URLSearchParams(text);
 }
 
+/** The draw that the address names, or null. */
+export const draw_in_address = () => read_hash()?.get("draw") ?? null;
+
 /** Makes links to sections scroll without changing the address. */
 function keep_anchors_out() {
   for (const link of document.querySelectorAll('a[href^="#"]')) {
@@ -45,12 +49,16 @@ function keep_anchors_out() {
 
 /**
  * Sets the state from the address, now and whenever it changes, and the address from the state.
+ * `first` is the draw that a page without an address shows.
  * `knows(name, value)` returns whether the page has it; `complain(words)` shows what it lacks,
  * complain("") nothing; `restored()` is called after each setting.
  */
-export function follow_address(state, { knows, complain, restored }) {
+export function follow_address(state, { first, knows, complain, restored }) {
   const names = Object.values(kNames);
-  const beginning = Object.fromEntries(names.map((name) => [name, state.get(name)]));
+  const beginning = {
+    ...Object.fromEntries(names.map((name) => [name, state.get(name)])),
+    picked: first,
+  };
   let written = hash_of(state, beginning),
     picked = state.get("picked"),
     timer = 0;

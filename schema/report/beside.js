@@ -1,7 +1,8 @@
 // Compares the picked sheet with a held sheet. State "beside" is the held draw, or "start": the
 // draw from which an optimising search made the picked sheet.
 import { show_when_wide } from "./chart.js";
-import { decode_lengths, last_sample_up_to, values_of } from "./data.js";
+import { decode_detail, decode_lengths, last_sample_up_to, values_of } from "./data.js";
+import { make_folding_view } from "./folding_view.js";
 import { by_id, h } from "./format.js";
 import { make_histories } from "./histories.js";
 import { metrics, with_unit } from "./metrics.js";
@@ -9,13 +10,22 @@ import { end_of_path, heading, is_pattern } from "./page_kind.js";
 import { make_state } from "./state.js";
 
 /** -1 where the first is better, 1 where the second is, 0 where they are equal or unknown. */
-function which_is_better({ better, none_is_best }, first, second) {
-  if (first === second || first === undefined || second === undefined) return 0;
+function which_is_better({ name, better, none_is_best }, first, second) {
+  if (kDescribe.has(name) || first === second || first === undefined || second === undefined)
+    return 0;
   if (first === null || second === null) return none_is_best ? (first === null ? -1 : 1) : 0;
   return first < second === (better === "less") ? -1 : 1;
 }
 
 const kStart = "start";
+
+// Values that describe a sheet: none of two is the better one.
+const kDescribe = new Set([
+  ...["elongation_min", "elongation_max", "stretch_sq_mm2", "energy_n_mm", "bent_energy_n_mm"],
+  ...["shifted_vertices", "increasing", "decreasing", "kawasaki_defect_deg"],
+  ...["singular_value_min", "residual_max", "isometry_error_mm", "deploy_time_s"],
+  ...["curvature_1_per_m", "curvature_2_per_m", "yield_amplitude_mm", "start_value"],
+]);
 
 /** The held sheet, { name, values, detail }; null if the picked one has no such start. */
 function held_sheet(report, candidates, held, picked) {
@@ -54,11 +64,11 @@ function comparison(report, candidates, held, picked) {
         "tr",
         { "data-metric": metric.name },
         h("th", { scope: "row", title: metric.about }, metric.label),
-        cell(metric, theirs, which < 0),
         cell(metric, ours, which > 0),
+        cell(metric, theirs, which < 0),
       );
     });
-  const heads = ["", held.name, heading(report, picked)];
+  const heads = ["", heading(report, picked), held.name];
   return h(
     "table",
     { class: "beside" },
@@ -79,21 +89,28 @@ class Beside {
   #report;
   #candidates;
   #state;
-  #histories = null;
-  #redraw = null;
+  #inspector;
+  #histories = []; // { decoded, chart, state } of the held sheet, and of the picked one
+  #redraws = new Map(); // by box
   #held_state = make_state({ sample: 0, diagonal: null });
+  #folding = null;
 
-  constructor(report, candidates, state) {
+  constructor(report, candidates, state, inspector) {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
-    by_id("beside-card").hidden = is_pattern(report);
+    this.#inspector = inspector;
     by_id("hold").addEventListener("click", () => state.set("beside", state.get("picked")));
+    const choice = by_id("hold-choice");
+    choice.addEventListener("change", () => state.set("beside", choice.value));
     by_id("hold-start").addEventListener("click", () => state.set("beside", kStart));
     by_id("release").addEventListener("click", () => state.set("beside", ""));
     state.on("beside", () => this.show());
     state.on("picked", () => this.show());
     state.on("computed", () => this.show());
     state.on("pilot_deg", () => this.#follow());
-    state.on("diagonal", (d) => this.#histories?.chart.mark(d));
+    state.on("diagonal", (d) => {
+      for (const { chart } of this.#histories) chart.mark(d);
+      this.#folding?.mark(d);
+    });
     this.show();
   }
 
@@ -104,51 +121,93 @@ class Beside {
         held !== "" && held !== picked && picked !== null
           ? held_sheet(this.#report, this.#candidates, held, picked)
           : null;
-    by_id("hold").hidden = held === picked;
+    by_id("hold").hidden = held === picked || is_pattern(this.#report);
+    by_id("beside-card").hidden = held === "";
     by_id("hold-start").hidden =
       held === kStart || !held_sheet(this.#report, this.#candidates, kStart, picked);
     by_id("release").hidden = held === "";
+    this.#show_choice(held, picked);
     by_id("beside-words").textContent =
-      held === ""
-        ? "Compares the metrics and diagonals of two sheets. Press the button, then pick another sheet."
-        : sheet
-          ? "Bold: the better value."
-          : held === kStart
-            ? "Compares each sheet with the start of its ascent. Pick a sheet with all details."
-            : `Compares with ${heading(this.#report, held).toLowerCase()}. Pick another sheet.`;
+      sheet || held === ""
+        ? "Bold: the better value, where one is better."
+        : held === kStart
+          ? "Compares each sheet with the start of its ascent. Pick a sheet with all details."
+          : `Compares with ${heading(this.#report, held).toLowerCase()}. Pick another sheet: in the table below, or by the arrows above.`;
     by_id("beside").replaceChildren(
       ...(sheet ? [comparison(this.#report, this.#candidates, sheet, picked)] : []),
     );
+    this.#show_folding(sheet);
     this.#show_histories(sheet);
+    this.#follow();
+  }
+
+  /** Offers all other sheets with details. */
+  #show_choice(held, picked) {
+    const others = this.#report.details.map(({ draw }) => draw).filter((draw) => draw !== picked),
+      choice = by_id("hold-choice");
+    choice.parentNode.hidden = others.length === 0 || is_pattern(this.#report);
+    choice.replaceChildren(
+      h("option", { value: "" }, "–"),
+      ...others.map((draw) => h("option", { value: draw }, heading(this.#report, draw))),
+    );
+    choice.value = others.includes(held) ? held : "";
+  }
+
+  /** Shows the held sheet next to the picked one, by the same camera. */
+  #show_folding(sheet) {
+    const report = this.#report,
+      detail = sheet?.detail,
+      has_shape = Boolean(detail?.vertices_mm);
+    by_id("held-card").hidden = !has_shape;
+    by_id("stage").classList.toggle("two", has_shape);
+    if (!has_shape) return;
+    by_id("held-title").textContent = sheet.name;
+    this.#folding ??= make_folding_view(
+      by_id("held-folding"),
+      by_id("held-caption"),
+      report,
+      this.#held_state,
+      this.#inspector.camera,
+    );
+    this.#folding.load(detail, decode_detail(detail, report));
   }
 
   #show_histories(sheet) {
     const report = this.#report,
-      detail = sheet?.detail;
-    by_id("beside-figure").hidden = !detail;
-    this.#histories = null;
-    if (!detail) {
-      by_id("beside-histories").replaceChildren();
-      return;
-    }
-    const decoded = decode_lengths(detail, report);
-    by_id("beside-title").textContent = `Lengths of the diagonals of ${sheet.name.toLowerCase()}`;
-    const along = { state: this.#held_state, detail, decoded, end_deg: end_of_path(report) };
-    this.#histories = { decoded, chart: make_histories(h("p"), report, along) };
-    this.#follow();
-    this.#redraw ??= show_when_wide(by_id("beside-histories"), (width) =>
-      this.#histories ? this.#histories.chart.draw(width) : h("span"),
+      own = report.details.find((entry) => entry.draw === this.#state.get("picked"));
+    this.#histories = [];
+    const show = (id, detail, name, state) => {
+      by_id(id).hidden = !detail;
+      if (!detail) return;
+      const decoded = decode_lengths(detail, report),
+        along = { state, detail, decoded, end_deg: end_of_path(report) },
+        entry = { decoded, state, chart: make_histories(h("p"), report, along) };
+      this.#histories.push(entry);
+      const box = by_id(id).querySelector("div");
+      by_id(id).querySelector("figcaption").textContent =
+        `Lengths of the diagonals of ${name.toLowerCase()}`;
+      this.#redraws.set(box, entry);
+      show_when_wide(box, (width) => this.#redraws.get(box).chart.draw(width));
+    };
+    show(
+      "beside-own",
+      sheet && own,
+      heading(report, own?.draw),
+      make_state({ sample: 0, diagonal: null }),
     );
-    this.#redraw();
+    show("beside-figure", sheet?.detail, sheet?.name, this.#held_state);
   }
 
-  // Shows the held sheet at the pilot angle of the picked one.
+  // Shows both at the pilot angle of the picked one.
   #follow() {
     const pilot_deg = this.#state.get("pilot_deg");
-    if (!this.#histories || pilot_deg === null) return;
-    this.#held_state.set("sample", last_sample_up_to(this.#histories.decoded.pilot_deg, pilot_deg));
-    this.#histories.chart.move();
+    if (pilot_deg === null) return;
+    for (const { decoded, state, chart } of this.#histories) {
+      state.set("sample", last_sample_up_to(decoded.pilot_deg, pilot_deg));
+      chart.move();
+    }
+    if (!by_id("held-card").hidden) this.#folding.pose(this.#held_state.get("sample"));
   }
 }
 
-export const make_beside = (report, candidates, state) => new Beside(report, candidates, state);
+export const make_beside = (...of) => new Beside(...of);

@@ -37,7 +37,7 @@ const copy_button = (text, state, words = "Copy") => {
 const unbroken = (text) =>
   text.split(" ").flatMap((word, i) => [i > 0 ? " " : null, h("span", {}, word)]);
 
-function command(about, text, state, id) {
+export function command(about, text, state, id) {
   return h(
     "div",
     { class: "command" },

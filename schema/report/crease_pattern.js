@@ -243,7 +243,7 @@ class CreasePattern {
   /** Lays the card over the whole width, the folding's below it, or both side by side. */
   #set_wide(wide, asked = true) {
     if (asked) this.#wide = wide;
-    for (const card of this.#box.closest(".grid").children) card.classList.toggle("wide", wide);
+    this.#box.closest(".card").classList.toggle("wide", wide);
     const words = wide ? "Half width" : "Full width";
     this.#wide_button.textContent = "⇔";
     this.#wide_button.title = words;

@@ -43,7 +43,6 @@ export function save_details(report, detail, decoded, state, crease_drawing) {
   add_saving(card_of("folding"), {
     name: () => `${stem}-folded-${state.get("pilot_deg")}deg`,
     csv: () => folded_rows(decoded, state.get("sample")),
-    canvas: () => box_of("folding").querySelector("canvas"),
   });
   add_saving(card_of("histories"), {
     name: `${stem}-diagonals`,

@@ -1,18 +1,21 @@
 // Shows the folding sheet in space: by WebGL where it is available, else on a 2-D canvas from back
 // to front, with the same camera and controls.
-import { PerspectiveCamera, Vector3 } from "three";
-import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Vector3 } from "three";
+import { folding_files } from "./folding_files.js";
 import { clamp, h } from "./format.js";
 import { PanelPaint } from "./panel_paint.js";
 import { painter_pen } from "./painter_pen.js";
-import { view_height } from "./sheet.js";
+import { file_stem } from "./page_kind.js";
+import { panel_size_mm } from "./sheet.js";
+import { SheetCamera } from "./sheet_camera.js";
+import { kinds_of_springs, share_of_force } from "./spring_forces.js";
 import { target_grid } from "./target_grid.js";
 import { on_theme } from "./theme.js";
+import { VertexLabels } from "./vertex_labels.js";
 import { webgl_pen } from "./webgl_pen.js";
 
-const kFov_deg = 30,
-  kReach_px = 9;
-const kFilled = 0.96; // share of the view that a fitted sheet takes
+const kReach_px = 9,
+  kUsualThickness = 0.0125; // of a panel's shorter side
 
 function has_webgl() {
   try {
@@ -25,7 +28,9 @@ function has_webgl() {
 const kTones = "Light: the side that the crease pattern shows. ";
 const kHelp = "Drag to rotate, then the wheel zooms. Keys: arrows, + and −, 0.";
 
-const rad = (deg) => (deg * Math.PI) / 180;
+/** Height of the picture by its card's width, px: title, sheet and slider are on one screen. */
+const folding_height = (width) =>
+  Math.round(Math.min(0.9 * width, Math.max(430, Math.min(0.62 * width, 620))));
 
 function radius_of(values) {
   let most = 0;
@@ -53,6 +58,9 @@ function is_within([x, y], outline) {
 
 const pairs_of = (list) => list.map(({ from_vertex, to_vertex }) => [from_vertex, to_vertex]);
 
+/** Pictures drawn since the page was opened. */
+export const pictures = { count: 0 };
+
 class FoldingView {
   #report;
   #state;
@@ -60,54 +68,84 @@ class FoldingView {
   #caption;
   #help;
   #paint;
+  #labels;
   #canvas = h("canvas", {
     tabindex: 0,
     role: "application",
-    "data-testid": "folding-canvas",
     "aria-label":
       "The folding sheet in space. Keys: arrows rotate, plus and minus zoom, 0 shows the whole sheet.",
   });
   #pen;
-  #camera = new PerspectiveCamera(kFov_deg, 1, 1, 1e6);
-  #controls;
+  #camera;
   #decoded = null;
+  #detail = null;
+  #force_share = null; // see share_of_force
   #target = null; // see target_grid
   #radius = 1;
   #marked = null;
   #points = null;
   #width = 0;
+  #is_seen = true;
 
-  constructor(box, caption, report, state) {
-    [this.#report, this.#state, this.#box] = [report, state, box];
+  /** `camera`: of another picture, beside which this one is. */
+  constructor(box, caption, report, state, camera = new SheetCamera()) {
+    [this.#report, this.#state, this.#box, this.#camera] = [report, state, box, camera];
+    this.#canvas.dataset.testid = `${box.id}-canvas`;
     box.append(this.#canvas);
     this.#paint = new PanelPaint(box, report.sheet, () => this.#repaint());
-    box.append(h("div", { class: "view-buttons" }, this.#paint.button, this.#buttons()));
+    this.#labels = new VertexLabels(box, report.sheet, () => this.draw());
     const webgl = has_webgl();
     this.#pen = webgl ? webgl_pen(this.#canvas) : painter_pen(this.#canvas);
+    box.append(
+      h(
+        "div",
+        { class: "view-buttons" },
+        this.#paint.button,
+        this.#labels.button,
+        this.#buttons(),
+        this.#files(),
+      ),
+    );
     this.#caption = caption;
     this.#help =
       kHelp +
       (webgl ? "" : " This browser has no WebGL: a simpler drawing, panels from back to front.");
-    this.#set_up_controls();
+    camera.attach(this.#canvas, () => this.draw());
     this.#listen();
     new ResizeObserver(([entry]) => this.#resize(Math.floor(entry.contentRect.width))).observe(box);
+    new IntersectionObserver(([entry]) => {
+      this.#is_seen = entry.isIntersecting;
+      this.draw();
+    }).observe(this.#canvas);
     on_theme(() => {
       this.#pen.recolour();
       this.#repaint();
     });
   }
 
+  get camera() {
+    return this.#camera;
+  }
+
   load(detail, decoded) {
     const before = this.#radius;
-    this.#decoded = decoded;
+    [this.#detail, this.#decoded] = [detail, decoded];
     this.#radius = radius_of(this.#flat());
+    this.#force_share = share_of_force(this.#report, decoded);
     this.#paint.load(detail);
     this.#target = target_grid(detail.target, decoded.vertex_count);
-    this.#pen.load(this.#report.sheet.panels, this.#parts());
+    this.#pen.load({
+      panels: this.#report.sheet.panels,
+      parts: this.#parts(),
+      solids: this.#solids(),
+      flat: this.#flat(),
+      radius: this.#radius,
+      ground_mm: this.#ground_mm(),
+    });
     this.#pen.recolour();
     this.#repaint();
     this.pose(this.#state.get("sample"));
-    if (before !== this.#radius && this.#width) this.#whole();
+    if (before !== this.#radius && this.#width) this.whole();
   }
 
   pose(sample) {
@@ -118,7 +156,7 @@ class FoldingView {
     this.#points.set(sheet);
     this.#points.set(this.#target.points, sheet.length);
     this.#paint.pose(pilot_deg[sample]);
-    this.draw();
+    this.draw(sample);
   }
 
   mark(d) {
@@ -128,10 +166,15 @@ class FoldingView {
     this.draw();
   }
 
-  draw() {
-    if (!this.#points) return;
-    this.#camera.updateMatrixWorld();
-    this.#pen.draw(this.#points, this.#camera);
+  draw(sample = this.#state.get("sample")) {
+    if (!this.#points || !this.#is_seen) return;
+    if (pictures.count++ === 0) performance.mark("first-picture");
+    this.#pen.draw(this.#points, this.#camera.camera, (d) => this.#force_share(sample, d));
+    this.#labels.move((v) => this.#place(v));
+  }
+
+  whole() {
+    this.#camera.whole(this.#flat());
   }
 
   #repaint() {
@@ -142,26 +185,35 @@ class FoldingView {
   }
 
   #buttons() {
+    const fit = () => this.#camera.fit(this.#points.subarray(0, this.#flat().length));
     return [
-      ["Whole sheet", () => this.#whole(), "Oblique view at the scale of the flat sheet"],
-      ["Fit", () => this.#fit(), "View filled with the present pose"],
-      ["Top view", () => this.#look(-90, 89.9, this.#flat()), "View of the crease pattern"],
+      ["Whole sheet", () => this.whole(), "Oblique view at the scale of the flat sheet"],
+      ["Fit", fit, "View filled with the present pose"],
+      ["Top view", () => this.#camera.look(-90, 89.9, this.#flat()), "View of the crease pattern"],
     ].map(([words, onclick, title]) => h("button", { type: "button", title, onclick }, words));
   }
 
-  #set_up_controls() {
-    this.#camera.up.set(0, 0, 1);
-    this.#controls = new OrbitControls(this.#camera, this.#canvas);
-    this.#controls.zoomSpeed = 0.6;
-    // The wheel scrolls the page until the sheet is clicked.
-    this.#controls.enableZoom = false;
-    this.#canvas.addEventListener("focus", () => (this.#controls.enableZoom = true));
-    this.#canvas.addEventListener("blur", () => (this.#controls.enableZoom = false));
-    this.#controls.addEventListener("change", () => this.draw());
+  #files() {
+    const state = this.#state;
+    return folding_files({
+      pen: this.#pen,
+      camera: this.#camera.camera,
+      canvas: this.#canvas,
+      stem: () => this.#stem(),
+      pose_stem: () => `${this.#stem()}-folded-${this.#decoded.pilot_deg[state.get("sample")]}deg`,
+      range: () => ({
+        first: this.#decoded.depth || this.#decoded.samples - 1,
+        shown: state.get("sample"),
+        pose: (sample) => this.pose(sample),
+      }),
+    });
+  }
+
+  #stem() {
+    return file_stem(this.#report, this.#detail.draw);
   }
 
   #listen() {
-    this.#canvas.addEventListener("keydown", (event) => this.#key(event));
     this.#canvas.addEventListener("pointermove", (event) => {
       if (!this.#decoded || event.buttons) return;
       this.#state.set("diagonal", this.#nearest(event));
@@ -173,124 +225,70 @@ class FoldingView {
     });
   }
 
-  #key(event) {
-    const action = {
-      ArrowLeft: () => this.#turn(-0.12, 0, 1),
-      ArrowRight: () => this.#turn(0.12, 0, 1),
-      ArrowUp: () => this.#turn(0, 0.1, 1),
-      ArrowDown: () => this.#turn(0, -0.1, 1),
-      "+": () => this.#turn(0, 0, 0.9),
-      "=": () => this.#turn(0, 0, 0.9),
-      "-": () => this.#turn(0, 0, 1 / 0.9),
-      0: () => this.#whole(),
-      f: () => this.#fit(),
-    }[event.key];
-    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
-    action();
-    event.preventDefault();
-  }
-
-  // Views all points from a direction, as near as they fit.
-  #look(azimuth_deg, elevation_deg, values) {
-    const [az, el] = [rad(azimuth_deg), rad(elevation_deg)],
-      camera = this.#camera;
-    const towards = new Vector3(
-      Math.cos(el) * Math.cos(az),
-      Math.cos(el) * Math.sin(az),
-      Math.sin(el),
-    );
-    const right = new Vector3(-Math.sin(az), Math.cos(az), 0),
-      up = towards.clone().cross(right),
-      point = new Vector3();
-    const slope = kFilled * Math.tan(rad(kFov_deg) / 2);
-    let distance = 1;
-    for (let i = 0; i < values.length; i += 3) {
-      point.set(values[i], values[i + 1], values[i + 2]);
-      distance = Math.max(
-        distance,
-        point.dot(towards) +
-          Math.max(Math.abs(point.dot(right)) / camera.aspect, Math.abs(point.dot(up))) / slope,
-      );
-    }
-    this.#controls.target.set(0, 0, 0);
-    camera.position.copy(towards).multiplyScalar(distance);
-    camera.near = distance / 50;
-    camera.far = distance * 20;
-    camera.updateProjectionMatrix();
-    this.#controls.update();
-    this.draw();
-  }
-
-  #angles() {
-    const away = this.#camera.position.clone().sub(this.#controls.target),
-      distance = away.length();
-    return {
-      azimuth: Math.atan2(away.y, away.x),
-      elevation: Math.asin(away.z / distance),
-      distance,
-    };
-  }
-
-  #turn(azimuth, elevation, factor) {
-    const now = this.#angles(),
-      el = clamp(now.elevation + elevation, -1.5, 1.5),
-      az = now.azimuth + azimuth;
-    this.#camera.position
-      .set(Math.cos(el) * Math.cos(az), Math.cos(el) * Math.sin(az), Math.sin(el))
-      .multiplyScalar(now.distance * factor)
-      .add(this.#controls.target);
-    this.#controls.update();
-    this.draw();
-  }
-
   #flat() {
     return this.#decoded.vertices_mm.subarray(0, 3 * this.#decoded.vertex_count);
   }
 
-  #whole() {
-    this.#look(-62, 38, this.#flat());
+  #thickness_mm() {
+    return this.#detail.let_go?.thickness_mm ?? kUsualThickness * panel_size_mm(this.#report.sheet);
   }
 
-  #fit() {
-    const { azimuth, elevation } = this.#angles();
-    this.#look(azimuth / rad(1), elevation / rad(1), this.#points.subarray(0, this.#flat().length));
+  #solids() {
+    const { sheet, actuators } = this.#report;
+    return {
+      springs: kinds_of_springs(this.#report, this.#decoded),
+      holes: actuators.fill?.kind === "plate" ? sheet.holes.map(({ corners }) => corners) : [],
+      balls: sheet.ball_joints,
+      panel_mm: panel_size_mm(sheet),
+      thickness_mm: this.#thickness_mm(),
+    };
   }
 
-  /** Position of each vertex in the window, px, and its depth. */
-  #seen() {
+  /** Below the sheet from the angle at which the film begins to flat. */
+  #ground_mm() {
+    const { vertices_mm, vertex_count, depth } = this.#decoded,
+      last = 3 * vertex_count * (depth + 1);
+    let least = 0;
+    for (let i = 2; i < last; i += 3) least = Math.min(least, vertices_mm[i]);
+    return least - this.#thickness_mm();
+  }
+
+  /** Place of a vertex in the canvas, px, and its depth. */
+  #place(v) {
+    const points = this.#points,
+      corner = new Vector3(points[3 * v], points[3 * v + 1], points[3 * v + 2]);
+    corner.project(this.#camera.camera);
+    const { clientWidth, clientHeight } = this.#canvas;
+    return [((corner.x + 1) / 2) * clientWidth, ((1 - corner.y) / 2) * clientHeight, corner.z];
+  }
+
+  /** The places of all vertices, and that of the pointer. */
+  #seen({ clientX, clientY }) {
     const frame = this.#canvas.getBoundingClientRect(),
-      corner = new Vector3(),
-      points = this.#points;
-    return Array.from({ length: points.length / 3 }, (_, k) => {
-      corner.set(points[3 * k], points[3 * k + 1], points[3 * k + 2]).project(this.#camera);
-      return [
-        frame.left + ((corner.x + 1) / 2) * frame.width,
-        frame.top + ((1 - corner.y) / 2) * frame.height,
-        corner.z,
-      ];
-    });
+      seen = Array.from({ length: this.#points.length / 3 }, (_, v) => this.#place(v));
+    return { seen, pointer: [clientX - frame.left, clientY - frame.top] };
   }
 
   /** The number of the panel under the pointer that is nearest in the middle, or null. */
-  #panel_under({ clientX, clientY }) {
-    const seen = this.#seen();
+  #panel_under(event) {
+    const { seen, pointer } = this.#seen(event);
     let best = null,
       least = Infinity;
     this.#report.sheet.panels.forEach((corners, panel) => {
       const outline = corners.map((k) => seen[k]),
         depth = outline.reduce((sum, [, , z]) => sum + z, 0);
-      if (depth < least && is_within([clientX, clientY], outline)) [best, least] = [panel, depth];
+      if (depth < least && is_within(pointer, outline)) [best, least] = [panel, depth];
     });
     return best;
   }
 
   /** The diagonal under the pointer, or null. */
   #nearest(event) {
-    const seen = this.#seen();
+    const { seen, pointer } = this.#seen(event);
     let best = null,
       least = kReach_px;
     this.#report.diagonals.forEach(({ from_vertex, to_vertex }, d) => {
-      const away = away_from([event.clientX, event.clientY], seen[from_vertex], seen[to_vertex]);
+      const away = away_from(pointer, seen[from_vertex], seen[to_vertex]);
       if (away < least) [best, least] = [d, away];
     });
     return best;
@@ -299,42 +297,42 @@ class FoldingView {
   #resize(width) {
     if (!width || width === this.#width) return;
     const first = this.#width === 0,
-      height = view_height(width);
+      height = folding_height(width);
     this.#width = width;
     this.#canvas.style.height = `${height}px`;
     this.#pen.resize(width, height);
     this.#camera.aspect = width / height;
-    this.#camera.updateProjectionMatrix();
-    if (first && this.#decoded) this.#whole();
+    if (first && this.#decoded) this.whole();
     this.draw();
   }
 
   /** Lines by kind; those of the picked diagonal lie on top. */
   #parts() {
-    const { sheet, diagonals } = this.#report,
-      { grows } = this.#decoded;
+    const { sheet } = this.#report;
     const creases = (kind) =>
       sheet.creases.filter((c) => c.assignment === kind).map(({ a, b }) => [a, b]);
     const thin = Math.max(0.45, Math.min(1, 8 / Math.sqrt(sheet.panels.length))); // for sheets of many panels
     this.#marked = { pairs: [[0, 0]], width: 6, colour: "pick", on_top: true, hidden: true };
+    const has_solids = this.#pen.has_solids,
+      without = [true, ...(has_solids ? [] : [false])];
+    const diagonals = without
+      .flatMap((is_without) => kinds_of_springs(this.#report, this.#decoded, is_without))
+      .map((part) => ({
+        ...part,
+        width: (has_solids ? 1.2 : 3) * thin,
+        dashed: part.pushes,
+        dash: (this.#radius / 34) * thin,
+      }));
     return [
       { pairs: this.#target.pairs, width: 0.7, colour: "target" },
-      { pairs: sheet.cuts, width: 1.4 * thin, colour: "edge" },
+      ...(has_solids ? [] : [{ pairs: sheet.cuts, width: 1.4 * thin, colour: "edge" }]),
       { pairs: creases("mountain"), width: 1.8 * thin, colour: "mountain" },
       { pairs: creases("valley"), width: 1.8 * thin, colour: "valley" },
-      { pairs: pairs_of(diagonals.filter((_, d) => grows[d])), width: 3 * thin, colour: "grows" },
-      {
-        pairs: pairs_of(diagonals.filter((_, d) => !grows[d])),
-        width: 3 * thin,
-        colour: "shrinks",
-        dashed: true,
-        dash: (this.#radius / 34) * thin,
-      },
+      ...diagonals,
       this.#paint.outline,
       this.#marked,
     ];
   }
 }
 
-export const make_folding_view = (box, caption, report, state) =>
-  new FoldingView(box, caption, report, state);
+export const make_folding_view = (...of) => new FoldingView(...of);

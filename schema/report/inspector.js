@@ -22,7 +22,8 @@ import { metric_of, with_unit } from "./metrics.js";
 import { make_deployment } from "./deployment.js";
 import { make_pilot } from "./pilot.js";
 import { make_stress } from "./stress.js";
-import { end_of_path, heading, population_words } from "./page_kind.js";
+import { end_of_path, heading, is_pattern, population_words } from "./page_kind.js";
+import { show_next, show_sheet_facts } from "./sheet_facts.js";
 
 const kFirstPilot_deg = 80; // a pose that shows the fold well
 const kReplaced = "This file now holds another campaign. Reload the page.";
@@ -41,38 +42,45 @@ export class Inspector {
   #views = null; // slider, crease pattern and folding, shared by all draws
   #parts = [];
   #charts = new Map(); // box → { chart, redraw }
+  #decoded = null; // of the shown one
 
   constructor(report, candidates, state) {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
     this.#end_deg = end_of_path(report);
     state.on("sample", () => this.#parts.forEach((part) => part.move?.()));
+    state.on("at", (at) => {
+      if (at === "" || !this.#decoded) return;
+      state.set("playing", false);
+      state.set("sample", last_sample_up_to(this.#decoded.pilot_deg, Number(at)));
+    });
     state.on("diagonal", (d) => this.#parts.forEach((part) => part.mark?.(d)));
   }
 
+  get camera() {
+    return this.#shared_views().folding.camera;
+  }
+
+  move_by_itself() {
+    if (this.#decoded) this.#views.pilot.run_by_itself(by_id("folding"));
+  }
+
   show(draw) {
+    this.show_sheet(draw);
+    this.show_details(draw);
+  }
+
+  #detail_of(draw) {
+    return this.#report.details.find((entry) => entry.draw === draw);
+  }
+
+  /** Shows the histories, forces and facts of the sheet that show_sheet has shown. */
+  show_details(draw) {
     const report = this.#report,
-      detail = report.details.find((entry) => entry.draw === draw),
-      row = this.#candidates.row_of.get(draw),
+      detail = this.#detail_of(draw),
       known = values_of(report, this.#candidates, draw);
-    by_id("picked-title").textContent =
-      heading(report, draw) + (row === undefined ? "" : ` · rank ${count(row + 1)}`);
-    by_id("picked-words").textContent =
-      (detail
-        ? verdict_words(detail)
-        : `Accepted. Deploys from ${degrees(known.deploys_from_deg)}, with a margin of ${margin_words(known)}.`) +
-      population_words(report, draw);
     by_id("views").hidden = !detail;
-    by_id("no-details").hidden = Boolean(detail);
     by_id("shifts-card").hidden = !detail;
-    this.#parts = [];
     if (detail) this.#show_detail(detail);
-    else {
-      this.#state.set("playing", false);
-      this.#state.set("pilot_deg", null);
-      show_no_details(by_id("no-details"), report, draw, this.#state, (wanted) =>
-        this.#compute(wanted),
-      );
-    }
     show_metrics(
       by_id("metrics"),
       Object.keys(known).length ? known : null,
@@ -83,6 +91,34 @@ export class Inspector {
     show_certificate(by_id("certificate"), report, draw);
     show_yields(by_id("yields"), report, draw);
     show_commands(by_id("commands"), report, draw, this.#state);
+  }
+
+  /** Shows the folding, its verdict and first figures. */
+  show_sheet(draw) {
+    const report = this.#report,
+      detail = this.#detail_of(draw),
+      known = values_of(report, this.#candidates, draw),
+      state = this.#state,
+      row = this.#candidates.row_of.get(draw);
+    by_id("sheet-of").textContent = is_pattern(report) ? "Pattern" : report.campaign.name;
+    by_id("picked-title").textContent =
+      heading(report, draw) + (row === undefined ? "" : ` · rank ${count(row + 1)}`);
+    by_id("inspect-title").textContent = heading(report, draw);
+    by_id("picked-words").textContent =
+      (detail
+        ? verdict_words(detail)
+        : `Accepted. Deploys from ${degrees(known.deploys_from_deg)}, with a margin of ${margin_words(known)}.`) +
+      population_words(report, draw);
+    const certified = report.certificates?.some((entry) => entry.draw === draw);
+    show_sheet_facts(by_id("sheet-facts"), report, draw, known, detail);
+    show_next(by_id("sheet-next"), report, draw, state, certified);
+    by_id("folding-card").hidden = by_id("pilot-bar").hidden = !detail;
+    by_id("no-details").hidden = Boolean(detail);
+    this.#parts = [];
+    if (detail) return this.#show_folding(detail);
+    state.set("playing", false);
+    state.set("pilot_deg", null);
+    show_no_details(by_id("no-details"), report, draw, state, (wanted) => this.#compute(wanted));
   }
 
   /** Shows a draw that the program folds; answers with a sentence where that fails. */
@@ -122,14 +158,13 @@ export class Inspector {
     return (this.#views ??= {
       pilot: make_pilot(by_id("pilot-bar"), state),
       folding: make_folding_view(by_id("folding"), by_id("folding-caption"), report, state),
-      crease: make_crease_pattern(by_id("crease"), by_id("crease-caption"), report, state),
     });
   }
 
-  #show_detail(detail) {
-    const report = this.#report,
-      state = this.#state,
-      decoded = decode_detail(detail, report);
+  #show_folding(detail) {
+    const state = this.#state,
+      decoded = (this.#decoded = decode_detail(detail, this.#report));
+    const was_playing = state.get("playing");
     state.set("playing", false);
     state.set("diagonal", null);
     // The pilot angle stays, so that two draws can be compared.
@@ -141,7 +176,27 @@ export class Inspector {
       ),
     );
     state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]);
-    const { pilot, folding, crease } = this.#shared_views();
+    const { pilot, folding } = this.#shared_views();
+    pilot.load(detail, decoded);
+    folding.load(detail, decoded);
+    this.#parts = [
+      { move: () => folding.pose(state.get("sample")), mark: (d) => folding.mark(d) },
+      pilot,
+      { move: () => state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]) },
+    ];
+    state.set("playing", was_playing);
+  }
+
+  #show_detail(detail) {
+    const report = this.#report,
+      state = this.#state,
+      decoded = this.#decoded;
+    const crease = (this.#views.crease ??= make_crease_pattern(
+      by_id("crease"),
+      by_id("crease-caption"),
+      report,
+      state,
+    ));
     crease.load(detail, decoded);
     const list = make_diagonal_list(by_id("diagonals"), report, detail, decoded, state);
     const along = { state, detail, decoded, end_deg: this.#end_deg };
@@ -156,20 +211,12 @@ export class Inspector {
     for (const { box, chart } of make_stress(report, detail, decoded))
       this.#place_chart(box, chart);
     show_contact(detail);
-    pilot.load(detail, decoded);
-    folding.load(detail, decoded);
     show_actuation_words(by_id("actuation"), report, detail, decoded);
     show_shifts(by_id("shifts"), detail, state);
     save_details(report, detail, decoded, state, crease.drawing);
-    this.#parts = [
-      { move: () => folding.pose(state.get("sample")), mark: (d) => folding.mark(d) },
-      { mark: (d) => crease.mark(d) },
-      list,
-      histories,
-      pilot,
-      { move: () => actuation.forEach(({ chart }) => chart.move()) },
-      { move: () => state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]) },
-    ];
+    this.#parts.push({ mark: (d) => crease.mark(d) }, list, histories, {
+      move: () => actuation.forEach(({ chart }) => chart.move()),
+    });
     list.move();
   }
 }

@@ -1,10 +1,11 @@
 // Sets up the page of `misalign report`: overview, choice of a candidate, and the selected draw.
-import { follow_address } from "./address.js";
+import { draw_in_address, follow_address } from "./address.js";
 import { make_beside } from "./beside.js";
 import { read_candidates, read_report } from "./data.js";
 import { make_columns_menu } from "./columns_menu.js";
 import { make_filter_field } from "./filter_field.js";
 import { by_id, clamp, count, degrees, h, plural } from "./format.js";
+import { pictures } from "./folding_view.js";
 import { Inspector } from "./inspector.js";
 import { show_overview } from "./overview.js";
 import { first_axes, make_scatter, metrics_of } from "./scatter.js";
@@ -70,7 +71,7 @@ function show_candidates(report, candidates, state) {
       ? `The best ${count(shown)} of ${plural(total, "candidate")}`
       : plural(total, "candidate")) +
     `, in the order: ${order_words(candidates)}. ` +
-    `● marks ${plural(candidates.detailed.size, noun(report))} with all details in this report${chosen_words(report)}. The picked ${noun(report)} is shown below.`;
+    `● marks ${plural(candidates.detailed.size, noun(report))} with all details in this report${chosen_words(report)}. The picked ${noun(report)} is shown above.`;
   const { name } = report.campaign;
   const table = make_table(by_id("table"), candidates, state);
   make_scatter(by_id("scatter"), candidates, state, name);
@@ -143,6 +144,13 @@ function answer_questions(state) {
       get pilot_deg() {
         return state.get("pilot_deg");
       },
+      /** Pictures of the folding drawn so far, and when the first was (ms after the page's begin). */
+      get pictures() {
+        return pictures.count;
+      },
+      get first_picture_ms() {
+        return performance.getEntriesByName("first-picture")[0]?.startTime ?? null;
+      },
       get filtered() {
         return state.get("order")?.length ?? 0;
       },
@@ -182,10 +190,10 @@ function show_nothing_to_inspect(report) {
   by_id("picked-words").textContent = is_splitting(report)
     ? "A splitting search keeps only candidates."
     : `“${misalign} report ${catalogue} --draw N${choice} --output ${output}” shows any draw, accepted or not.`;
-  for (const id of ["no-details", "facts"]) by_id(id).hidden = true;
+  for (const id of ["no-details", "stage", "pilot-bar", "inspect"]) by_id(id).hidden = true;
 }
 
-function follow_the_address(candidates, table, state) {
+function follow_the_address(candidates, table, state, first) {
   const detailed = (draw) => candidates.detailed.has(draw);
   const known = {
     picked: (draw) => candidates.row_of.has(draw) || detailed(draw),
@@ -193,10 +201,12 @@ function follow_the_address(candidates, table, state) {
     beside: (draw) => draw === "start" || candidates.row_of.has(draw) || detailed(draw),
     sort: (words) => is_order(words, candidates),
     columns: (words) => is_choice(words, candidates),
+    at: (words) => Number(words) >= 0 && Number(words) <= 180,
     across: (name) => metrics_of(candidates).some((metric) => metric.name === name),
   };
   known.up = known.across;
   follow_address(state, {
+    first,
     knows: (name, value) => known[name](value),
     complain(words) {
       by_id("address-says").textContent = words;
@@ -206,19 +216,31 @@ function follow_the_address(candidates, table, state) {
   });
 }
 
-function main() {
+/** The draw that is shown first: the address's, if the page has it, or the best with details. */
+function first_draw(candidates, otherwise) {
+  const named = draw_in_address(),
+    has = candidates.row_of.has(named) || candidates.detailed.has(named);
+  return has ? named : otherwise;
+}
+
+const next_frame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+
+/** Shows the sheet first, and the rest once it has been drawn. */
+async function main() {
   set_up_theme(by_id("theme"));
   const report = report_or_words();
   if (!report) return;
   const candidates = read_candidates(report);
+  const first = report.details[0]?.draw ?? candidates.columns.draw[0] ?? null;
   const state = make_state({
-    picked: null,
+    picked: first_draw(candidates, first),
     computed: null, // the draw that was folded last for this page
     filter: "",
     sort: "",
     columns: "", // all of them
     beside: "", // no draw is held
     ...first_axes(candidates),
+    at: "", // the pilot angle at which the reader has stopped
     sample: 0,
     pilot_deg: null,
     diagonal: null,
@@ -226,7 +248,13 @@ function main() {
     playing: false,
     said: "",
   });
-  answer_questions(state);
+  const inspector = new Inspector(report, candidates, state);
+  if (first === null) show_nothing_to_inspect(report);
+  else {
+    inspector.show_sheet(state.get("picked"));
+    await next_frame();
+    inspector.show_details(state.get("picked"));
+  }
   let table = null;
   if (is_pattern(report)) show_pattern(report);
   else {
@@ -234,19 +262,17 @@ function main() {
     table = show_candidates(report, candidates, state);
     show_detailed(report, candidates, state);
   }
-  const inspector = new Inspector(report, candidates, state);
-  make_beside(report, candidates, state);
+  make_beside(report, candidates, state, inspector);
   state.on("picked", (draw) => inspector.show(draw));
   state.on("said", (words) => (by_id("said").textContent = words));
-  const first = report.details[0]?.draw ?? candidates.columns.draw[0];
-  if (first === undefined) show_nothing_to_inspect(report);
-  else {
-    state.set("picked", first);
-    follow_the_address(candidates, table, state);
+  if (first !== null) {
+    follow_the_address(candidates, table, state, first);
+    inspector.move_by_itself();
   }
   link_manual(report);
   show_foot(report);
   watch(report, show_overview);
+  answer_questions(state);
 }
 
 main();

@@ -37,6 +37,7 @@ export function show_pattern(report) {
     shifts = Object.keys(report.details[0].displacements_mm).length;
   const exactly = sampling.between_samples === "exact" ? "exactly" : "approximately";
   document.querySelector("#overview .eyebrow").textContent = "Pattern";
+  document.querySelector('nav a[href="#overview"]').textContent = "Pattern";
   by_id("campaign-name").textContent = name;
   by_id("asked").textContent =
     `${plural(panels.length, "panel")}, ${plural(holes.length, "hole")}, ${plural(creases.length, "crease")} and ${plural(ball_joints.length, "ball joint")}; ` +
@@ -52,7 +53,7 @@ export function show_pattern(report) {
   document.querySelector('nav a[href="#candidates"]').hidden = true;
   const skip = document.querySelector("a.skip");
   skip.href = "#inspect";
-  skip.textContent = "Skip to the folding";
+  skip.textContent = "Skip to the histories";
   document.title = `${name} · misalign`;
 }
 

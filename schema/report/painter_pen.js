@@ -7,10 +7,21 @@ export function painter_pen(canvas) {
   let corners = [],
     parts = [],
     colours = [],
+    drawn = null,
     ratio = 1;
   return {
-    load(corners_, parts_) {
-      [corners, parts] = [corners_, parts_];
+    has_solids: false,
+    load({ panels, parts: lines }) {
+      [corners, parts] = [panels, lines];
+    },
+    async picture(width, height, camera, save) {
+      const before = [canvas.width, canvas.height];
+      [canvas.width, canvas.height] = [width, height];
+      this.draw(drawn, camera);
+      const saved = await save(canvas);
+      [canvas.width, canvas.height] = before;
+      this.draw(drawn, camera);
+      return saved;
     },
     tint(tint) {
       colours = tint?.colours ?? [];
@@ -22,6 +33,7 @@ export function painter_pen(canvas) {
       canvas.height = height * ratio;
     },
     draw(points, camera) {
+      drawn = points;
       const pen = canvas.getContext("2d"),
         seen = [],
         depth = [];

@@ -4,14 +4,16 @@ import { degrees, fixed, h } from "./format.js";
 const kSweep_s = 7,
   kApart_px = 12; // gap between words of marks
 
-const mark = (place, words, kind) =>
+const mark = (place, words, kind, onclick) =>
   h(
-    "span",
+    "button",
     {
+      type: "button",
       class: `mark ${kind}`,
       style: `--place: ${place.toFixed(4)}`,
       "data-testid": `mark-${kind}`,
-      title: words,
+      title: `Sheet at: ${words}`,
+      onclick,
     },
     h("i"),
     h("b", {}, words),
@@ -55,7 +57,9 @@ class Pilot {
     [this.#detail, this.#decoded] = [detail, decoded];
     this.#slider.max = decoded.samples - 1;
     const add = (angle_deg, words, kind) =>
-      this.#marks.append(mark(place_of(angle_deg, decoded.pilot_deg), words, kind));
+      this.#marks.append(
+        mark(place_of(angle_deg, decoded.pilot_deg), words, kind, () => this.#stop_at(angle_deg)),
+      );
     const D = detail.verdict.deploys_from_deg,
       limit_deg = detail.fold_limit_deg;
     this.#marks.replaceChildren();
@@ -108,13 +112,23 @@ class Pilot {
     );
   }
 
+  #stop_at(angle_deg) {
+    this.#state.set("at", "");
+    this.#state.set("at", String(angle_deg));
+  }
+
   #listen() {
     const state = this.#state,
       slider = this.#slider,
-      turn = () => state.set("playing", !state.get("playing"));
+      turn = () => {
+        const playing = !state.get("playing");
+        state.set("playing", playing);
+        state.set("at", playing ? "" : String(this.#decoded.pilot_deg[state.get("sample")]));
+      };
     slider.addEventListener("input", () => {
       state.set("playing", false);
       state.set("sample", Number(slider.value));
+      state.set("at", String(this.#decoded.pilot_deg[state.get("sample")]));
     });
     this.#play.addEventListener("click", turn);
     document.addEventListener("keydown", (event) => {
@@ -137,6 +151,19 @@ class Pilot {
     this.#play.textContent = playing ? "❚❚ Pause" : "▶ Deploy";
     this.#play.title = playing ? "Pause (space)" : "Unfold the sheet (space)";
     this.#play.setAttribute("aria-pressed", String(Boolean(playing)));
+  }
+
+  /** Plays until the sheet has left the screen, unless the reader has stopped it or wants no motion. */
+  run_by_itself(sheet) {
+    const state = this.#state;
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches || state.get("at") !== "") return;
+    const watch = new IntersectionObserver(([{ isIntersecting }]) => {
+      if (!isIntersecting) state.set("playing", false);
+    });
+    watch.observe(sheet);
+    state.set("playing", true);
+    for (const act of ["pointerdown", "keydown"])
+      this.#play.parentNode.addEventListener(act, () => watch.disconnect(), { once: true });
   }
 
   /** The first sample of the animation: D, or the path's end of a draw that is not accepted. */

@@ -2,7 +2,7 @@
 import { h } from "./format.js";
 import { png_of, standalone_svg } from "./picture.js";
 
-function download(blob, name) {
+export function download(blob, name) {
   const link = h("a", { href: URL.createObjectURL(blob), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);

@@ -1,65 +1,24 @@
-// Draws the folded sheet with three.js.
+// Draws the folded sheet with three.js: plates, springs and joints as bodies, with a shadow.
 import {
-  AmbientLight,
-  BackSide,
-  BufferAttribute,
-  BufferGeometry,
   Color,
   DirectionalLight,
-  FrontSide,
   Group,
+  HemisphereLight,
   Mesh,
-  MeshBasicMaterial,
-  MeshLambertMaterial,
+  PCFShadowMap,
+  PlaneGeometry,
   Scene,
-  Vector3,
+  ShadowMaterial,
   WebGLRenderer,
 } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { PanelSolids } from "./panel_solids.js";
+import { bodies_of } from "./spring_bodies.js";
 import { colour } from "./theme.js";
 
-const kSides = [
-  [FrontSide, "panel-front"],
-  [BackSide, "panel-back"],
-];
-
-/** Meshes of both sides of the panels, which share their corners. */
-function panel_meshes(corners) {
-  const values = () => new BufferAttribute(new Float32Array(corners.length * 18), 3),
-    position = values();
-  return kSides.map(([side, name]) => {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", position);
-    geometry.setAttribute("color", values());
-    const options = {
-      side,
-      vertexColors: true,
-      polygonOffset: true,
-      polygonOffsetFactor: 1,
-      polygonOffsetUnits: 2,
-    };
-    const lit = new MeshLambertMaterial({ ...options, flatShading: true }),
-      plain = new MeshBasicMaterial(options); // not shaded
-    const mesh = new Mesh(geometry, lit);
-    mesh.userData = { colour: name, lit, plain };
-    mesh.frustumCulled = false;
-    return mesh;
-  });
-}
-
-/** Colours each panel's six corners; null: the side's colour. */
-function colour_panels({ geometry, userData }, colours) {
-  const { array } = geometry.attributes.color,
-    side = colour(userData.colour),
-    rgb = new Color();
-  colours.forEach((panel, i) => {
-    rgb.set(panel ?? side);
-    for (let n = 0; n < 6; ++n) rgb.toArray(array, 18 * i + 3 * n);
-  });
-  geometry.attributes.color.needsUpdate = true;
-}
+const kShadow_px = 1024;
 
 function line_mesh({ pairs, width, dashed, dash, on_top }) {
   const geometry = new LineSegmentsGeometry();
@@ -69,6 +28,9 @@ function line_mesh({ pairs, width, dashed, dash, on_top }) {
     linewidth: width,
     depthTest: !on_top,
     depthWrite: !on_top,
+    polygonOffset: true, // a crease is seen, though the plates' faces meet above it
+    polygonOffsetFactor: 0,
+    polygonOffsetUnits: -300,
     ...(dashed ? { dashed: true, dashSize: dash, gapSize: dash * 0.75 } : {}),
   });
   const mesh = new LineSegments2(geometry, material);
@@ -77,25 +39,15 @@ function line_mesh({ pairs, width, dashed, dash, on_top }) {
   return mesh;
 }
 
-/** Each panel is two triangles. */
-function move_panels({ corners, meshes }, points) {
-  const positions = meshes[0].geometry.attributes.position; // of both sides
-  corners.forEach(([a, b, c, d], i) =>
-    [a, b, c, a, c, d].forEach((k, n) =>
-      positions.array.set(points.subarray(3 * k, 3 * k + 3), 18 * i + 3 * n),
-    ),
-  );
-  positions.needsUpdate = true;
-}
-
 function move_line({ part, mesh }, points) {
+  mesh.visible = !part.hidden;
+  if (part.hidden) return;
   const buffer = mesh.geometry.attributes.instanceStart.data;
   part.pairs.forEach(([a, b], i) => {
     buffer.array.set(points.subarray(3 * a, 3 * a + 3), 6 * i);
     buffer.array.set(points.subarray(3 * b, 3 * b + 3), 6 * i + 3);
   });
   buffer.needsUpdate = true;
-  mesh.visible = !part.hidden;
   if (!part.dashed) return;
   const distances = mesh.geometry.attributes.instanceDistanceStart.data;
   part.pairs.forEach(([a, b], i) => {
@@ -106,13 +58,18 @@ function move_line({ part, mesh }, points) {
 }
 
 class WebglPen {
+  has_solids = true;
   #renderer;
   #scene = new Scene();
-  #lamp = new DirectionalLight(0xffffff, 1.9);
-  #group = null;
+  #sky = new HemisphereLight(0xffffff, 0x9a938c, 1.35);
+  #lamp = new DirectionalLight(0xfff6e8, 2.3);
+  #ground = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial());
+  #group = null; // of the sheet
   #panels = null;
+  #bodies = [];
   #tint = null;
   #lines = [];
+  #drawn = null; // the points of the last picture
 
   constructor(canvas) {
     this.#renderer = new WebGLRenderer({
@@ -121,35 +78,47 @@ class WebglPen {
       alpha: true,
       preserveDrawingBuffer: true,
     });
-    this.#scene.add(new AmbientLight(0xffffff, 1.7), this.#lamp);
+    this.#renderer.shadowMap.enabled = true;
+    this.#renderer.shadowMap.type = PCFShadowMap;
+    this.#renderer.shadowMap.autoUpdate = false;
+    this.#lamp.castShadow = true;
+    this.#lamp.shadow.mapSize.set(kShadow_px, kShadow_px);
+    this.#lamp.shadow.radius = 3;
+    this.#ground.receiveShadow = true;
+    this.#scene.add(this.#sky, this.#lamp, this.#lamp.target, this.#ground);
   }
 
-  load(corners, parts) {
+  /** `solids` see bodies_of; `ground_mm` is the height of what the shadow falls on. */
+  load({ panels, parts, solids, flat, radius, ground_mm }) {
     this.#unload();
-    const meshes = panel_meshes(corners);
-    this.#panels = { corners, meshes };
+    this.#panels = new PanelSolids(panels, flat, solids.thickness_mm);
+    this.#bodies = bodies_of(solids, flat);
     this.#lines = parts
       .filter((part) => part.pairs.length > 0)
       .map((part) => ({ part, mesh: line_mesh(part) }));
-    this.#group = new Group().add(...meshes, ...this.#lines.map(({ mesh }) => mesh));
+    this.#group = new Group().add(
+      this.#panels.mesh,
+      ...this.#bodies.map(({ mesh }) => mesh),
+      ...this.#lines.map(({ mesh }) => mesh),
+    );
     this.#scene.add(this.#group);
+    this.#light(radius, ground_mm, solids.thickness_mm);
+    this.#drawn = null;
   }
 
   tint(tint) {
     this.#tint = tint;
-    if (!this.#group) return;
-    const { corners, meshes } = this.#panels,
-      own = corners.map(() => null);
-    for (const mesh of meshes) {
-      colour_panels(mesh, tint?.colours ?? own);
-      mesh.material = tint?.exact ? mesh.userData.plain : mesh.userData.lit;
-    }
+    this.#panels?.paint(tint?.colours, tint?.exact);
   }
 
   recolour() {
     if (!this.#group) return;
     this.tint(this.#tint);
     for (const { part, mesh } of this.#lines) mesh.material.color.set(colour(part.colour));
+    const [shade, opacity] = colour("cast").split(/\s+/);
+    this.#ground.material.color = new Color(shade);
+    this.#ground.material.opacity = Number(opacity);
+    this.#drawn = null;
   }
 
   resize(width, height) {
@@ -157,28 +126,60 @@ class WebglPen {
     this.#renderer.setSize(width, height, false);
   }
 
-  draw(points, camera) {
+  /** `force_share`: of each spring, the share of the largest force. */
+  draw(points, camera, force_share) {
     if (!this.#group) return;
-    move_panels(this.#panels, points);
+    if (points !== this.#drawn) {
+      this.#panels.move(points);
+      for (const body of this.#bodies) body.move(points, force_share);
+      this.#renderer.shadowMap.needsUpdate = true;
+      this.#drawn = points;
+    }
     for (const line of this.#lines) move_line(line, points);
-    const above = new Vector3(0, 0, camera.position.length() * 0.6);
-    this.#lamp.position.copy(camera.position).add(above);
     this.#renderer.render(this.#scene, camera);
+  }
+
+  /** A canvas with the picture at another size, whose shape the camera has; then as before. */
+  async picture(width, height, camera, save) {
+    const canvas = this.#renderer.domElement,
+      before = [canvas.width, canvas.height],
+      ratio = this.#renderer.getPixelRatio();
+    this.#renderer.setPixelRatio(1);
+    this.#renderer.setSize(width, height, false);
+    this.#renderer.render(this.#scene, camera);
+    const saved = await save(canvas);
+    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setSize(before[0] / ratio, before[1] / ratio, false);
+    this.#renderer.render(this.#scene, camera);
+    return saved;
+  }
+
+  /** The meshes of panels and bodies as they are now. */
+  get solids() {
+    return [this.#panels.mesh, ...this.#bodies.map(({ mesh }) => mesh)];
+  }
+
+  #light(radius, ground_mm, thickness_mm) {
+    const { camera, bias } = this.#lamp.shadow;
+    this.#lamp.position.set(-0.7 * radius, -1.1 * radius, 2.6 * radius);
+    Object.assign(camera, { left: -radius, right: radius, bottom: -radius, top: radius });
+    [camera.near, camera.far] = [0.5 * radius, 6 * radius];
+    camera.updateProjectionMatrix();
+    this.#lamp.shadow.bias = bias;
+    this.#lamp.shadow.normalBias = Math.max(thickness_mm / 2, radius / 200);
+    this.#ground.position.set(0, 0, ground_mm);
+    this.#ground.scale.setScalar(8 * radius);
   }
 
   #unload() {
     if (!this.#group) return;
     this.#scene.remove(this.#group);
-    this.#group.traverse((node) => {
-      node.geometry?.dispose();
-      for (const material of [node.material, node.userData.lit, node.userData.plain])
-        material?.dispose();
+    this.#group.traverse(({ geometry, material }) => {
+      geometry?.dispose();
+      material?.dispose();
     });
+    this.#panels.dispose();
   }
 }
 
-/**
- * Panels by their `corners`; `parts` are lines: { pairs, width, colour, dashed, on_top }. A tint is
- * { colours, exact }, see PanelPaint.
- */
 export const webgl_pen = (canvas) => new WebglPen(canvas);

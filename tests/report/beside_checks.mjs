@@ -25,12 +25,12 @@ export async function beside_checks(page, { candidates: { columns, shown }, deta
     );
     await page.waitForFunction((wanted) => window.misalign.picked === wanted, other);
     const heads = await by(page, "beside").locator("thead th").allTextContents();
-    assert.ok(heads[1].endsWith(` ${held}`) && heads[2].endsWith(` ${other}`), heads.join());
+    assert.ok(heads[1].endsWith(` ${other}`) && heads[2].endsWith(` ${held}`), heads.join());
     for (const [name, less_is_better] of [
       ["stroke_max", true],
       ["deploys_from_deg", false],
     ]) {
-      const values = [held, other].map((draw) => columns[name][columns.draw.indexOf(draw)]);
+      const values = [other, held].map((draw) => columns[name][columns.draw.indexOf(draw)]);
       const cells = row_of(page, name).locator("td");
       const numbers = (await cells.allTextContents()).map((text) => Number.parseFloat(text));
       const shown_as = name === "stroke_max" ? 100 : 1;
@@ -44,7 +44,13 @@ export async function beside_checks(page, { candidates: { columns, shown }, deta
       assert.deepEqual(classes, values[0] === values[1] ? [false, false] : [first, !first], name);
     }
     const has_details = details.some(({ draw }) => draw === held);
-    assert.equal(await by(page, "beside-histories").isVisible(), has_details);
+    for (const id of ["beside-histories", "held-folding"])
+      assert.equal(await by(page, id).isVisible(), has_details, id);
+    assert.equal(
+      await row_of(page, "shifted_vertices").locator(".better").count(),
+      0,
+      "no number of vertices is better",
+    );
     await by(page, "release").click();
     assert.equal(await by(page, "beside").locator("tr").count(), 0);
     await page.waitForFunction(() => !location.hash.includes("beside"));

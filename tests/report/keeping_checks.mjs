@@ -258,6 +258,21 @@ async function rows_check(page, data) {
   });
 }
 
+/** A binary glTF whose panels span, in metres, what the flat sheet spans, or less where folded. */
+function gltf_check(bytes, { sheet }) {
+  assert.equal(bytes.subarray(0, 4).toString(), "glTF");
+  assert.equal(bytes.readUInt32LE(8), bytes.length);
+  const json = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)));
+  const [panels] = json.meshes,
+    { max, min } = json.accessors[panels.primitives[0].attributes.POSITION];
+  const [scale] = json.nodes.find(({ name }) => name === "sheet").scale ?? [
+    json.nodes.find(({ name }) => name === "sheet").matrix[0],
+  ];
+  const most_mm = Math.max(...sheet.vertices_mm.map(([x, y]) => Math.hypot(x, y)));
+  assert.ok(Math.abs(scale - 1e-3) < 1e-9, `${scale}: millimetres in metres`);
+  max.forEach((value, i) => assert.ok(value - min[i] > 1 && value - min[i] < 2 * most_mm));
+}
+
 async function pictures_check(page, data, detail) {
   const stem = `${data.campaign.name}-${detail.draw}`;
   await check("charts are saved as pictures", async () => {
@@ -272,10 +287,30 @@ async function pictures_check(page, data, detail) {
       const drawn = await colours_of(page, svg.bytes, "image/svg+xml");
       assert.ok(drawn.colours > 10, `${id}: ${drawn.colours} colours of the SVG`);
     }
-    const folding = await saved(page, "folding", "png");
+  });
+  await check("the folding is saved as a wide picture, as glTF and as a film", async () => {
     const { pilot_deg } = await state(page);
-    assert.equal(folding.name, `${stem}-folded-${pilot_deg}deg.png`);
-    assert.ok((await colours_of(page, folding.bytes, "image/png")).colours > 4);
+    await by(page, "view-files").first().click();
+    const file_of = async (id) => {
+      const [download] = await Promise.all([
+        page.waitForEvent("download"),
+        by(page, id).first().click(),
+      ]);
+      return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+    };
+    await by(page, "picture-width").first().selectOption("1280");
+    const png = await file_of("folding-png");
+    assert.equal(png.name, `${stem}-folded-${pilot_deg}deg.png`);
+    const picture = await colours_of(page, png.bytes, "image/png");
+    assert.equal(picture.width, 1280);
+    assert.ok(picture.colours > 20, `${picture.colours} colours`);
+    const gltf = await file_of("folding-gltf");
+    assert.equal(gltf.name, `${stem}-folded-${pilot_deg}deg.glb`);
+    gltf_check(gltf.bytes, data);
+    const film = await file_of("folding-film");
+    assert.equal(film.name, `${stem}-deployment.webm`);
+    assert.equal(film.bytes.readUInt32BE(0), 0x1a45dfa3, "the mark of Matroska and WebM");
+    await by(page, "view-files").first().click();
   });
 }
 

@@ -4,6 +4,7 @@
 // is of a catalogue whose places of faults are no places.
 import assert from "node:assert/strict";
 import { parseArgs } from "node:util";
+import { access_checks } from "./access_checks.mjs";
 import { beside_checks } from "./beside_checks.mjs";
 import { open_browser, open_page } from "./browser.mjs";
 import {
@@ -73,6 +74,7 @@ async function report_checks(browser, report) {
   await survival_check(page, data);
   if (shown > 0) await choosing_checks(page, data);
   else await emptiness_check(page);
+  await access_checks(page, data);
   await beside_checks(page, data);
   const details = data.details.slice(0, report === keeping ? 2 : 1);
   for (const detail of details) await detail_checks(page, data, detail);

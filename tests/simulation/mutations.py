@@ -3,6 +3,7 @@
 
 mutations.py TREE SEEDS [NAME...]: TREE is a copy of the sources (git worktree add TREE) that is changed and built in
 TREE/build/release. A line for each: after which seed it was caught, by what. Mends are undone for the scenarios.
+The program as it is must pass both before.
 """
 import pathlib
 import re
@@ -68,26 +69,39 @@ def changed(tree: pathlib.Path, edits: tuple[str, ...]) -> dict[pathlib.Path, st
     return before
 
 
+def build(tree: pathlib.Path) -> str:
+    """Builds the program; returns the compiler's words if it cannot be built."""
+    built = subprocess.run(["ninja", "-C", tree / "build/release", "simulate"], capture_output=True, text=True, check=False)
+    return "" if built.returncode == 0 else "does not compile: " + built.stdout[-1500:]
+
+
+def caught(tree: pathlib.Path, name: str, seeds: str) -> str:
+    """What has found the error; empty if nothing has."""
+    if words := build(tree):
+        sys.exit(f"{name}: {words}")
+    if name in MENDS:
+        failures = run(tree, "--scenarios").splitlines()
+        return f"{len(failures)} scenarios fail: {failures[0]}" if failures else ""
+    found = re.search(r"seed (\d+): (.*)", text := run(tree, "0", seeds, "2", "1"))
+    return f"caught by seed {found[1]} of {text.split(' seeds')[0].split()[-1]}: {found[2]}" if found else ""
+
+
 def main() -> None:
     tree, seeds = pathlib.Path(sys.argv[1]), sys.argv[2]
+    if words := build(tree) or run(tree, "--scenarios") or re.search(r"seed \d+: .*", run(tree, "0", "300", "2", "1")):
+        sys.exit(f"the program as it is fails: {words}")
     missed = 0
     for name, edits in (MUTATIONS | MENDS).items():
         if sys.argv[3:] and name not in sys.argv[3:]:
             continue
         before = changed(tree, edits)
-        built = subprocess.run(["ninja", "-C", tree / "build/release", "simulate"], capture_output=True, text=True, check=False)
-        if built.returncode != 0:
-            answer = "does not compile: " + built.stdout[-1500:]
-        elif name in MENDS:
-            failures = run(tree, "--scenarios").splitlines()
-            answer = f"{len(failures)} scenarios fail: {failures[0] if failures else ''}"
-        else:
-            found = re.search(r"seed (\d+): (.*)", text := run(tree, "0", seeds, "2", "1"))
-            answer = f"caught by seed {found[1]} of {text.split(' seeds')[0].split()[-1]}: {found[2]}" if found else "NOT CAUGHT"
-        print(f"{name}: {answer[:300]}", flush=True)
-        missed += "NOT CAUGHT" in answer or answer.startswith("0 scenarios") or answer.startswith("does not")
-        for path, text in before.items():
-            path.write_text(text)
+        try:
+            answer = caught(tree, name, seeds)
+        finally:
+            for path, text in before.items():
+                path.write_text(text)
+        print(f"{name}: {answer[:300] or 'NOT CAUGHT'}", flush=True)
+        missed += not answer
     sys.exit(missed)
 
 

@@ -72,7 +72,8 @@ void play_share(const Range& range, int job, std::uint64_t from, Disk& disk, Boa
 using Hits = decltype(DiskState::hits);
 using Seen = decltype(DiskState::seen);
 
-void print_sites(const std::vector<std::unique_ptr<Disk>>& disks) {
+// Prints the sites that were never hit; returns the share of those that were.
+double print_sites(const std::vector<std::unique_ptr<Disk>>& disks) {
   std::string never;
   std::uint64_t sites = 0, hit = 0;
   for (int work = 0; work < kWorks; ++work) {
@@ -99,6 +100,7 @@ void print_sites(const std::vector<std::unique_ptr<Disk>>& disks) {
   }
   fmt::print("fault sites (fault x call x file x phase): {} of {} hit; never hit:\n{}", hit, sites,
              never.empty() ? "  none\n" : never);
+  return static_cast<double>(hit) / static_cast<double>(std::max<std::uint64_t>(sites, 1));
 }
 
 void print_tally(const Tally& all, double seconds, std::uint64_t failures) {
@@ -111,14 +113,16 @@ void print_tally(const Tally& all, double seconds, std::uint64_t failures) {
       all.certify_runs, all.yield_runs, all.exports, all.second_searches, failures);
 }
 
-// Returns whether no seed was left out, and (of many) everything has happened that a story holds.
-bool is_all_played(const Range& range, const Tally& all) {
+// Returns whether no seed was left out, and (of many) everything has happened that a story holds,
+// at half of the sites at least: 440 of 650 were hit by 16,000 seeds.
+bool is_all_played(const Range& range, const Tally& all, double share_of_sites) {
   constexpr std::uint64_t kMany = 10000;
   const std::uint64_t seeds = range.last - range.first;
   const auto* const counts = reinterpret_cast<const std::uint64_t*>(&all);
   const bool is_all =
       all.seeds == seeds &&
-      (seeds < kMany || std::count(counts, counts + sizeof all / sizeof *counts, 0) == 0);
+      (seeds < kMany || (share_of_sites > 0.5 &&
+                         std::count(counts, counts + sizeof all / sizeof *counts, 0) == 0));
   if (!is_all) fmt::print("not everything was played\n");
   return is_all;
 }
@@ -164,9 +168,9 @@ int play_range(const Range& range) {
   }
   print_tally(all, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
               board.failures);
-  print_sites(disks);
+  const double share_of_sites = print_sites(disks);
   for (const auto& disk : disks) std::filesystem::remove_all(disk->folder());
-  return board.failures == 0 && is_all_played(range, all) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return board.failures == 0 && is_all_played(range, all, share_of_sites) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 // Leaves out ranks, lives and single faults in turn, as long as the seed still fails.

@@ -1,0 +1,40 @@
+// The springs of the folding picture: which diagonals have one, and how hard it pulls or pushes.
+
+/** Returns whether the design puts a spring on a diagonal. */
+function has_spring({ actuators }, { from, to }) {
+  const { kind, on } = actuators.fill ?? {};
+  if (kind !== "springs") return false;
+  return !Array.isArray(on) || on.includes(`${from}-${to}`) || on.includes(`${to}-${from}`);
+}
+
+/**
+ * Diagonals that lengthen and those that shorten as the sheet folds: { pairs, numbers, colour,
+ * pushes }. `without`: those that have no spring, and not those that have one.
+ */
+export function kinds_of_springs(report, { grows }, without = false) {
+  return [false, true].map((pushes) => {
+    const numbers = report.diagonals
+      .map((_, d) => d)
+      .filter((d) => grows[d] !== pushes && has_spring(report, report.diagonals[d]) !== without);
+    const pairs = numbers.map((d) => {
+      const { from_vertex, to_vertex } = report.diagonals[d];
+      return [from_vertex, to_vertex];
+    });
+    return { pairs, numbers, colour: pushes ? "shrinks" : "grows", pushes };
+  });
+}
+
+/**
+ * Returns a function of a sample and a diagonal: its spring's force as a share of the largest one
+ * up to D. Springs that are equal and relaxed when flat have one in proportion to their elongation.
+ */
+export function share_of_force(report, decoded) {
+  const count = report.diagonals.length,
+    { force_n, flat_mm, relative, depth } = decoded;
+  const force = (k, d) =>
+    Math.abs(force_n ? force_n[k * count + d] : (relative(k, d) - 1) * flat_mm[d]);
+  let most = 0;
+  for (let k = 0; k <= depth; ++k)
+    for (let d = 0; d < count; ++d) most = Math.max(most, force(k, d));
+  return (k, d) => (most > 0 ? force(k, d) / most : 0);
+}
