@@ -4,12 +4,19 @@ import * as Plot from "@observablehq/plot";
 import { plot_with_room, when_wide } from "./chart.js";
 import { with_bounds } from "./conditions.js";
 import { follow_drags } from "./dragged_region.js";
-import { by_id, clamp, count, h, plural, with_modifier } from "./format.js";
+import { by_id, clamp, h, with_modifier } from "./format.js";
 import { front_of } from "./front.js";
 import { axis_title, metric_of, with_unit } from "./metrics.js";
 import { add_saving } from "./save.js";
-import { metrics_of, scale_of } from "./scatter_axes.js";
-import { drawn_mark, legend_of, marks_of, paint_marks, quiet_marks } from "./scatter_marks.js";
+import { metrics_of, next_row, scale_of } from "./scatter_axes.js";
+import {
+  drawn_mark,
+  legend_of,
+  marks_of,
+  paint_marks,
+  quiet_marks,
+  scatter_words,
+} from "./scatter_marks.js";
 import { colour, on_theme } from "./theme.js";
 
 const kHeight = 400,
@@ -269,14 +276,10 @@ class Scatter {
   #say(order, visible, front, most) {
     const missing = order.filter((row) => !this.#has_place(row)).length,
       outside = order.length - missing - visible.length;
-    by_id("scatter-note").textContent =
-      `${plural(visible.length, "candidate")} shown` +
-      (outside ? `, ${count(outside)} outside this region` : "") +
-      (missing ? `, ${count(missing)} without a value on these axes` : "") +
-      (order.length < this.#candidates.count ? "; faint: filtered out" : "") +
-      (most === null ? "" : ". Hexagons are coloured by their number of candidates") +
-      ". Rings: all details in this report. Drag to enlarge a region." +
-      (front.length ? ` Line: Pareto front of ${plural(front.length, "candidate")}.` : "");
+    by_id("scatter-note").textContent = scatter_words({
+      ...{ outside, missing, most, front: front.length, shown: visible.length },
+      is_filtered: order.length < this.#candidates.count,
+    });
   }
 
   #nearest(event) {
@@ -306,27 +309,12 @@ class Scatter {
     tip.style.top = `${Math.max(0, this.#ys[row] - 62)}px`;
   }
 
-  /**
-   * The next row in an arrow's direction; equals are ordered by the other axis, then by their rows.
-   */
   #next(key) {
-    const way = {
-      ArrowRight: [this.#xs, this.#ys, 1],
-      ArrowLeft: [this.#xs, this.#ys, -1],
-      ArrowUp: [this.#ys, this.#xs, -1],
-      ArrowDown: [this.#ys, this.#xs, 1],
-    }[key];
-    if (!way) return null;
-    const [along, other, sign] = way,
-      at = this.#candidates.row_of.get(this.#state.get("picked"));
-    const before = (a, b) => sign * (along[a] - along[b]) || other[a] - other[b] || a - b;
-    let best = -1;
-    for (let row = 0; row < this.#xs.length; ++row) {
-      const further = at === undefined || before(row, at) > 0;
-      if (!this.#shown[row] || !this.#is_visible(row) || !further) continue;
-      if (best < 0 || before(row, best) < 0) best = row;
-    }
-    return best;
+    const picked = this.#candidates.row_of.get(this.#state.get("picked"));
+    return next_row(this.#xs, this.#ys, key, {
+      from: picked,
+      may_be: (row) => this.#shown[row] && this.#is_visible(row),
+    });
   }
 
   #rows() {

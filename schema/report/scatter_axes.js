@@ -1,4 +1,4 @@
-// The axes of the scatter plot: their metrics, scales and regions.
+// The axes of the scatter plot: their metrics, scales, and steps along them.
 import { powers, power } from "./format.js";
 import { axis_title, metrics } from "./metrics.js";
 
@@ -42,4 +42,27 @@ export function first_axes(candidates) {
     across: first(0, "stroke_max"),
     up: first(1, "slope_min_mm_per_deg", "energy_friction_n_mm_per_mm"),
   };
+}
+
+/**
+ * The next row in an arrow's direction that may be taken, -1 without any, null for other keys;
+ * equals are ordered by the other axis, then by their rows.
+ */
+export function next_row(xs, ys, key, { from, may_be }) {
+  const way = {
+    ArrowRight: [xs, ys, 1],
+    ArrowLeft: [xs, ys, -1],
+    ArrowUp: [ys, xs, -1],
+    ArrowDown: [ys, xs, 1],
+  }[key];
+  if (!way) return null;
+  const [along, other, sign] = way;
+  const before = (a, b) => sign * (along[a] - along[b]) || other[a] - other[b] || a - b;
+  let best = -1;
+  for (let row = 0; row < xs.length; ++row) {
+    const further = from === undefined || before(row, from) > 0;
+    if (!further || !may_be(row)) continue;
+    if (best < 0 || before(row, best) < 0) best = row;
+  }
+  return best;
 }

@@ -1,6 +1,6 @@
 // The marks of the scatter plot: points, or hexagons coloured by count where there are many.
 import { count_scale, legend_counts } from "./count_scale.js";
-import { count as count_words, h } from "./format.js";
+import { count as count_words, h, plural } from "./format.js";
 import { corners_of, hexagons_of } from "./hexagons.js";
 import { colour } from "./theme.js";
 
@@ -47,6 +47,19 @@ export function legend_of(most) {
   return legend_counts(most).map((count) =>
     h("li", {}, h("i", { style: `background: ${fill_of(count)}` }), count_words(count)),
   );
+}
+
+/** Describes the plot: numbers of candidates, and whether the filter leaves some out. */
+export function scatter_words({ shown, outside, missing, most, front, is_filtered }) {
+  return [
+    plural(shown, "candidate") + " shown",
+    outside ? `, ${count_words(outside)} outside this region` : "",
+    missing ? `, ${count_words(missing)} without a value on these axes` : "",
+    is_filtered ? "; faint: filtered out" : "",
+    most === null ? "" : ". Hexagons are coloured by their number of candidates",
+    ". Rings: all details in this report. Drag to enlarge a region.",
+    front ? ` Line: Pareto front of ${plural(front, "candidate")}.` : "",
+  ].join("");
 }
 
 /** Paints marks: { x, y, r } or { corners }, filled or with a stroke. */

@@ -1,4 +1,4 @@
-// How many candidates are counted together, without a browser:
+// Numbers of candidates that are counted together, without a browser:
 //   node bins_test.mjs SCHEMA/REPORT
 // Hexagons are the cells of the points nearest to their centres. A density counts each line once in
 // every column that it crosses, where it crosses it.
@@ -76,7 +76,7 @@ function density_check() {
       Math.abs(sum - crossed.length) < 0.01,
       `column ${column}: ${sum} of ${crossed.length}`,
     );
-    // Above any height lie as many lines, but for those that cross it near here.
+    // As many lines lie above any height, but for those that cross it near here.
     for (let y = 5; y < cells; y += 5) {
       const above = found.subarray(0, y).reduce((a, b) => a + b, 0),
         least = crossed.filter((at) => at < (y - 3) * cell).length,

@@ -1,8 +1,8 @@
-// What the filter is offered: the sliders of limits, and the columns that the page lacks.
+// Sliders of limits, and offers of columns that the page lacks.
 import assert from "node:assert/strict";
 import { by, state, unfiltered } from "./reading.mjs";
 
-/** What the page lacks is offered with the command that adds it. */
+/** A column that the page lacks is offered with the command that adds it. */
 async function missing_check(page, { candidates: { columns }, commands }) {
   await unfiltered(page, "a column that the page lacks comes with its command", async () => {
     const { misalign, catalogue, choice, springs, output } = commands;
