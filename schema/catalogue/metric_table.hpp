@@ -53,6 +53,7 @@ struct MetricEntry {
   bool none_is_best = false;      ///< a missing value is best
   bool negative_is_bad = false;   ///< negative values are marked
   bool needs_a_campaign = false;  ///< it depends on a campaign's threshold
+  bool usual = false;  ///< an axis of the report's parallel coordinates unless columns are chosen
 
   bool is_whole() const { return std::holds_alternative<int solver::Metrics::*>(member); }
   bool may_be_none() const {

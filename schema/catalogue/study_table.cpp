@@ -17,7 +17,7 @@ constexpr StudyColumn kOfDeployment[] = {
      Cost::motion, true, true},
     {"critical_friction_n_mm_per_mm", "critical friction", "N mm/mm",
      "Largest friction of the creases with which the released sheet still reaches flat.",
-     Cost::path, false, true},
+     Cost::path, false, true, true},
     {"stall_deg", "stall", "deg",
      "Pilot angle at which the design’s friction would stop a quasi-static motion; 0 if it reaches "
      "flat.",
@@ -35,7 +35,7 @@ constexpr StudyColumn kOfDeployment[] = {
     {"static_friction_n_mm_per_mm", "static friction, bent", "N mm/mm",
      "Largest friction that a sheet with bending panels overcomes from rest at every angle, from "
      "release down to the design’s margin_to_deg (1° by default).",
-     Cost::motion},
+     Cost::motion, false, false, true},
     {"static_margin", "static margin", "",
      "Static friction over the design’s friction, less 1, at the worst angle; none without "
      "friction.",

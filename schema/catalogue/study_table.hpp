@@ -27,6 +27,7 @@ struct StudyColumn {
   Cost cost;
   bool less_is_better = false;
   bool in_report = false;  ///< true if `report --STUDY` adds it; --column adds any
+  bool usual = false;      ///< an axis of the report, as MetricEntry::usual
 };
 
 struct StudyEntry {

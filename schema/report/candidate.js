@@ -1,41 +1,11 @@
 // Shows the selected draw's metrics and verdict, and the commands that continue from it.
+import { copy_button, unbroken } from "./copying.js";
 import { ends_of } from "./data.js";
 import { certified, count, dashed, degrees, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
 import { save_text } from "./save.js";
 import { is_pattern, kExports, noun, pattern_commands } from "./page_kind.js";
 import { fault_words } from "./words.js";
-
-async function copy(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-  } catch {
-    // Pages opened from a file may be denied the clipboard: execCommand needs a selected field.
-    const field = h("textarea", { class: "sr" });
-    field.value = text;
-    document.body.append(field);
-    field.select();
-    document.execCommand("copy");
-    field.remove();
-  }
-}
-
-const copy_button = (text, state, words = "Copy") => {
-  const button = h("button", { type: "button", "data-testid": "copy" }, words);
-  let timer = 0;
-  button.addEventListener("click", async () => {
-    await copy(text);
-    button.textContent = "Copied";
-    state.set("said", "Copied");
-    clearTimeout(timer);
-    timer = setTimeout(() => (button.textContent = words), 1200);
-  });
-  return button;
-};
-
-/** Words in elements of their own: lines break between them, and not behind a hyphen. */
-const unbroken = (text) =>
-  text.split(" ").flatMap((word, i) => [i > 0 ? " " : null, h("span", {}, word)]);
 
 export function command(about, text, state, id) {
   return h(

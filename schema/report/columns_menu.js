@@ -1,8 +1,33 @@
-// Shows a box for each column of the table. State "columns" is the choice.
+// Shows a box for each column of the table, and a button for each that the page lacks. State
+// "columns" is the choice.
 import { by_id, h } from "./format.js";
+import { missing_columns, offer_of } from "./missing_columns.js";
 import { chosen_columns, columns_of, is_fixed, words_of } from "./table_columns.js";
 
-export function make_columns_menu(candidates, state) {
+/** Buttons for the columns that the page lacks; each shows the command that adds its column. */
+function offers(report, candidates, state) {
+  const missing = missing_columns(candidates);
+  if (missing.length === 0) return [];
+  const place = h("div", { role: "status" });
+  const button = ({ name, label, about }) =>
+    h(
+      "button",
+      {
+        type: "button",
+        title: about,
+        "data-testid": `missing-${name}`,
+        onclick: () => place.replaceChildren(offer_of(report, name, state)),
+      },
+      label,
+    );
+  return [
+    h("p", {}, "Columns that this page lacks, each with the command that adds it:"),
+    h("div", { class: "missing" }, missing.map(button)),
+    place,
+  ];
+}
+
+export function make_columns_menu(report, candidates, state) {
   const all = columns_of(candidates).filter((column) => !is_fixed(column));
   const is_shown = (column) => chosen_columns(candidates, state.get("columns")).includes(column);
   const toggle = (column, wanted) => {
@@ -38,6 +63,7 @@ export function make_columns_menu(candidates, state) {
       { class: "boxes" },
       all.map((column, k) => h("label", { title: column.about }, boxes[k], ` ${column.label}`)),
     ),
+    ...offers(report, candidates, state),
   );
   state.on("columns", show);
   show();

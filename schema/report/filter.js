@@ -1,6 +1,7 @@
 // Parses the table's filter: conditions, all of which must hold.
 //   stroke_max < 0.05 deploys_from_deg >= 172        bump_deg is none        draw = 1234        details
 import { metric_of, metrics, of_studies } from "./metrics.js";
+import { missing_columns } from "./missing_columns.js";
 
 const kNames = ["draw", ...metrics.map((metric) => metric.name)];
 const kToken = /\s*(?:(<=|>=|!=|==|<|>|=|≤|≥|≠)|([^\s<>=!≤≥≠,;&]+)|(,|;|&&))/y;
@@ -17,7 +18,10 @@ const compare = {
   "!=": (a, b) => a !== b,
 };
 
-/** { holds(row) } for the candidates, or { error } in words. */
+/**
+ * { holds(row) } for the candidates, or { error, offers } with an error in words, and the columns of
+ * studies that the page lacks and the text may mean.
+ */
 export function parse_filter(typed, candidates) {
   const text = with_names(typed);
   const tokens = [];
@@ -44,10 +48,10 @@ export function parse_filter(typed, candidates) {
     const is_value = number_of(first.word) !== null;
     if (is_value && /^\d+$/.test(first.word) && tokens.length === 1) {
       const made = condition("draw", "=", first.word, candidates); // a number alone names a draw
-      return made.error ? made : { holds: made.test };
+      return made.test ? { holds: made.test } : made;
     }
-    if (!is_value && !kNames.includes(first.word))
-      return { error: unknown_name(first.word, candidates) };
+    if (!is_value && !kNames.includes(first.word)) return unknown_name(first.word, candidates);
+    if (!is_value && !candidates.columns[first.word]) return without(first.word);
     const sign = tokens[i + 1]?.word === "is" ? "=" : tokens[i + 1]?.sign;
     const second = tokens[i + 2]?.word;
     if (!sign)
@@ -60,9 +64,9 @@ export function parse_filter(typed, candidates) {
     const [name, value, operator] = is_value
       ? [second, first.word, kMirror[sign]]
       : [first.word, second, sign];
-    if (!kNames.includes(name)) return { error: unknown_name(name, candidates) };
+    if (!kNames.includes(name)) return unknown_name(name, candidates);
     const made = condition(name, operator, value, candidates);
-    if (made.error) return made;
+    if (!made.test) return made;
     tests.push(made.test);
     i += is_value && tokens[i + 3]?.sign ? 2 : 3;
   }
@@ -93,7 +97,7 @@ function number_of(word) {
 function condition(name, operator, word, { columns }) {
   const values = columns[name],
     holds = compare[operator];
-  if (!values) return { error: without(name) };
+  if (!values) return without(name);
   if (name === "draw") {
     if (!/^\d+$/.test(word)) return { error: `“${word}” is not a draw’s number.` };
     const draw = BigInt(word);
@@ -116,22 +120,33 @@ function condition(name, operator, word, { columns }) {
 /** Says that the page lacks a metric. */
 const without = (name) =>
   of_studies.has(name)
-    ? `This page has no column “${name}”; “misalign report --column ${name}” adds it.`
-    : `This catalogue has no column “${name}”.`;
+    ? { error: "", offers: [name] }
+    : { error: `This catalogue has no column “${name}”.` };
 
-function unknown_name(word, { columns }) {
-  const present = kNames.filter((name) => columns[name]);
-  const near = present.map((name) => [distance(word, name), name]).sort((a, b) => a[0] - b[0])[0];
+const kNear = 4, // letters to change
+  kLeastPart = 4, // letters of a part of a name
+  kMostOffers = 4;
+
+function unknown_name(word, candidates) {
+  const present = kNames.filter((name) => candidates.columns[name]),
+    missing = missing_columns(candidates).map(({ name }) => name);
   const has_part = (name) =>
     name.includes(word.toLowerCase()) || name.replaceAll("_", "").includes(word.toLowerCase());
-  const part = present.find(has_part);
-  const guess = part ?? (near[0] <= 4 ? near[1] : null);
-  const elsewhere = guess ? null : kNames.find((name) => of_studies.has(name) && has_part(name));
-  if (elsewhere) return `“${word}” is no column of this page. ${without(elsewhere)}`;
-  return (
-    `“${word}” is no column` +
-    (guess ? `: did you mean “${guess}”?` : "; the list below the field has all names.")
-  );
+  const nearest = (names) =>
+    names
+      .map((name) => [distance(word, name), name])
+      .filter(([apart]) => apart <= kNear)
+      .sort((a, b) => a[0] - b[0])[0]?.[1];
+  const parts = word.length < kLeastPart ? [] : missing.filter(has_part);
+  const guess = present.find(has_part) ?? (parts.length ? undefined : nearest(present));
+  const other = guess || parts.length ? undefined : nearest(missing);
+  const offers = other ? [other] : parts.slice(0, kMostOffers);
+  const hint = guess
+    ? `: did you mean “${guess}”?`
+    : offers.length
+      ? " of this page."
+      : "; the list below the field has all names.";
+  return { error: `“${word}” is no column${hint}`, offers };
 }
 
 function distance(a, b) {

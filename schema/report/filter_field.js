@@ -2,6 +2,7 @@
 import { parse_filter } from "./filter.js";
 import { count, h, plural } from "./format.js";
 import { metrics } from "./metrics.js";
+import { offer_of } from "./missing_columns.js";
 
 const kExamples = [
   "stroke_max < 5%",
@@ -46,16 +47,19 @@ function help(insert) {
 }
 
 /** State "filter" is the text; a text with errors leaves the table as it is. */
-export function make_filter_field(candidates, table, state) {
+export function make_filter_field(report, candidates, table, state) {
   const field = document.getElementById("filter"),
     says = document.getElementById("filter-says");
   const read = (typed) => {
     const text = typed.trim(),
       parsed = parse_filter(text, candidates);
     if (field.value.trim() !== text) field.value = typed;
-    field.setAttribute("aria-invalid", String(Boolean(parsed.error)));
-    if (parsed.error) {
-      says.textContent = parsed.error;
+    field.setAttribute("aria-invalid", String(parsed.error !== undefined));
+    if (parsed.error !== undefined) {
+      says.replaceChildren(
+        parsed.error,
+        ...(parsed.offers ?? []).map((name) => offer_of(report, name, state)),
+      );
       says.className = "error";
       return; // the table stays as it was
     }

@@ -1,17 +1,38 @@
 // Sliders for the angle of use and the hinges' friction, each of which writes a condition into the
-// filter.
+// filter. They begin at the values of the campaign's design.
 import { bounds_in, with_bounds } from "./conditions.js";
 import { by_id, h, number } from "./format.js";
 import { metric_of, with_unit } from "./metrics.js";
 
 const kLimits = [
-  { name: "deploys_from_deg", says: "Angle of use" },
-  { name: "critical_friction_n_mm_per_mm", says: "Hinge friction" },
+  { name: "deploys_from_deg", says: "Angle of use", of_design: ({ from_deg }) => from_deg },
+  {
+    name: "critical_friction_n_mm_per_mm",
+    says: "Hinge friction",
+    of_design: ({ hinges }) => hinges?.friction_n_mm_per_mm || null, // 0: none
+  },
 ];
 const kSteps = 200;
 
-function slider({ name, says }, values, state) {
-  const known = values.filter((value) => value !== null);
+const known_in = (values) => values?.filter((value) => value !== null) ?? [];
+
+/** The limits of which candidates differ, each with the design's value or null. */
+const limits_of = (report, candidates) =>
+  kLimits
+    .filter(({ name }) => new Set(known_in(candidates.columns[name])).size > 1)
+    .map((limit) => {
+      const { design } = report.campaign.configuration;
+      return { ...limit, designed: (design && limit.of_design(design)) ?? null };
+    });
+
+/** The conditions of the campaign's design, as text of the filter. */
+export const filter_of_design = (report, candidates) =>
+  limits_of(report, candidates)
+    .filter(({ designed }) => designed !== null)
+    .reduce((filter, { name, designed }) => with_bounds(filter, name, { least: designed }), "");
+
+function slider({ name, says, designed }, values, state) {
+  const known = known_in(values);
   const [least, most] = [Math.min(...known), Math.max(...known)],
     step = (most - least) / kSteps;
   const out = h("output", {});
@@ -32,10 +53,13 @@ function slider({ name, says }, values, state) {
     );
   });
   const show = (filter) => {
-    const value = bounds_in(filter, name).least;
+    const value = bounds_in(filter, name).least,
+      origin = value !== null && value === designed ? ", of the design" : "";
     input.value = value === null ? 0 : Math.round((value - least) / step);
     out.textContent =
-      value === null ? "any" : with_unit({ ...metric_of[name], text: (v) => number(v) }, value);
+      value === null
+        ? "any"
+        : with_unit({ ...metric_of[name], text: (v) => number(v) }, value) + origin;
   };
   state.on("filter", show);
   show(state.get("filter"));
@@ -43,10 +67,10 @@ function slider({ name, says }, values, state) {
 }
 
 /** Adds sliders for columns in which candidates differ. */
-export function make_limits(candidates, state) {
-  for (const limit of kLimits) {
-    const values = candidates.columns[limit.name],
-      known = values?.filter((value) => value !== null) ?? [];
-    if (new Set(known).size > 1) by_id("limits").append(slider(limit, values, state));
-  }
+export function make_limits(report, candidates, state) {
+  by_id("limits").append(
+    ...limits_of(report, candidates).map((limit) =>
+      slider(limit, candidates.columns[limit.name], state),
+    ),
+  );
 }

@@ -8,8 +8,9 @@ import { by_id, clamp, count, degrees, h, plural } from "./format.js";
 import { pictures } from "./folding_view.js";
 import { Inspector } from "./inspector.js";
 import { show_overview } from "./overview.js";
-import { first_axes, make_scatter, metrics_of } from "./scatter.js";
-import { make_limits } from "./limits.js";
+import { make_scatter } from "./scatter.js";
+import { first_axes, metrics_of } from "./scatter_axes.js";
+import { filter_of_design, make_limits } from "./limits.js";
 import { make_parallel } from "./parallel.js";
 import { link_manual } from "./manual.js";
 import { make_state } from "./state.js";
@@ -76,9 +77,9 @@ function show_candidates(report, candidates, state) {
   const table = make_table(by_id("table"), candidates, state);
   make_scatter(by_id("scatter"), candidates, state, name);
   make_parallel(by_id("parallel"), candidates, state);
-  make_filter_field(candidates, table, state);
-  make_limits(candidates, state);
-  make_columns_menu(candidates, state);
+  make_filter_field(report, candidates, table, state);
+  make_limits(report, candidates, state);
+  make_columns_menu(report, candidates, state);
   by_id("rows-save").addEventListener("click", () =>
     save_rows(candidates, state.get("order"), name),
   );
@@ -234,8 +235,9 @@ async function main() {
   const first = report.details[0]?.draw ?? candidates.columns.draw[0] ?? null;
   const state = make_state({
     picked: first_draw(candidates, first),
+    hovered: null, // the draw under the pointer
     computed: null, // the draw that was folded last for this page
-    filter: "",
+    filter: is_pattern(report) ? "" : filter_of_design(report, candidates),
     sort: "",
     columns: "", // all of them
     beside: "", // no draw is held

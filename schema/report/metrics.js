@@ -16,7 +16,8 @@ const kWritten = {
 
 // `label` and `unit` head a column; `axis` is a share's factor on an axis (100: %); `better` says
 // which values come first when sorted, `none_is_best` that no value is best; `warns` returns
-// whether a value is bad; a column that `may_be_unknown` is left out where no row has a value.
+// whether a value is bad; a column that `may_be_unknown` is left out where no row has a value; a
+// `usual` one is an axis of the parallel coordinates where no columns are chosen.
 const kStored = words.metrics.map(
   ({ written, unit, meaning, negative_is_bad, needs_a_campaign, ...rest }) => ({
     ...rest,
@@ -33,6 +34,7 @@ const kStored = words.metrics.map(
 const kYields = [
   {
     name: "yield",
+    usual: true,
     label: "yield",
     unit: "%",
     axis: 100,
@@ -65,6 +67,7 @@ const kYields = [
 const kCertified = [
   {
     name: "certified_deg",
+    usual: true,
     label: "certified",
     unit: "deg",
     better: "more",
@@ -78,6 +81,7 @@ const kCertified = [
 const kEnds = [
   {
     name: "start_value",
+    usual: true,
     label: "objective at start",
     unit: "",
     better: "more",
@@ -87,6 +91,7 @@ const kEnds = [
   },
   {
     name: "end_value",
+    usual: true,
     label: "objective",
     unit: "",
     better: "more",

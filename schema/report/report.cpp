@@ -121,6 +121,7 @@ Json words_json() {
     if (metric.none_is_best) json["none_is_best"] = true;
     if (metric.negative_is_bad) json["negative_is_bad"] = true;
     if (metric.needs_a_campaign) json["needs_a_campaign"] = true;
+    if (metric.usual) json["usual"] = true;
     if (metric.schema_since > 1 && !metric.none_is_best) json["may_be_unknown"] = true;
   }
   Json columns = Json::array();
@@ -131,6 +132,7 @@ Json words_json() {
                          {"unit", column.unit},
                          {"meaning", column.meaning},
                          {"better", column.less_is_better ? "less" : "more"}});
+      if (column.usual) columns.back()["usual"] = true;
     }
   }
   return {{"faults", faults}, {"metrics", metrics}, {"columns_of_studies", columns}};

@@ -1,78 +1,57 @@
-// Scatter plot of two metrics of the candidates: axes by Plot, points on a canvas, which is fast
-// for tens of thousands.
+// Scatter plot of two metrics of the candidates: axes by Plot, marks on a canvas, which is fast for
+// tens of thousands. A drag enlarges a region.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room, when_wide } from "./chart.js";
-import { count, h, plural, power, powers, with_modifier } from "./format.js";
-import { axis_title, metrics, metric_of, with_unit } from "./metrics.js";
-import { add_saving } from "./save.js";
+import { with_bounds } from "./conditions.js";
+import { follow_drags } from "./dragged_region.js";
+import { by_id, clamp, h, with_modifier } from "./format.js";
 import { front_of } from "./front.js";
+import { axis_title, metric_of, with_unit } from "./metrics.js";
+import { add_saving } from "./save.js";
+import { metrics_of, next_row, scale_of } from "./scatter_axes.js";
+import {
+  drawn_mark,
+  legend_of,
+  marks_of,
+  paint_marks,
+  quiet_marks,
+  scatter_words,
+} from "./scatter_marks.js";
 import { colour, on_theme } from "./theme.js";
 
 const kHeight = 400,
   kMargins = { marginLeft: 66, marginRight: 16, marginTop: 14, marginBottom: 44 },
-  kMany = 3000, // number of points from which they are drawn smaller
-  kReach_px = 24;
-
-/** An axis; logarithmic for positive values over more than three decades. */
-function scale_of(metric, values) {
-  let least = Infinity,
-    most = -Infinity;
-  for (const value of values) {
-    if (value === null) continue;
-    least = Math.min(least, value);
-    most = Math.max(most, value);
-  }
-  if (least > most) [least, most] = [0, 1];
-  const log = least > 0 && most / least > 1000;
-  const spare = log ? 0 : (most - least) * 0.03 || Math.abs(most) * 0.05 || 0.5;
-  return {
-    type: log ? "log" : "linear",
-    domain: log ? [least / 1.2, most * 1.2] : [least - spare, most + spare],
-    ...(log ? { ticks: powers(least / 1.2, most * 1.2), tickFormat: power } : {}),
-    label: axis_title(metric) + (log ? ", log scale" : ""),
-    labelAnchor: "center",
-    labelArrow: "none",
-    grid: true,
-  };
-}
-
-/** The metrics of the candidates, and the first two axes. */
-export const metrics_of = (candidates) => metrics.filter(({ name }) => candidates.columns[name]);
-export function first_axes(candidates) {
-  const present = metrics_of(candidates)
-    .map(({ name }) => name)
-    .filter((name) => candidates.columns[name].some((value) => value !== null));
-  const first = (i, ...wanted) =>
-    wanted.find((name) => present.includes(name)) ?? present[i] ?? null;
-  // Sheets that are driven by their energy alone have no least slope.
-  return {
-    across: first(0, "stroke_max"),
-    up: first(1, "slope_min_mm_per_deg", "energy_friction_n_mm_per_mm"),
-  };
-}
+  kReach_px = 24,
+  kStep = 2; // of a key's zoom
 
 class Scatter {
   #candidates;
   #state;
   #axes = h("div");
   #tip = h("output", { class: "tip", hidden: true, "aria-hidden": "true" });
+  #ring = h("div", { class: "ring", hidden: true });
   #canvas = h("canvas", {
     tabindex: 0,
     role: "application",
     "data-testid": "scatter-canvas",
     "aria-label":
-      "Scatter of two metrics. Arrow keys pick the next candidate along an axis, a click the nearest.",
+      "Scatter of two metrics. Arrow keys pick the next candidate along an axis, a click the nearest. A drag enlarges a region, + and − the region around the picked candidate; 0 shows the whole plot.",
   });
   #width = 0;
+  #frame = { left: 0, right: 0, top: 0, bottom: 0 };
+  #scales = []; // of both axes
+  #region = [null, null]; // the enlarged domains
   #xs = new Float64Array(0);
   #ys = new Float64Array(0);
   #shown = new Uint8Array(0);
+  #was_dragged;
 
   constructor(box, candidates, state, name) {
     [this.#candidates, this.#state] = [candidates, state];
     for (const axis of ["across", "up"]) this.#add_select(axis);
-    box.append(this.#axes, this.#canvas, this.#tip);
+    box.append(this.#axes, this.#canvas, this.#ring, this.#tip);
     box.classList.add("scatter");
+    this.#was_dragged = follow_drags(this.#canvas, (dragged) => this.#enlarge(dragged));
     this.#listen();
     when_wide(box, (width) => {
       this.#width = width;
@@ -86,7 +65,7 @@ class Scatter {
   }
 
   #add_select(axis) {
-    const select = document.getElementById(`scatter-${axis === "across" ? "x" : "y"}`);
+    const select = by_id(`scatter-${axis === "across" ? "x" : "y"}`);
     select.append(
       ...metrics_of(this.#candidates).map((metric) =>
         h("option", { value: metric.name }, axis_title(metric)),
@@ -96,25 +75,35 @@ class Scatter {
     select.addEventListener("change", () => this.#state.set(axis, select.value));
     this.#state.on(axis, (name) => {
       select.value = name;
-      this.#draw();
+      this.#show_region([null, null]);
     });
   }
 
   #listen() {
     const canvas = this.#canvas,
-      pick = (row) => row >= 0 && this.#state.set("picked", this.#candidates.columns.draw[row]);
-    canvas.addEventListener("click", (event) => pick(this.#nearest(event).row));
+      state = this.#state,
+      pick = (row) => row >= 0 && state.set("picked", this.#candidates.columns.draw[row]);
+    canvas.addEventListener("click", (event) => {
+      if (!this.#was_dragged()) pick(this.#nearest(event).row);
+    });
     canvas.addEventListener("pointermove", (event) => this.#tell(event));
-    canvas.addEventListener("pointerleave", () => (this.#tip.hidden = true));
+    canvas.addEventListener("pointerleave", () => {
+      this.#tip.hidden = true;
+      state.set("hovered", null);
+    });
     canvas.addEventListener("keydown", (event) => {
+      if (this.#zoom(event)) return event.preventDefault();
       const row = with_modifier(event) ? null : this.#next(event.key);
       if (row === null) return;
       event.preventDefault();
       pick(row);
     });
-    document.getElementById("scatter-front").addEventListener("change", () => this.#paint());
-    this.#state.on("order", () => this.#paint());
-    this.#state.on("picked", () => this.#paint());
+    by_id("scatter-front").addEventListener("change", () => this.#paint());
+    by_id("scatter-whole").addEventListener("click", () => this.#show_region([null, null]));
+    by_id("scatter-keep").addEventListener("click", () => this.#filter_by_region());
+    state.on("order", () => this.#paint());
+    state.on("picked", () => this.#paint());
+    state.on("hovered", () => this.#show_hovered());
     on_theme(() => this.#paint());
   }
 
@@ -124,88 +113,143 @@ class Scatter {
 
   #draw() {
     if (!this.#width) return;
-    const [x_metric, y_metric] = this.#metrics();
-    const values = [x_metric, y_metric].map(({ name, axis = 1 }) =>
+    const shown = this.#metrics();
+    const values = shown.map(({ name, axis = 1 }) =>
       this.#candidates.columns[name].map((value) => (value === null ? null : value * axis)),
     );
+    const [across, up] = shown.map((metric, i) => scale_of(metric, values[i], this.#region[i]));
     const plot = plot_with_room({
       width: this.#width,
       height: kHeight,
       ...kMargins,
       className: "plot",
       ariaHidden: "true",
-      x: scale_of(x_metric, values[0]),
-      y: scale_of(y_metric, values[1]),
+      x: across,
+      y: up,
       marks: [Plot.frame({ stroke: "var(--line)" })],
     });
     this.#axes.replaceChildren(plot);
     const [x, y] = [plot.scale("x"), plot.scale("y")];
+    [x.whole, y.whole] = [across.whole, up.whole];
+    this.#scales = [x, y];
+    const [[left, right], [bottom, top]] = [x.range, y.range];
+    this.#frame = { left, right, top, bottom };
     this.#xs = Float64Array.from(values[0], (value) => (value === null ? NaN : x.apply(value)));
     this.#ys = Float64Array.from(values[1], (value) => (value === null ? NaN : y.apply(value)));
     this.#paint();
+  }
+
+  #show_region(region) {
+    this.#region = region;
+    const is_whole = region.every((domain) => domain === null);
+    for (const id of ["scatter-whole", "scatter-keep"]) by_id(id).hidden = is_whole;
+    this.#draw();
+  }
+
+  /** Shows a part of the canvas, in px, as large as the plot. */
+  #enlarge({ left, right, top, bottom }) {
+    const parts = [
+      [left, right],
+      [bottom, top],
+    ];
+    const region = this.#scales.map(({ invert, whole }, i) => {
+      const [least, most] = parts[i].map((place) => clamp(invert(place), ...whole));
+      return least < most ? [least, most] : null;
+    });
+    const is_whole = this.#scales.every(
+      ({ whole }, i) =>
+        region[i] === null || (region[i][0] === whole[0] && region[i][1] === whole[1]),
+    );
+    this.#show_region(is_whole ? [null, null] : region);
+  }
+
+  /** Zooms about the picked candidate or the middle by a key; returns whether it is one. */
+  #zoom({ key, altKey, ctrlKey, metaKey }) {
+    const factor = { "+": kStep, "=": kStep, "-": 1 / kStep, 0: 0 }[key];
+    if (factor === undefined || altKey || ctrlKey || metaKey) return false;
+    if (factor === 0) this.#show_region([null, null]);
+    else {
+      const { left, right, top, bottom } = this.#frame,
+        picked = this.#candidates.row_of.get(this.#state.get("picked")),
+        [x, y] = this.#is_visible(picked)
+          ? [this.#xs[picked], this.#ys[picked]]
+          : [(left + right) / 2, (top + bottom) / 2],
+        [wide, tall] = [(right - left) / 2 / factor, (bottom - top) / 2 / factor];
+      this.#enlarge({ left: x - wide, right: x + wide, top: y - tall, bottom: y + tall });
+    }
+    return true;
+  }
+
+  #filter_by_region() {
+    let filter = this.#state.get("filter");
+    for (const [i, { name, axis = 1 }] of this.#metrics().entries()) {
+      const bounds = this.#region[i]?.map((end) => Number((end / axis).toPrecision(4)));
+      if (bounds) filter = with_bounds(filter, name, { least: bounds[0], most: bounds[1] });
+    }
+    this.#state.set("filter", filter);
   }
 
   #has_place(row) {
     return row !== undefined && !Number.isNaN(this.#xs[row] + this.#ys[row]);
   }
 
-  /** Dots in their order: filtered out, shown, with details (rings), picked. */
-  *#dots() {
+  #is_visible(row) {
+    const { left, right, top, bottom } = this.#frame,
+      [x, y] = [this.#xs[row], this.#ys[row]]; // NaN lies nowhere
+    return x >= left && x <= right && y >= top && y <= bottom;
+  }
+
+  /** { marks, most, visible }: all marks in their order, as scatter_marks describes them. */
+  #marks() {
     const { count: all, detailed, row_of } = this.#candidates,
-      many = all > kMany,
-      r = many ? 1.8 : 2.6;
-    for (const [wanted, fill, opacity] of [
-      [0, "ink-soft", 0.13],
-      [1, "accent", many ? 0.4 : 0.65],
-    ]) {
-      for (let row = 0; row < all; ++row)
-        if (this.#shown[row] === wanted && this.#has_place(row)) yield { row, r, fill, opacity };
-    }
-    for (const draw of detailed) {
-      const row = row_of.get(draw);
-      if (this.#shown[row] && this.#has_place(row)) yield { row, r: 4.5, stroke: "ink", wide: 1.5 };
-    }
+      [visible, others] = [[], []];
+    for (let row = 0; row < all; ++row)
+      if (this.#is_visible(row)) (this.#shown[row] ? visible : others).push(row);
+    const { marks, most } = marks_of(this.#xs, this.#ys, visible);
+    const at = (row, rest) => ({ x: this.#xs[row], y: this.#ys[row], ...rest });
+    const rings = [...detailed]
+      .map((draw) => row_of.get(draw))
+      .filter((row) => this.#shown[row] && this.#is_visible(row))
+      .map((row) => at(row, { r: 4.5, stroke: colour("ink"), wide: 1.5 }));
     const picked = row_of.get(this.#state.get("picked"));
-    if (!this.#has_place(picked)) return;
-    yield { row: picked, r: 5, fill: "pick", opacity: 1 };
-    yield { row: picked, r: 9, stroke: "ink", wide: 2 };
+    const chosen = this.#is_visible(picked)
+      ? [
+          at(picked, { r: 5, fill: colour("pick") }),
+          at(picked, { r: 9, stroke: colour("ink"), wide: 2 }),
+        ]
+      : [];
+    const quiet = quiet_marks(this.#xs, this.#ys, others);
+    return { marks: [...quiet, ...marks, ...rings, ...chosen], most, visible };
   }
 
   #paint() {
     if (!this.#width) return;
     const ratio = devicePixelRatio || 1,
-      order = this.#state.get("order") ?? [];
+      order = this.#state.get("order") ?? [],
+      { left, right, top, bottom } = this.#frame;
     this.#canvas.width = this.#width * ratio;
     this.#canvas.height = kHeight * ratio;
     this.#canvas.style.width = `${this.#width}px`;
     const pen = this.#canvas.getContext("2d");
     pen.scale(ratio, ratio);
+    pen.beginPath();
+    pen.rect(left - 1, top - 1, right - left + 2, bottom - top + 2);
+    pen.clip();
     this.#shown = new Uint8Array(this.#candidates.count);
     for (const row of order) this.#shown[row] = 1;
-    const inks = Object.fromEntries(
-      ["ink-soft", "accent", "ink", "pick"].map((name) => [name, colour(name)]),
-    );
-    for (const { row, r, fill, opacity, stroke, wide } of this.#dots()) {
-      pen.globalAlpha = opacity ?? 1;
-      pen.beginPath();
-      pen.arc(this.#xs[row], this.#ys[row], r, 0, 2 * Math.PI);
-      if (fill) {
-        pen.fillStyle = inks[fill];
-        pen.fill();
-      } else {
-        pen.strokeStyle = inks[stroke];
-        pen.lineWidth = wide;
-        pen.stroke();
-      }
-    }
+    const { marks, most, visible } = this.#marks();
+    paint_marks(pen, marks);
+    this.#canvas.dataset.drawn = most === null ? "points" : "hexagons";
     const front = this.#front(order);
     this.#paint_front(pen, front);
-    this.#say(order, front);
+    by_id("scatter-legend").replaceChildren(...legend_of(most));
+    this.#show_hovered();
+    this.#say(order, visible, front, most);
   }
 
   /** The Pareto front of the shown candidates, sorted by the first metric. */
   #front(order) {
-    if (!document.getElementById("scatter-front").checked) return [];
+    if (!by_id("scatter-front").checked) return [];
     const placed = order.filter((row) => this.#has_place(row)),
       goals = this.#metrics().map(({ name, better }) => ({
         values: this.#candidates.columns[name],
@@ -215,20 +259,27 @@ class Scatter {
   }
 
   #paint_front(pen, front) {
-    [pen.strokeStyle, pen.lineWidth, pen.globalAlpha] = [colour("ink"), 1.5, 1];
+    [pen.strokeStyle, pen.lineWidth] = [colour("ink"), 1.5];
     pen.beginPath();
     for (const row of front) pen.lineTo(this.#xs[row], this.#ys[row]);
     pen.stroke();
   }
 
-  #say(order, front) {
-    const missing = order.filter((row) => !this.#has_place(row)).length;
-    document.getElementById("scatter-note").textContent =
-      `${plural(order.length - missing, "candidate")} shown` +
-      (missing ? `, ${count(missing)} without a value on these axes` : "") +
-      (order.length < this.#candidates.count ? "; faint: filtered out" : "") +
-      ". Rings: all details in this report." +
-      (front.length ? ` Line: Pareto front of ${plural(front.length, "candidate")}.` : "");
+  #show_hovered() {
+    const row = this.#candidates.row_of.get(this.#state.get("hovered"));
+    this.#ring.hidden = !this.#is_visible(row);
+    if (this.#ring.hidden) return;
+    this.#ring.style.left = `${this.#xs[row]}px`;
+    this.#ring.style.top = `${this.#ys[row]}px`;
+  }
+
+  #say(order, visible, front, most) {
+    const missing = order.filter((row) => !this.#has_place(row)).length,
+      outside = order.length - missing - visible.length;
+    by_id("scatter-note").textContent = scatter_words({
+      ...{ outside, missing, most, front: front.length, shown: visible.length },
+      is_filtered: order.length < this.#candidates.count,
+    });
   }
 
   #nearest(event) {
@@ -239,47 +290,31 @@ class Scatter {
       least = Infinity;
     for (let row = 0; row < this.#xs.length; ++row) {
       const away = (this.#xs[row] - x) ** 2 + (this.#ys[row] - y) ** 2;
-      if (this.#shown[row] && away < least) [best, least] = [row, away];
+      if (this.#shown[row] && away < least && this.#is_visible(row)) [best, least] = [row, away];
     }
     return { row: best, away: Math.sqrt(least) };
   }
 
   #tell(event) {
     const { row, away } = this.#nearest(event),
-      tip = this.#tip;
-    tip.hidden = row < 0 || away > kReach_px;
+      tip = this.#tip,
+      { draw } = this.#candidates.columns;
+    tip.hidden = event.buttons !== 0 || row < 0 || away > kReach_px;
+    this.#state.set("hovered", tip.hidden ? null : draw[row]);
     if (tip.hidden) return;
     const line = (metric) =>
       `${metric.label} ${with_unit(metric, this.#candidates.columns[metric.name][row])}`;
-    tip.textContent = [
-      `draw ${this.#candidates.columns.draw[row]}`,
-      ...this.#metrics().map(line),
-    ].join("\n");
+    tip.textContent = [`draw ${draw[row]}`, ...this.#metrics().map(line)].join("\n");
     tip.style.left = `${Math.min(this.#xs[row] + 12, this.#width - 190)}px`;
     tip.style.top = `${Math.max(0, this.#ys[row] - 62)}px`;
   }
 
-  /**
-   * The next row in an arrow's direction; equals are ordered by the other axis, then by their rows.
-   */
   #next(key) {
-    const way = {
-      ArrowRight: [this.#xs, this.#ys, 1],
-      ArrowLeft: [this.#xs, this.#ys, -1],
-      ArrowUp: [this.#ys, this.#xs, -1],
-      ArrowDown: [this.#ys, this.#xs, 1],
-    }[key];
-    if (!way) return null;
-    const [along, other, sign] = way,
-      at = this.#candidates.row_of.get(this.#state.get("picked"));
-    const before = (a, b) => sign * (along[a] - along[b]) || other[a] - other[b] || a - b;
-    let best = -1;
-    for (let row = 0; row < this.#xs.length; ++row) {
-      const further = at === undefined || before(row, at) > 0;
-      if (!this.#shown[row] || !this.#has_place(row) || !further) continue;
-      if (best < 0 || before(row, best) < 0) best = row;
-    }
-    return best;
+    const picked = this.#candidates.row_of.get(this.#state.get("picked"));
+    return next_row(this.#xs, this.#ys, key, {
+      from: picked,
+      may_be: (row) => this.#shown[row] && this.#is_visible(row),
+    });
   }
 
   #rows() {
@@ -293,25 +328,12 @@ class Scatter {
     };
   }
 
-  /** The axes, with the points until they are copied. */
+  /** The axes, with the marks until they are copied. */
   #drawing() {
     const plot = this.#axes.firstChild,
-      points = h("svg:g", { "data-styled": "" });
-    for (const { row, r, fill, opacity, stroke, wide } of this.#dots()) {
-      points.append(
-        h("svg:circle", {
-          cx: this.#xs[row].toFixed(2),
-          cy: this.#ys[row].toFixed(2),
-          r,
-          fill: fill ? colour(fill) : "none",
-          "fill-opacity": opacity,
-          stroke: stroke && colour(stroke),
-          "stroke-width": wide,
-        }),
-      );
-    }
-    plot.append(points);
-    queueMicrotask(() => points.remove());
+      drawn = h("svg:g", { "data-styled": "" }, this.#marks().marks.map(drawn_mark));
+    plot.append(drawn);
+    queueMicrotask(() => drawn.remove());
     return plot;
   }
 }

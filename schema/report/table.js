@@ -151,6 +151,10 @@ class Table {
       const line = event.target.closest("[data-draw]");
       if (line) this.#state.set("picked", line.dataset.draw);
     });
+    this.#body.addEventListener("pointerover", (event) =>
+      this.#state.set("hovered", event.target.closest("[data-draw]")?.dataset.draw ?? null),
+    );
+    this.#body.addEventListener("pointerleave", () => this.#state.set("hovered", null));
     this.#state.on("picked", (picked) => {
       this.reveal(picked);
       this.#draw(true);

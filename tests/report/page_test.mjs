@@ -13,6 +13,7 @@ import {
   no_detail_checks,
   yield_checks,
 } from "./choosing_checks.mjs";
+import { design_check } from "./design_check.mjs";
 import { detail_checks, key_checks } from "./inspecting_checks.mjs";
 import {
   address_checks,
@@ -21,6 +22,7 @@ import {
   section_checks,
   survival_check,
 } from "./keeping_checks.mjs";
+import { limits_checks } from "./limits_checks.mjs";
 import { looks_checks } from "./looks_checks.mjs";
 import {
   carried_check,
@@ -44,6 +46,7 @@ if (reports.length === 0) {
 
 async function choosing_checks(page, data) {
   await carried_check(page, data);
+  await limits_checks(page, data);
   await table_checks(page, data);
   await layout_checks(page, data);
   await scatter_checks(page, data);
@@ -166,6 +169,7 @@ await together([
     in_browser(async (browser) => {
       for (const report of others) await report_checks(browser, report);
       await without_storage(browser, reports[0]);
+      if (keeping) await design_check(browser, keeping);
       if (values.odd) await odd_texts(browser, values.odd);
       if (keeping) await without_webgl(keeping);
     }),

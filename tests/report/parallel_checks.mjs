@@ -1,6 +1,6 @@
 // Parallel coordinates and the front, against the data of the page.
 import assert from "node:assert/strict";
-import { by, eventually, state, unfiltered } from "./reading.mjs";
+import { by, eventually, pixels, state, unfiltered } from "./reading.mjs";
 
 const kSide = 46, // where the first and the last axis are, and its ends
   kTop = 46,
@@ -76,6 +76,110 @@ async function brush_check(page, { candidates: { columns, total } }) {
   });
 }
 
+const kFew = 300; // candidates; more are shown by their density
+
+/** How strong the colours are along a column of the canvas: the distance from the card's. */
+const strengths = (page, x) =>
+  by(page, "parallel-canvas").evaluate((canvas, place) => {
+    const copy = new OffscreenCanvas(canvas.width, canvas.height),
+      pen = copy.getContext("2d", { willReadFrequently: true });
+    pen.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--card");
+    pen.fillRect(0, 0, 1, 1);
+    const card = pen.getImageData(0, 0, 1, 1).data;
+    pen.fillRect(0, 0, copy.width, copy.height);
+    pen.drawImage(canvas, 0, 0);
+    const { data } = pen.getImageData(Math.round(place), 0, 1, copy.height);
+    return Array.from({ length: copy.height }, (_, y) =>
+      Math.hypot(...[0, 1, 2].map((k) => data[4 * y + k] - card[k])),
+    );
+  }, x);
+
+/** The height of each line halfway between two axes. */
+function heights(columns, [from, to]) {
+  const places = [from, to].map((name) => {
+    const all = known(columns, name),
+      [least, most] = [Math.min(...all), Math.max(...all)],
+      of = least > 0 && most / least > 1000 ? Math.log : (value) => value;
+    return columns[name].map((value) =>
+      value === null
+        ? NaN
+        : kBottom - ((of(value) - of(least)) / (of(most) - of(least))) * (kBottom - kTop),
+    );
+  });
+  return places[0].map((y, row) => (y + places[1][row]) / 2);
+}
+
+/** The number of lines within some px of each height, halfway between two axes. */
+function crossings(columns, pair, reach = 2) {
+  const counts = new Array(kBottom + 24).fill(0);
+  for (const y of heights(columns, pair))
+    for (let k = Math.floor(y - reach); k <= y + reach; ++k) ++counts[k]; // none for NaN
+  return counts;
+}
+
+/** Where no line passes is the card; where most pass the colour is stronger than where few do. */
+async function density_check(page, { candidates: { columns, shown } }) {
+  if (!(await by(page, "parallel").isVisible())) return;
+  await unfiltered(page, "many lines are a density, few are lines", async () => {
+    const canvas = by(page, "parallel-canvas"),
+      drawn = () => canvas.getAttribute("data-drawn");
+    assert.equal(await drawn(), shown > kFew ? "density" : "lines");
+    if (shown <= kFew) return `${shown} lines`;
+    const axes = (await canvas.getAttribute("data-axes")).split(" "),
+      { width } = await canvas.boundingBox(),
+      step = (width - 2 * kSide) / (axes.length - 1);
+    // The picked candidate's line lies above the others: it is left aside.
+    const picked = columns.draw.indexOf((await state(page)).picked);
+    let compared = 0;
+    for (let k = 0; k + 1 < axes.length; ++k) {
+      const pair = axes.slice(k, k + 2),
+        counts = crossings(columns, pair),
+        nearby = crossings(columns, pair, 6), // a place is a cell of 2 px, and smoothed
+        strong = await strengths(page, kSide + (k + 0.5) * step),
+        own = heights(columns, pair)[picked];
+      const places = counts.map((_, y) => y).filter((y) => y >= kTop && y <= kBottom);
+      const free = places.filter((y) => Math.abs(y - own) > 5 || Number.isNaN(own));
+      for (const y of free) if (nearby[y] === 0) assert.ok(strong[y] < 3, `${pair}: ink at ${y}`);
+      const by_count = free.filter((y) => counts[y] > 0).sort((a, b) => counts[a] - counts[b]),
+        mean = (list) => list.reduce((sum, y) => sum + strong[y], 0) / list.length,
+        part = Math.floor(by_count.length / 5);
+      if (part < 2 || counts[by_count.at(-1)] < 5 * counts[by_count[0]]) continue;
+      const [few, many] = [mean(by_count.slice(0, part)), mean(by_count.slice(-part))];
+      assert.ok(
+        many > 1.2 * few,
+        `${pair}: ${few.toFixed(0)} where few, ${many.toFixed(0)} where many`,
+      );
+      ++compared;
+    }
+    assert.ok(compared > 0, "nothing was compared");
+    const draws = columns.draw.map(BigInt).sort((a, b) => (a < b ? -1 : 1));
+    await by(page, "filter").fill(`draw <= ${draws[Math.floor(kFew / 2)]}`);
+    assert.equal(await drawn(), "lines");
+    await by(page, "filter").fill("");
+    assert.equal(await drawn(), "density");
+    return `${compared} of ${axes.length - 1} gaps`;
+  });
+}
+
+/** The hovered candidate of the scatter and of the table is a line of its own, while it is hovered. */
+async function hover_check(page) {
+  if (!(await by(page, "parallel").isVisible())) return;
+  await unfiltered(
+    page,
+    "the hovered candidate is a line of the parallel coordinates",
+    async () => {
+      const canvas = by(page, "parallel-canvas");
+      await page.mouse.move(2, 2);
+      const before = await pixels(canvas);
+      await by(page, "grid").locator(".line").nth(1).hover();
+      const hovered = await pixels(canvas);
+      assert.notEqual(hovered.hash, before.hash);
+      await page.mouse.move(2, 2);
+      assert.equal((await pixels(canvas)).hash, before.hash);
+    },
+  );
+}
+
 async function front_check(page, { candidates: { columns } }) {
   await unfiltered(page, "the front is of those than which none is better in both", async () => {
     await by(page, "scatter-x").selectOption("stroke_max"); // less is better
@@ -135,6 +239,8 @@ async function ascent_check(page, { details, candidates: { columns } }) {
 
 export async function parallel_checks(page, data) {
   await brush_check(page, data);
+  await density_check(page, data);
+  await hover_check(page);
   await front_check(page, data);
   await ascent_check(page, data);
 }

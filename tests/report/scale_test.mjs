@@ -1,6 +1,6 @@
-// The scale that panels are coloured by, without a browser:
+// The scales that panels and counts are coloured by, without a browser:
 //   node scale_test.mjs SCHEMA/REPORT
-// Its colours grow lighter or darker all the way, in both themes, and neighbours among nine are told
+// Their colours grow lighter or darker all the way, in both themes, and neighbours among nine are told
 // apart by everyone: also where one kind of cones is missing (Machado, Oliveira & Fernandes 2009).
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -56,24 +56,33 @@ const css = readFileSync(join(directory, "page.css"), "utf8"),
   [light, dark] = css.split(':root[data-theme="dark"]');
 const kSteps = 8,
   kLeast = 0.035; // in OKLab; about twice what is just seen side by side
-for (const [theme, text] of Object.entries({ light, dark })) {
+function check_scale(name, theme, text) {
   const stops = ["least", "middle", "most"].map(
-      (name) => new RegExp(`--stress-${name}: (#[0-9a-f]{6})`).exec(text)[1],
+      (stop) => new RegExp(`--${name}-${stop}: (#[0-9a-f]{6})`).exec(text)[1],
     ),
     scale = colour_scale(stops);
   const colours = Array.from({ length: kSteps + 1 }, (_, i) => scale(i / kSteps));
   for (const [sight, matrix] of Object.entries(kSight)) {
     const labs = colours.map((hex) => seen(matrix, hex));
     const way = Math.sign(labs.at(-1)[0] - labs[0][0]);
-    assert.equal(way, theme === "light" ? -1 : 1, `${theme}: the most stands out from the ground`);
+    assert.equal(
+      way,
+      theme === "light" ? -1 : 1,
+      `${name}, ${theme}: the most stands out from the ground`,
+    );
     labs.slice(1).forEach((lab, i) => {
       assert.ok(
         way * (lab[0] - labs[i][0]) > 0.02,
-        `${theme}, ${sight}: lightness at step ${i + 1}`,
+        `${name}, ${theme}, ${sight}: lightness at step ${i + 1}`,
       );
       const apart = Math.hypot(...lab.map((value, k) => value - labs[i][k]));
-      assert.ok(apart > kLeast, `${theme}, ${sight}: step ${i + 1} is ${apart.toFixed(3)} away`);
+      assert.ok(
+        apart > kLeast,
+        `${name}, ${theme}, ${sight}: step ${i + 1} is ${apart.toFixed(3)} away`,
+      );
     });
   }
 }
-console.log("the scale's colours are told apart");
+for (const [theme, text] of Object.entries({ light, dark }))
+  for (const name of ["stress", "count"]) check_scale(name, theme, text);
+console.log("the scales' colours are told apart");

@@ -110,6 +110,11 @@ async function mistake_check(page, data) {
         ["stroke_max ! 5", /not understood/],
         // No column is proposed that the page has not.
         ["friction < 1", own ? new RegExp(`did you mean “${own}”`) : /page.*--column \w*friction/],
+        ["friction < 1", /--column static_friction_n_mm_per_mm/],
+        ["static_friction_n_mm_per_mm > 0.1", /^This page lacks .*--column static_friction/],
+        ["static_frictoin_n_mm_per_mm > 0.1", /no column.*--column static_friction/],
+        ["static friction, bent > 0.1", /^This page lacks .*--column static_friction/],
+        ["stall_deg", /^This page lacks .*--column stall_deg/],
       ]) {
         await by(page, "filter").fill(text);
         assert.match(await by(page, "filter-says").textContent(), words, text);
@@ -277,38 +282,8 @@ async function column_check(page) {
   });
 }
 
-/** The sliders write conditions, and what is typed moves them. */
-async function limit_check(page, { candidates: { columns } }) {
-  await unfiltered(page, "a slider leaves the candidates that suffice", async () => {
-    const said = [];
-    for (const name of ["deploys_from_deg", "critical_friction_n_mm_per_mm"]) {
-      const slider = by(page, `limit-${name}`),
-        values = columns[name]?.filter((value) => value !== null) ?? [];
-      assert.equal(await slider.count(), new Set(values).size > 1 ? 1 : 0, name);
-      if (new Set(values).size <= 1) continue;
-      await slider.fill("100");
-      const typed = await by(page, "filter").inputValue(),
-        least = Number(typed.split(" >= ")[1]);
-      assert.ok(typed.startsWith(`${name} >= `), typed);
-      assert.equal(
-        (await state(page)).filtered,
-        values.filter((value) => value >= least).length,
-        typed,
-      );
-      await by(page, "filter").fill(`stroke_max < 5 % ${name} >= ${Math.max(...values)}`);
-      assert.equal(await slider.inputValue(), "200");
-      await slider.fill("0");
-      assert.equal(await by(page, "filter").inputValue(), "stroke_max < 5 %");
-      await by(page, "filter").fill("");
-      said.push(name);
-    }
-    return said.join(", ");
-  });
-}
-
 export async function table_checks(page, data) {
   await column_check(page);
-  await limit_check(page, data);
 
   await document_check(page, data);
   await filter_check(page, data);

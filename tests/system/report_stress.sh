@@ -3,7 +3,8 @@
 web=$3
 table1=$source_dir/search/patterns/table1.json
 result=$source_dir/tests/fixtures/table1-stress.json
-node "$web/scale_test.mjs" "$source_dir/schema/report" || fail "the scale of colours"
+node "$web/scale_test.mjs" "$source_dir/schema/report" || fail "the scales of colours"
+node "$web/bins_test.mjs" "$source_dir/schema/report" || fail "hexagons and densities"
 
 # altered NAME SQL: the result with something else in it, j being what it is.
 altered() { sqlite3 :memory: "SELECT $2 FROM (SELECT json(readfile('$result')) AS j)" > "$1"; }
