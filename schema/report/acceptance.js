@@ -4,6 +4,7 @@ import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
 import { fault_bins, faults_chart, survival_chart } from "./faults.js";
 import { beyond_tiles, how_far, live_tiles, show_tiles, shown_tiles, tile } from "./figures.js";
 import { by_id, count, degrees, h, percent, plural } from "./format.js";
+import { make_passage } from "./passage.js";
 import { add_saving_once, single } from "./save.js";
 import { effective, sum, survival_points } from "./shares.js";
 import { fault_colour, fault_name, fault_order, fault_words } from "./words.js";
@@ -104,7 +105,9 @@ function show_along_the_folding(report, total) {
     legend(present),
   );
   const points = survival_points(rows, configuration);
-  show_when_wide(by_id("faults"), (width) => faults_chart(rows, total, configuration, width));
+  const passage = make_passage(report, (width) => faults_chart(rows, total, configuration, width));
+  show_when_wide(by_id("faults"), passage.draw);
+  passage.show();
   show_when_wide(by_id("survival"), (width) => survival_chart(points, total, report, width));
   add_saving_once(by_id("faults"), `${name}-first-faults`, () => first_faults_csv(report));
   add_saving_once(by_id("survival"), `${name}-survival`, () => survival_csv(report));

@@ -113,6 +113,9 @@ refuse 2 "excludes" --best 2 --diverse 2
 "$program" query many.db "SELECT first_fault, fault_deg, stands_for FROM fault_sample" --json > rows.json
 node "$web/shares_test.mjs" "$source_dir/schema/report/shares.js" many.html rows.json || fail "shares by weight"
 
+node "$web/arrivals_test.mjs" "$source_dir/schema/report/arrivals.js" || fail "what came in between two states of a sample"
+node "$web/passage_test.mjs" many.html || fail "marks on the chart of first faults"
+
 # A pattern file is one sheet: no campaign, nothing to choose.
 "$program" report "$source_dir/search/patterns/table1.json" --stroke-limit 0.03 --output table1.html > names || fail "report table1"
 [ "$(cat names)" = table1.html ] || fail "report of a pattern prints its file's name"
