@@ -20,9 +20,9 @@ function names_of(both) {
     ({ campaign }) => campaign.name,
     ({ campaign }) => `${campaign.name} (${campaign.identity.slice(0, 8)})`,
     ({ catalogue }) => catalogue,
+    ({ campaign }, k) => `${campaign.name}, ${["first", "second"][k]}`,
   ];
-  const way = ways.find((name) => name(both[0]) !== name(both[1])) ?? ways[0];
-  return both.map(way);
+  return ways.map((name) => both.map(name)).find(([first, second]) => first !== second);
 }
 
 const is_same = (both, value) => {
