@@ -1,4 +1,4 @@
-#include "search/watch/live_state.hpp"
+#include "search/report/live_state.hpp"
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
