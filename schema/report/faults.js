@@ -101,7 +101,7 @@ const overall_marks = (overall, colour) => [
   }),
 ];
 
-const survival_marks = (points, least, colour) => [
+const survival_band = ({ points, colour }, least) =>
   Plot.areaY(points, {
     x: "angle",
     y1: (point) => Math.max(point.low, 0.4 * least),
@@ -109,12 +109,20 @@ const survival_marks = (points, least, colour) => [
     curve: "step-after",
     fill: colour,
     fillOpacity: 0.18,
-  }),
-  Plot.lineY(
-    points.filter((point) => point.left > 0),
-    { x: "angle", y: "share", curve: "step-after", stroke: colour, strokeWidth: 2 },
-  ),
-];
+  });
+
+/** A line up to the angle at which no draw is left, where a log scale has no place. */
+function survival_line({ points, colour }) {
+  const end = points.findIndex(({ left }) => left === 0);
+  const shown =
+    end > 0
+      ? [...points.slice(0, end), { ...points[end - 1], angle: points[end].angle }]
+      : points.filter(({ left }) => left > 0);
+  return Plot.lineY(shown, {
+    ...{ x: "angle", y: "share", curve: "step-after" },
+    ...{ stroke: colour, strokeWidth: 2 },
+  });
+}
 
 const survival_tip = (samples) =>
   Plot.tip(
@@ -174,10 +182,11 @@ export function survival_chart(samples, width) {
       tickFormat: (share) => percent(share, 1),
     },
     marks: [
-      ...samples.flatMap(({ points, threshold_deg, overall, colour, colour_of_marks }) => [
-        ...survival_marks(points, least, colour),
-        ...threshold_marks(threshold_deg, "", colour_of_marks),
-        ...overall_marks(overall, colour_of_marks),
+      ...samples.map((sample) => survival_band(sample, least)),
+      ...samples.flatMap((sample) => [
+        survival_line(sample),
+        ...threshold_marks(sample.threshold_deg, "", sample.colour_of_marks),
+        ...overall_marks(sample.overall, sample.colour_of_marks),
       ]),
       survival_tip(samples),
     ],

@@ -16,12 +16,11 @@ const kMostReplayed = 240;
 
 const marks_on = (page) => page.locator("#passage .mark");
 const animations = (page) =>
-  page.evaluate(() =>
-    document
-      .getElementById("passage")
-      .getAnimations({ subtree: true })
-      .map((animation) => ({ at_ms: animation.currentTime, state: animation.playState })),
-  );
+  page.evaluate(async () => {
+    const all = document.getElementById("passage").getAnimations({ subtree: true });
+    await Promise.all(all.map((animation) => animation.ready)); // none is about to pause
+    return all.map(({ currentTime, playState }) => ({ at_ms: currentTime, state: playState }));
+  });
 
 /** Marks and rings after all have arrived: their middle relative to the chart, fault and colour. */
 async function arrived(page) {

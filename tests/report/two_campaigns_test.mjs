@@ -68,6 +68,28 @@ async function log_axis(box) {
     low_px + (Math.log10(share / low) / Math.log10(high / low)) * (high_px - low_px);
 }
 
+async function colours_check(page, both) {
+  await check("survival and D of both are in two colours, with their names", async () => {
+    for (const id of ["survivals", "reach"]) {
+      const colours = await by(page, id)
+          .locator('g[aria-label="line"]')
+          .evaluateAll((lines) => lines.map((line) => getComputedStyle(line).stroke)),
+        keys = await page
+          .locator(".card", { has: by(page, id) })
+          .locator(".sides i")
+          .evaluateAll((nodes) => nodes.map((node) => getComputedStyle(node).backgroundColor));
+      assert.equal(new Set(keys).size, 2, id);
+      // There is no line where there are no candidates.
+      const has_line = (k) => id === "survivals" || both[k].angles.length > 0;
+      assert.deepEqual(
+        colours,
+        keys.filter((_, k) => has_line(k)),
+        id,
+      );
+    }
+  });
+}
+
 async function reach_check(page, both) {
   await check("D of candidates is where its share of the draws is", async () => {
     const box = by(page, "reach"),
@@ -78,7 +100,8 @@ async function reach_check(page, both) {
       .evaluateAll((nodes) =>
         nodes.map((node) => ["cx", "cy"].map((key) => Number(node.getAttribute(key)))),
       );
-    both.forEach(({ angles, state }, k) => {
+    const with_candidates = both.filter((side) => side.angles.length > 0);
+    with_candidates.forEach(({ angles, state }, k) => {
       const [best_deg, candidates] = angles.at(-1),
         [cx, cy] = dots[k];
       assert.ok(Math.abs(cx - x(best_deg)) < 1, `${cx} is not at ${best_deg}°`);
@@ -136,20 +159,14 @@ async function catalogue_checks(data) {
     }
     assert.deepEqual(scales[0], scales[1]);
   });
-  await check("survival and D of both are in two colours, with their names", async () => {
-    for (const id of ["survivals", "reach"]) {
-      const colours = await by(page, id)
-          .locator('g[aria-label="line"]')
-          .evaluateAll((lines) => lines.map((line) => getComputedStyle(line).stroke)),
-        keys = await page
-          .locator(".card", { has: by(page, id) })
-          .locator(".sides i")
-          .evaluateAll((nodes) => nodes.map((node) => getComputedStyle(node).backgroundColor));
-      assert.equal(new Set(keys).size, 2, id);
-      assert.deepEqual(colours, keys, id);
-    }
-  });
+  await colours_check(page, both);
   await reach_check(page, both);
+  await check("a narrow page does not scroll sideways", async () => {
+    await page.setViewportSize({ width: 390, height: 900 });
+    await page.waitForFunction(
+      () => document.documentElement.scrollWidth <= document.documentElement.clientWidth,
+    );
+  });
   await check("no word for nothing, no errors, no requests", async () => {
     assert.doesNotMatch(await by(page, "two-campaigns").innerText(), /\b(null|undefined|NaN)\b/);
     assert.deepEqual(problems, []);
