@@ -1,9 +1,10 @@
 // Shows the overview of a plain search: its acceptance, and charts of the first faults.
 import { show_when_wide } from "./chart.js";
 import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
-import { fault_bins, faults_chart, survival_chart } from "./faults.js";
+import { fault_bins, faults_chart, survival_chart, survival_of } from "./faults.js";
 import { beyond_tiles, how_far, live_tiles, show_tiles, shown_tiles, tile } from "./figures.js";
 import { by_id, count, degrees, h, percent, plural } from "./format.js";
+import { make_passage } from "./passage.js";
 import { add_saving_once, single } from "./save.js";
 import { effective, sum, survival_points } from "./shares.js";
 import { fault_colour, fault_name, fault_order, fault_words } from "./words.js";
@@ -44,7 +45,8 @@ function show_figures(report) {
   ]);
 }
 
-function legend(faults) {
+/** The names and colours of faults. */
+export function fault_legend(faults) {
   return h(
     "ul",
     { class: "legend" },
@@ -59,7 +61,7 @@ function legend(faults) {
   );
 }
 
-function first_faults_csv({ faults, campaign }) {
+export function first_faults_csv({ faults, campaign }) {
   return {
     heads: ["first_fault", "above_deg", "up_to_deg", "sampled", "share"],
     rows: fault_bins(faults.rows, campaign.configuration).map((bin) => [
@@ -69,7 +71,7 @@ function first_faults_csv({ faults, campaign }) {
   };
 }
 
-function survival_csv({ faults, campaign }) {
+export function survival_csv({ faults, campaign }) {
   const points = survival_points(faults.rows, campaign.configuration);
   return {
     heads: ["pilot_deg", "share_without_fault", "low_95", "high_95"],
@@ -101,11 +103,13 @@ function show_along_the_folding(report, total) {
   by_id("faults-caption").replaceChildren(
     `No fault up to ${degrees(configuration.path.end_deg)}: ${plural(none, "sampled draw")}.` +
       (nowhere ? ` Fault without an angle: ${plural(nowhere, "sampled draw")}.` : ""),
-    legend(present),
+    fault_legend(present),
   );
-  const points = survival_points(rows, configuration);
-  show_when_wide(by_id("faults"), (width) => faults_chart(rows, total, configuration, width));
-  show_when_wide(by_id("survival"), (width) => survival_chart(points, total, report, width));
+  const survival = survival_of(report);
+  const passage = make_passage(report, (width) => faults_chart(rows, total, configuration, width));
+  show_when_wide(by_id("faults"), passage.draw);
+  passage.show();
+  show_when_wide(by_id("survival"), (width) => survival_chart([survival], width));
   add_saving_once(by_id("faults"), `${name}-first-faults`, () => first_faults_csv(report));
   add_saving_once(by_id("survival"), `${name}-survival`, () => survival_csv(report));
 }
@@ -121,7 +125,7 @@ function show_places(report) {
       (list.length > kMostBars
         ? `; the ${kMostBars} most frequent of ${list.length} places.`
         : "."),
-    legend(fault_order.filter((fault) => list.some((entry) => entry.faults.has(fault)))),
+    fault_legend(fault_order.filter((fault) => list.some((entry) => entry.faults.has(fault)))),
   );
   show_when_wide(by_id("where"), (width) => where_chart(list, width));
   if (!by_id("map").matches(":hover")) by_id("map").replaceChildren(fault_map(list, report));

@@ -2,7 +2,7 @@
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";
 import { count, degrees, percent, plural, powers } from "./format.js";
-import { effective, sum, weight } from "./shares.js";
+import { effective, sum, survival_points, weight } from "./shares.js";
 import { fault_colour, fault_name, fault_order } from "./words.js";
 
 /** Histogram of the first faults by pilot angle: a bin holds (from, to]. */
@@ -25,8 +25,8 @@ export function fault_bins(rows, { path }) {
   return [...bins.values()].sort((a, b) => place(a) - place(b) || a.to - b.to);
 }
 
-const threshold_marks = (deg, words) => [
-  Plot.ruleX([deg], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
+const threshold_marks = (deg, words, colour = "var(--ink)") => [
+  Plot.ruleX([deg], { stroke: colour, strokeDasharray: "2 3" }),
   words
     ? Plot.text([deg], {
         x: (d) => d,
@@ -39,7 +39,8 @@ const threshold_marks = (deg, words) => [
     : null,
 ];
 
-export function faults_chart(rows, total, { path, accept }, width) {
+/** `most`: the end of the scale of shares, where several charts have one. */
+export function faults_chart(rows, total, { path, accept }, width, most) {
   const bins = fault_bins(rows, { path });
   const present = fault_order.filter((fault) => bins.some((bin) => bin.first_fault === fault));
   return plot_with_room({
@@ -55,7 +56,10 @@ export function faults_chart(rows, total, { path, accept }, width) {
       labelAnchor: "center",
       labelArrow: "none",
     },
-    y: { label: "sampled draws (%)", grid: true, labelArrow: "none", percent: true },
+    y: {
+      ...{ label: "sampled draws (%)", grid: true, labelArrow: "none", percent: true },
+      ...(most ? { domain: [0, 100 * most] } : {}),
+    },
     color: { domain: present, range: present.map(fault_colour), legend: false },
     marks: [
       Plot.rectY(
@@ -80,55 +84,79 @@ export function faults_chart(rows, total, { path, accept }, width) {
 }
 
 /** The acceptance rate of all draws, with its interval. */
-const overall_marks = (overall) => [
+const overall_marks = (overall, colour) => [
   Plot.ruleX(overall, {
     x: "angle",
     y1: "low",
     y2: "high",
-    stroke: "var(--ink)",
+    stroke: colour,
     strokeWidth: 1.5,
   }),
   Plot.dot(overall, {
     x: "angle",
     y: "rate",
-    fill: "var(--ink)",
+    fill: colour,
     r: 4,
     title: (d) => `all draws: ${percent(d.rate)} accepted`,
   }),
 ];
 
-const survival_marks = (points, least) => [
+const survival_band = ({ points, colour }, least) =>
   Plot.areaY(points, {
     x: "angle",
     y1: (point) => Math.max(point.low, 0.4 * least),
     y2: "high",
     curve: "step-after",
-    fill: "var(--accent)",
+    fill: colour,
     fillOpacity: 0.18,
-  }),
-  Plot.lineY(
-    points.filter((point) => point.left > 0),
-    { x: "angle", y: "share", curve: "step-after", stroke: "var(--accent)", strokeWidth: 2 },
-  ),
-];
+  });
 
-const survival_tip = (points, total) =>
+/** A line up to the angle at which no draw is left, where a log scale has no place. */
+function survival_line({ points, colour }) {
+  const end = points.findIndex(({ left }) => left === 0);
+  const shown =
+    end > 0
+      ? [...points.slice(0, end), { ...points[end - 1], angle: points[end].angle }]
+      : points.filter(({ left }) => left > 0);
+  return Plot.lineY(shown, {
+    ...{ x: "angle", y: "share", curve: "step-after" },
+    ...{ stroke: colour, strokeWidth: 2 },
+  });
+}
+
+const survival_tip = (samples) =>
   Plot.tip(
-    points,
-    Plot.pointerX({
+    samples.flatMap(({ points, total, name }) =>
+      points.map((point) => ({ ...point, total, name })),
+    ),
+    (samples.length > 1 ? Plot.pointer : Plot.pointerX)({
       x: "angle",
       y: "share",
       title: (d) =>
-        `${degrees(d.angle)}: ${percent(d.share)} without a fault\n${count(d.left)} of ${plural(total, "sampled draw")}`,
+        `${samples.length > 1 ? `${d.name}, ` : ""}${degrees(d.angle)}: ${percent(d.share)} without a fault\n${count(d.left)} of ${plural(d.total, "sampled draw")}`,
     }),
   );
 
-export function survival_chart(points, total, report, width) {
-  const { path, accept } = report.campaign.configuration;
-  const { rate, rate_low, rate_high } = report.state.acceptance ?? {};
-  const overall =
-    rate > 0 ? [{ angle: accept.deploys_from_deg, rate, low: rate_low, high: rate_high }] : [];
-  const least = Math.min(0.5 / effective(report.faults.rows), overall[0]?.low || 1);
+/** A campaign's survival by pilot angle, for survival_chart. */
+export function survival_of({ campaign, state, faults }) {
+  const { path, accept } = campaign.configuration,
+    { rate, rate_low, rate_high } = state.acceptance ?? {};
+  return {
+    name: campaign.name,
+    points: survival_points(faults.rows, campaign.configuration),
+    total: sum(faults.rows),
+    threshold_deg: accept.deploys_from_deg,
+    end_deg: path.end_deg,
+    overall:
+      rate > 0 ? [{ angle: accept.deploys_from_deg, rate, low: rate_low, high: rate_high }] : [],
+    least: Math.min(0.5 / effective(faults.rows), rate > 0 ? rate_low || 1 : 1),
+    colour: "var(--accent)",
+    colour_of_marks: "var(--ink)",
+  };
+}
+
+export function survival_chart(samples, width) {
+  const least = Math.min(...samples.map((sample) => sample.least));
   return plot_with_room({
     width,
     height: 280,
@@ -139,7 +167,7 @@ export function survival_chart(points, total, report, width) {
     ariaLabel: "Survival by pilot angle",
     x: {
       label: "pilot angle (°)",
-      domain: [0, path.end_deg],
+      domain: [0, Math.max(...samples.map(({ end_deg }) => end_deg))],
       labelAnchor: "center",
       labelArrow: "none",
     },
@@ -154,10 +182,13 @@ export function survival_chart(points, total, report, width) {
       tickFormat: (share) => percent(share, 1),
     },
     marks: [
-      ...survival_marks(points, least),
-      ...threshold_marks(accept.deploys_from_deg),
-      ...overall_marks(overall),
-      survival_tip(points, total),
+      ...samples.map((sample) => survival_band(sample, least)),
+      ...samples.flatMap((sample) => [
+        survival_line(sample),
+        ...threshold_marks(sample.threshold_deg, "", sample.colour_of_marks),
+        ...overall_marks(sample.overall, sample.colour_of_marks),
+      ]),
+      survival_tip(samples),
     ],
   });
 }

@@ -17,6 +17,7 @@ import { make_state } from "./state.js";
 import { make_table, save_rows } from "./table.js";
 import { is_choice, is_order } from "./table_columns.js";
 import { set_up_theme } from "./theme.js";
+import { show_two_campaigns } from "./two_campaigns.js";
 import { watch } from "./watch.js";
 import { is_pattern, is_splitting, noun, noun_first, show_pattern } from "./page_kind.js";
 
@@ -261,6 +262,7 @@ async function main() {
   if (is_pattern(report)) show_pattern(report);
   else {
     show_overview(report);
+    show_two_campaigns(report);
     table = show_candidates(report, candidates, state);
     show_detailed(report, candidates, state);
   }

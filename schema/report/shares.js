@@ -49,3 +49,16 @@ export function survival_points(rows, { path }) {
       return { angle, share, left, low, high };
     });
 }
+
+/**
+ * The difference of two shares with its interval, by Newcombe's square-and-add rule (Statistics in
+ * Medicine 17, 1998): { difference, low, high } from two of { rate, rate_low, rate_high }.
+ */
+export function difference_of(first, second) {
+  const difference = first.rate - second.rate;
+  return {
+    difference,
+    low: difference - Math.hypot(first.rate - first.rate_low, second.rate_high - second.rate),
+    high: difference + Math.hypot(first.rate_high - first.rate, second.rate - second.rate_low),
+  };
+}

@@ -18,6 +18,7 @@
 #include "schema/pattern/fill_words.hpp"
 #include "schema/report/report.hpp"
 #include "search/draws/draw.hpp"
+#include "search/report/live_state.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/study_functions.hpp"
@@ -190,6 +191,7 @@ Json commands_json(const ReportCall& call) {
     choice += " --details " + std::to_string(call.details);
   }
   if (call.rows != ReportCall().rows) choice += " --rows " + std::to_string(call.rows);
+  if (!call.beside.empty()) choice += " --beside " + shell_path(call.beside);
   for (const auto& [name, is_asked] : call.studies) {
     if (is_asked) choice += fmt::format(" --{}", name);
   }
@@ -211,11 +213,36 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
     Json json = {{"state", schema::page_state_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)},
                  {"candidates", schema::candidates_json(database, call.rows, functions)}};
+    if (!call.beside.empty()) json["angles"] = angles_json(database, campaign.sample_deg);
     detailed = detailed_draws(database, json["candidates"], call);
     json["yields"] = schema::report_yields_json(database, call.rows, detailed.draws);
     json["certificates"] = schema::report_certificates_json(database, call.rows, detailed.draws);
     return json;
   });
+}
+
+Json whose_json(const schema::Campaign& campaign) {
+  return {{"name", campaign.name},
+          {"identity", schema::identity(campaign)},
+          {"configuration", schema::campaign_json(campaign)}};
+}
+
+void refuse_splitting(const schema::Campaign& campaign, const std::string& path) {
+  if (!campaign.search.splitting) return;
+  throw schema::UserError(schema::Cause::bad_request,
+                          path + ": a splitting search has no fault sample to compare; leave out " +
+                              schema::parameter("beside"));
+}
+
+// Reads what the page compares of another catalogue.
+Json beside_json(const std::string& path) {
+  const auto database = schema::open_for_reading(path);
+  const schema::Campaign campaign = schema::read_campaign_of(*database, path);
+  refuse_splitting(campaign, path);
+  Json json = live_state_json(*database, campaign);
+  json["catalogue"] = path;
+  json["campaign"] = whose_json(campaign);
+  return json;
 }
 
 // Describes the sheet, its diagonals and springs.
@@ -276,6 +303,11 @@ void require_stressed_draws(const ReportCall& call, const std::vector<std::uint6
 Json report_of_catalogue(const ReportCall& call) {
   const auto database = schema::open_for_reading(call.path);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
+  Json beside;
+  if (!call.beside.empty()) {
+    refuse_splitting(campaign, call.path);
+    beside = beside_json(call.beside);
+  }
   campaign.design = call.design.merged_over(campaign.design);
   FoldingModel model(campaign);
   add_study_functions(*database, campaign);
@@ -285,14 +317,13 @@ Json report_of_catalogue(const ReportCall& call) {
   const Json catalogue = catalogue_json(*database, campaign, call, detailed);
   require_stressed_draws(call, stressed, detailed);
   Json data = origin_json(call);
-  data["campaign"] = {{"name", campaign.name},
-                      {"identity", schema::identity(campaign)},
-                      {"configuration", schema::campaign_json(campaign)}};
+  data["campaign"] = whose_json(campaign);
   if (campaign.energy) {
     data["campaign"]["judged_filling"] = schema::filling_words(
         campaign.energy->fill, model.mechanism().diagonal_count(), schema::kDegreeSign);
   }
   data.update(catalogue);
+  if (!beside.is_null()) data["beside"] = std::move(beside);
   data.update(folding_json(model));
   data["details"] = details_json(*database, campaign, model, detailed, details, call);
   return data;

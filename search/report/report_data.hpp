@@ -23,6 +23,7 @@ struct ReportCall {
   std::uint64_t rows = 10000;  ///< largest number of candidates in the table
   std::uint64_t details = 36;  ///< number of best candidates with details
   Choice choice;               ///< chosen draws instead; with `where` alone, `details` of them
+  std::string beside;          ///< a catalogue whose campaign is compared with this one, or empty
   schema::Design design;       ///< overrides the campaign's
   std::map<std::string_view, bool> studies;  ///< requested studies of the table of studies
   std::vector<std::string> columns;          ///< further functions of sheets in the table
@@ -33,8 +34,8 @@ struct ReportCall {
 };
 
 /// Returns the data of a catalogue's page, at one moment. UserError: bad_request if the choice is
-/// empty; failure if it is stopped; bad_input as from open_for_reading, or for a stress file of no
-/// sheet of this page.
+/// empty, or a splitting search is compared; failure if it is stopped; bad_input as from
+/// open_for_reading, or for a stress file of no sheet of this page.
 schema::Json report_of_catalogue(const ReportCall& call);
 
 /// Returns the data of a pattern file's page, for its one sheet. UserError (bad_input).

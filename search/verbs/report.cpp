@@ -44,6 +44,7 @@ CLI::Validator as_many_as_browsers_show() {
 void refuse_own_input(const ReportCall& call) {
   std::vector<std::string> read = call.detail.stress_files;
   read.push_back(call.path);
+  if (!call.beside.empty()) read.push_back(call.beside);
   for (const std::string& path : read) {
     std::error_code error;
     if (!std::filesystem::equivalent(call.output, path, error)) continue;
@@ -56,7 +57,7 @@ void refuse_own_input(const ReportCall& call) {
 void refuse_choice_of_candidates(const ReportCall& call, const CLI::App& verb,
                                  const CLI::App& group) {
   std::string chosen_by = first_given(group);
-  for (const char* option : {"--draw", "--rows", "--details", "--by", "--column"}) {
+  for (const char* option : {"--draw", "--rows", "--details", "--by", "--column", "--beside"}) {
     if (verb.count(option) > 0) chosen_by = option;
   }
   for (const schema::StudyEntry& study : schema::study_table()) {  // of candidates alone
@@ -117,6 +118,8 @@ Action report_verb(CLI::App& verb) {
       "    --where \"stroke_max < 0.08\" --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --contact \\\n"
       "    --stress stress/miura-6x6-1234-stress.json --output report.html\n"
+      "  misalign report results/miura-6x6-1a2b3c4d.db \\\n"
+      "    --beside results/miura-8x8-5e6f7a8b.db --output both.html\n"
       "  misalign report search/patterns/table1.json --output table1.html");
   auto call = std::make_shared<ReportCall>();
   auto json = std::make_shared<bool>(false);
@@ -151,6 +154,9 @@ Action report_verb(CLI::App& verb) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("NAME");
+  verb.add_option("--beside", call->beside,
+                  "another catalogue, of no splitting search: the overview compares both campaigns")
+      ->type_name("CATALOGUE");
   verb.add_option(
           "--stress", call->detail.stress_files,
           "NAME-stress.json that `misalign stress` wrote of a sheet shown in detail: colours "

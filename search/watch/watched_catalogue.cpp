@@ -10,9 +10,9 @@
 #include "schema/files/file_name.hpp"
 #include "schema/files/storage.hpp"
 #include "schema/report/report.hpp"
+#include "search/report/live_state.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/failure.hpp"
-#include "search/watch/live_state.hpp"
 
 namespace misalign::search {
 namespace {

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "schema/catalogue/database.hpp"
+#include "search/report/live_state.hpp"
 #include "search/terminal/failure.hpp"
-#include "search/watch/live_state.hpp"
 
 namespace misalign::simulation {
 namespace {

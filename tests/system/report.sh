@@ -113,6 +113,9 @@ refuse 2 "excludes" --best 2 --diverse 2
 "$program" query many.db "SELECT first_fault, fault_deg, stands_for FROM fault_sample" --json > rows.json
 node "$web/shares_test.mjs" "$source_dir/schema/report/shares.js" many.html rows.json || fail "shares by weight"
 
+node "$web/arrivals_test.mjs" "$source_dir/schema/report/arrivals.js" || fail "what came in between two states of a sample"
+node "$web/passage_test.mjs" many.html || fail "marks on the chart of first faults"
+
 # A pattern file is one sheet: no campaign, nothing to choose.
 "$program" report "$source_dir/search/patterns/table1.json" --stroke-limit 0.03 --output table1.html > names || fail "report table1"
 [ "$(cat names)" = table1.html ] || fail "report of a pattern prints its file's name"
@@ -121,7 +124,7 @@ node "$web/shares_test.mjs" "$source_dir/schema/report/shares.js" many.html rows
 [ "$(data few.html 'diagonals[3].diagonal')$(data table1.html 'diagonals[3].diagonal')" = 33 ] || fail "numbers of diagonals"
 echo '{ "family": "miura", "rows": 4, "columns": 4 }' > plain.json
 "$program" report plain.json --output plain.html > /dev/null || fail "report of an unshifted sheet"
-for option in "--draw 5" "--best 3" "--rows 5" "--details 2"; do
+for option in "--draw 5" "--best 3" "--rows 5" "--details 2" "--beside few.db"; do
   # shellcheck disable=SC2086
   "$program" report plain.json $option --output refused.html > /dev/null 2> err
   [ $? = 2 ] && grep -q -- "${option% *} can only be chosen from a catalogue" err || fail "report of a pattern with $option: $(cat err)"
@@ -131,6 +134,28 @@ done
 [ $? = 2 ] || fail "report over the pattern itself: $(cat err)"
 "$program" report "$source_dir/search/patterns/table1.json" --from 120 --output used.html > /dev/null || fail "report from 120 deg"
 node "$web/pattern_test.mjs" table1.html plain.html used.html || fail "the pages of patterns in a browser"
+
+# One campaign beside another; which file is read, and which are refused.
+"$program" report many.db --beside none.db --rows 700 --details 1 --output two.html > /dev/null || fail "report --beside"
+[ "$(data two.html beside.catalogue) $(data two.html beside.campaign.identity)" = \
+  "none.db $(data none.html campaign.identity)" ] || fail "another campaign beside"
+[ "$(data two.html beside.state.draws) $(data two.html beside.faults)" = \
+  "$(data none.html state.draws) $(data none.html faults)" ] || fail "other results beside"
+[ "$(data two.html 'angles[0][1]')" = "$(sql many.db 'SELECT count(*) FROM candidates WHERE deploys_from_deg =
+  (SELECT min(deploys_from_deg) FROM candidates)')" ] || fail "candidates by D: $(data two.html angles)"
+[ "$(data two.html beside.angles)" = "[]" ] || fail "candidates beside where there are none"
+[ "$(data two.html commands.choice)" = " --details 1 --rows 700 --beside none.db" ] || fail "the page's commands forget --beside"
+[ -z "$(data many.html beside)$(data many.html angles)" ] || fail "a second campaign that nobody asked for"
+sed 's/"seed": 1/"seed": 2/' many.json > again.json
+"$program" search again.json --draws 16000 --catalogue again.db --progress none > /dev/null || fail "search again"
+"$program" report many.db --beside again.db --rows 700 --details 1 --output again.html > /dev/null || fail "report beside again"
+for page in two again; do
+  node "$web/two_campaigns_test.mjs" $page.html || fail "two campaigns in a browser: $page"
+done
+refuse 3 "few.json: is no catalogue" --beside few.json
+refuse 3 "there is no such file" --beside nowhere.db
+"$program" report many.db --beside few.db --output few.db > /dev/null 2> err
+[ $? = 2 ] && grep -q "is the input file" err || fail "report over the catalogue beside: $(cat err)"
 
 "$program" report few.db --output nowhere/few.html > /dev/null 2> err
 [ $? = 1 ] || fail "report into a directory that is not there"
@@ -181,6 +206,9 @@ for name in ladder three never lucky steep begun waits less endless; do
   "$program" status $name.db > $name-status.txt 2> /dev/null || fail "status $name"
   "$program" query $name.db acceptance --json > $name-levels.json || fail "query $name acceptance"
 done
+refuse 2 "ladder.db: a splitting search has no fault sample to compare; leave out --beside" --beside ladder.db
+"$program" report ladder.db --beside few.db --output refused.html > /dev/null 2> err
+[ $? = 2 ] && grep -q "ladder.db: a splitting search" err || fail "report of a splitting search beside another: $(cat err)"
 node "$web/ladder_test.mjs" ladder three never lucky steep begun waits less endless || fail "the pages of splitting searches in a browser"
 
 # Draws that were made better.

@@ -1,4 +1,4 @@
-#include "search/watch/live_state.hpp"
+#include "search/report/live_state.hpp"
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
@@ -12,6 +12,8 @@ using schema::Json;
 
 constexpr int kBest = 5;
 
+}  // namespace
+
 // Reads the index alone, a hundredth of the table's size.
 Json angles_json(SQLite::Database& database, double sample_deg) {
   Json angles = Json::array();
@@ -24,8 +26,6 @@ Json angles_json(SQLite::Database& database, double sample_deg) {
   }
   return angles;
 }
-
-}  // namespace
 
 Json live_state_json(SQLite::Database& database, const schema::Campaign& campaign) {
   return schema::reading(database, [&] {
