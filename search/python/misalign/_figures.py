@@ -90,7 +90,7 @@ def flat_sheet(pattern: Pattern, axes: Any, magnified: float) -> Any:
                         scale=1, width=0.005, zorder=3, label=f"shifts, × {magnified:g}")
         axes.set_aspect("equal")
         axes.axis("off")
-        axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0), ncol=3)
     return axes
 
 
@@ -112,7 +112,7 @@ def space(axes: Any, points_mm: npt.NDArray[np.float64]) -> None:
     sides = np.maximum(most - least, 0.02 * (most - least).max())
     middle = (least + most) / 2
     axes.set(**{f"{axis}lim": (middle[k] - sides[k] / 2, middle[k] + sides[k] / 2) for k, axis in enumerate("xyz")})
-    axes.set_box_aspect(sides, zoom=1.25)
+    axes.set_box_aspect(sides, zoom=1.08)
     axes.view_init(elev=35, azim=-60)
     axes.axis("off")
 
@@ -134,11 +134,11 @@ def _shapes_mm(pattern: Pattern, stations_deg: npt.NDArray[np.float64], name: st
     return folding.vertices_mm
 
 
-def folded_sheet(pattern: Pattern, axes: Any, pilot_deg: float) -> Any:
+def folded_sheet(pattern: Pattern, axes: Any, pilot_deg: float, colours: Any) -> Any:
     """Draws the folded sheet."""
     shape_mm = _shapes_mm(pattern, np.array([pilot_deg], dtype=float), "pilot_deg")[0]
     with _axes(axes, projection="3d") as axes:
-        panels(pattern, axes, shape_mm)
+        panels(pattern, axes, shape_mm, colours)
         space(axes, shape_mm)
         axes.set_title(f"pilot angle {pilot_deg:g}°")
     return axes

@@ -152,12 +152,14 @@ class Pattern:
         """
         _misalign.write(self._sheet, os.fspath(path))
 
-    def plot(self, pilot_deg: float | None = None, axes: Any = None, magnified: float = 50) -> Any:
+    def plot(self, pilot_deg: float | None = None, axes: Any = None, magnified: float = 50,
+             colours: Any = None) -> Any:
         """Draws the crease pattern with its holes, diagonals and shifts, or the folded sheet; returns matplotlib's axes.
 
         `pilot_deg`  pilot angle of the folded sheet, in a space; None for the crease pattern
         `axes`       where to draw, in mm (3-D for a folded sheet); None for a new figure in the style `misalign.style`
         `magnified`  factor of the arrows that show the shifts; 0 for none
+        `colours`    colours of the folded sheet's panels [P], any that matplotlib takes; None for paper in a light from above
 
         Diagonals are blue if they are longer at the end of the path than flat, vermilion if not. `misalign.Error`: 1 without
         matplotlib, 2 for an angle beyond the path's end.
@@ -170,7 +172,7 @@ class Pattern:
         """
         if pilot_deg is None:
             return _figures.flat_sheet(self, axes, magnified)
-        return _figures.folded_sheet(self, axes, pilot_deg)
+        return _figures.folded_sheet(self, axes, pilot_deg, colours)
 
     def animate(self, from_deg: float | None = None, to_deg: float = 0, frames: int = 60, interval_ms: float = 50,
                 axes: Any = None) -> Any:
