@@ -30,7 +30,7 @@ UNITS = {"_n_mm_per_mm": "N mm/mm", "_mm_per_deg": "mm/°", "_deg_per_s": "°/s"
 def pyplot() -> Any:
     """Returns the module `matplotlib.pyplot`."""
     try:
-        import matplotlib.pyplot as plt
+        import matplotlib.pyplot as plt  # type: ignore[import]
     except ImportError as error:
         raise Error("matplotlib is missing, which figures need (a separate package); install it, such as Debian's "
                     "python3-matplotlib") from error
@@ -59,7 +59,7 @@ def lengths(folding: Folding, axes: Any) -> Any:
         for grows, color, label in ((True, BLUE, "lengthen as it folds"), (False, VERMILION, "shorten")):
             for count, number in enumerate(np.flatnonzero(lengthens == grows)):
                 axes.plot(folding.pilot_deg, elongation[:, number], color=color, gid=f"diagonal-{number}",
-                          label=f"_{number}" if count else label)
+                          label="_again" if count else label)
         axes.axvline(folding.deploys_from_deg, color="black", linestyle=":", linewidth=1,
                      label=f"deploys from {folding.deploys_from_deg:g}°")
         axes.set(xlabel="pilot angle (°)", ylabel="elongation of the diagonals (%)")
@@ -77,13 +77,13 @@ def flat_sheet(pattern: Pattern, axes: Any, magnified: float) -> Any:
             axes.fill(*flat_mm[facet].T, facecolor=HOLE if number in pattern.holes else "white", edgecolor=EDGE, linewidth=0.5)
         pilot = flat_mm[pattern.creases[pattern.pilot]]
         axes.plot(*pilot.T, color=ORANGE, linewidth=5, alpha=0.7, solid_capstyle="butt", label="pilot crease")
-        for edges, chosen, looks in (
-                (pattern.creases, ~pattern.valley, {"color": "black", "linewidth": 0.9, "dashes": (6, 2, 1, 2), "label": "mountains"}),
-                (pattern.creases, pattern.valley, {"color": "black", "linewidth": 0.9, "dashes": (4, 2), "label": "valleys"}),
-                (pattern.diagonals, lengthens, {"color": BLUE, "label": "lengthen as it folds"}),
-                (pattern.diagonals, ~lengthens, {"color": VERMILION, "label": "shorten"})):
-            for count, number in enumerate(np.flatnonzero(chosen)):
-                axes.plot(*flat_mm[edges[number]].T, **{**looks, "label": f"_{number}" if count else looks["label"]})
+        for edges, label, looks in (
+                (pattern.creases[~pattern.valley], "mountains", {"color": "black", "linewidth": 0.9, "dashes": (6, 2, 1, 2)}),
+                (pattern.creases[pattern.valley], "valleys", {"color": "black", "linewidth": 0.9, "dashes": (4, 2)}),
+                (pattern.diagonals[lengthens], "lengthen as it folds", {"color": BLUE}),
+                (pattern.diagonals[~lengthens], "shorten", {"color": VERMILION})):
+            for count, edge in enumerate(edges):
+                axes.plot(*flat_mm[edge].T, label="_again" if count else label, **looks)
         shifted = np.flatnonzero(np.abs(pattern.shifts_mm).max(axis=1) > 0)
         if magnified and len(shifted):
             axes.quiver(*flat_mm[shifted].T, *(magnified * pattern.shifts_mm[shifted]).T, angles="xy", scale_units="xy",
@@ -96,7 +96,7 @@ def flat_sheet(pattern: Pattern, axes: Any, magnified: float) -> Any:
 
 def _shades(corners_mm: npt.NDArray[np.float64], color: str) -> npt.NDArray[np.float64]:
     """Returns colours of panels [P, 4] in a light from above, by the normals of their corners [P, 4, 3]."""
-    from matplotlib.colors import to_rgba
+    from matplotlib.colors import to_rgba  # type: ignore[import]
     normals = np.cross(corners_mm[:, 2] - corners_mm[:, 0], corners_mm[:, 3] - corners_mm[:, 1])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     light = np.abs(normals @ np.array([0.36, -0.48, 0.8]))
@@ -119,7 +119,7 @@ def space(axes: Any, points_mm: npt.NDArray[np.float64]) -> None:
 
 def panels(pattern: Pattern, axes: Any, shape_mm: npt.NDArray[np.float64], colours: Any = None) -> Any:
     """Adds the panels of a folded sheet to 3-D axes, in one colour or each in its own; returns their collection."""
-    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import]
     corners_mm = shape_mm[pattern.panels]
     colours = _shades(corners_mm, PAPER) if colours is None else colours
     return axes.add_collection3d(Poly3DCollection(corners_mm, facecolors=colours, edgecolors="#444444", linewidths=0.5,
@@ -130,7 +130,8 @@ def _shapes_mm(pattern: Pattern, stations_deg: npt.NDArray[np.float64], name: st
     """Returns the folded sheet [S, V, 3] at stations that ascend."""
     folding = pattern.fold(stations_deg)
     if np.isnan(folding.vertices_mm).any():
-        raise Error(f"{name}={stations_deg[-1]:g}: lies beyond the path's end; give at most {folding.fold_limit_deg:g}", 2)
+        most_deg = np.floor(100 * folding.fold_limit_deg) / 100
+        raise Error(f"{name}={stations_deg[-1]:g}: lies beyond the path's end; give at most {most_deg:g}", 2)
     return folding.vertices_mm
 
 
@@ -153,7 +154,7 @@ def motion(pattern: Pattern, from_deg: float | None, to_deg: float, frames: int,
         raise Error(f"from_deg={from_deg:g}: is not above to_deg={to_deg:g}, to which the sheet deploys", 2)
     if frames < 2:
         raise Error(f"frames={frames}: is too small; give at least 2", 2)
-    from matplotlib.animation import FuncAnimation
+    from matplotlib.animation import FuncAnimation  # type: ignore[import]
     stations_deg = np.linspace(to_deg, from_deg, frames)
     shapes_mm = _shapes_mm(pattern, stations_deg, "from_deg")[::-1]
     with _axes(axes, projection="3d") as axes:
@@ -171,10 +172,11 @@ def motion(pattern: Pattern, from_deg: float | None, to_deg: float, frames: int,
     return FuncAnimation(axes.figure, show, frames=frames, interval=interval_ms)
 
 
-def label(column: str) -> str:
+def axis_label(column: str) -> str:
     """Returns a column's name as the label of an axis, with its unit; functions of sheets as they are written.
 
-    >>> label("miscut_margin_mm"), label("stroke_max"), label("energy_n_mm(draw, 140)")
+    >>> from misalign._figures import axis_label
+    >>> axis_label("miscut_margin_mm"), axis_label("stroke_max"), axis_label("energy_n_mm(draw, 140)")
     ('miscut margin (mm)', 'stroke max', 'energy_n_mm(draw, 140)')
     """
     if "(" in column:
@@ -194,6 +196,6 @@ def candidates(catalogue: Catalogue, x: str, y: str, colour: str, where: str | N
     table = catalogue.candidates(where, limit=limit, columns=[name for name in dict.fromkeys((x, y, colour)) if name not in columns])
     with _axes(axes) as axes:
         points = axes.scatter(table[x].astype(float), table[y].astype(float), c=table[colour].astype(float), s=8)
-        axes.set(xlabel=label(x), ylabel=label(y))
-        axes.figure.colorbar(points, ax=axes, label=label(colour))
+        axes.set(xlabel=axis_label(x), ylabel=axis_label(y))
+        axes.figure.colorbar(points, ax=axes, label=axis_label(colour))
     return axes
