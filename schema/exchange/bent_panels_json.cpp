@@ -1,6 +1,7 @@
 #include "schema/exchange/bent_panels_json.hpp"
 
 #include <cassert>
+#include <vector>
 
 #include "schema/files/json_values.hpp"
 
@@ -8,14 +9,21 @@ namespace misalign::schema {
 namespace {
 
 Json bent_angles_json(const solver::BentPanels& study) {
-  return json_list(study.angles, [](const solver::BentAngle& angle) {
-    return Json{{"pilot_deg", angle.pilot_deg},
-                {"energy_n_mm", angle.rigid_n_mm},
-                {"bent_energy_n_mm", angle.bent.n_mm},
-                {"largest_saddle_mm", angle.largest_saddle_mm},
-                {"largest_stress_mpa", angle.largest_stress_mpa},
-                {"is_sure", angle.is_sure}};
-  });
+  const Eigen::MatrixXd stress_mpa = study.panel_stress_mpa();
+  Json angles = Json::array();
+  for (std::size_t k = 0; k < study.angles.size(); ++k) {
+    const solver::BentAngle& angle = study.angles[k];
+    const auto panels_mpa = stress_mpa.col(static_cast<Eigen::Index>(k));
+    angles.push_back(
+        {{"pilot_deg", angle.pilot_deg},
+         {"energy_n_mm", angle.rigid_n_mm},
+         {"bent_energy_n_mm", angle.bent.n_mm},
+         {"largest_saddle_mm", angle.largest_saddle_mm},
+         {"largest_stress_mpa", angle.largest_stress_mpa},
+         {"panel_stress_mpa", std::vector<double>(panels_mpa.begin(), panels_mpa.end())},
+         {"is_sure", angle.is_sure}});
+  }
+  return angles;
 }
 
 Json margins_json(const solver::BentFriction& friction) {

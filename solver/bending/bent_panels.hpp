@@ -119,7 +119,9 @@ struct BentPanels {
   BentFriction friction;
   std::shared_ptr<const BentWay> way;  ///< never null
   const BentAngle& most_bent() const;  ///< the angle of the largest stress
-  int unsure() const;                  ///< angles where Newton's method did not converge
+  /// The stress behind largest_stress_mpa in each panel (rows) at each angle (columns).
+  Eigen::MatrixXd panel_stress_mpa() const;
+  int unsure() const;  ///< angles where Newton's method did not converge
 };
 /// Faults: those of the angles in `deploy`, a filling without energy, an angle `to_deg` that does
 /// not lie below the start. Reasons: path_lost; panels_not_stable at one of the angles.

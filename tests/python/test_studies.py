@@ -51,6 +51,19 @@ class Studies(unittest.TestCase):
         with self.assertRaises(misalign.Error):
             sheet.gradient([20, 10])
 
+    def test_stress_is_largest_beside_the_one_spring(self):
+        """Of these springs; that of others is largest on the way to the rim."""
+        sheet = misalign.read(TABLE1)
+        ends = [label.split("-") for label in sheet.diagonal_labels]
+        for number in (0, 6, 9, 13):
+            none = [{"from": a, "to": b, "stiffness_n_per_mm": 0} for k, (a, b) in enumerate(ends) if k != number]
+            angles = sheet.deploy(from_deg=36, bend=True, fill={"kind": "springs", "single": none})["bent"]["angles"]
+            for angle in angles:
+                self.assertEqual(angle["panel_stress_mpa"].shape, (len(sheet.panels),))
+                self.assertEqual(angle["panel_stress_mpa"].max(), angle["largest_stress_mpa"])
+            most = sheet.panels[angles[-1]["panel_stress_mpa"].argmax()]
+            self.assertTrue(set(most) & set(sheet.diagonals[number]), number)
+
     def test_optimises_as_the_program(self):
         sheet = misalign.read(TABLE1)
         better, said = sheet.optimise(deploys_from_deg=150, ternary=True, stroke_limit=0.1)

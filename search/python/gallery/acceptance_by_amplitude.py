@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt
 import misalign
 import numpy as np
 
+plt.style.use(misalign.style)
 DRAWS = 1500
 campaign = misalign.read("search/campaigns/miura-6x6.json")
 pattern = campaign.pattern
@@ -23,9 +24,9 @@ for amplitude_mm in amplitudes_mm:
     histories = [pattern.fold([0, 150], shifts_mm[draw]) for draw in accepted[:20]]
     strokes.append(np.mean([np.abs(each.length_mm[1] / each.flat_mm - 1).max() for each in histories]))
 
-figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+figure, axes = plt.subplots()
 axes.plot(amplitudes_mm, 100 * np.array(shares), "o-", color="C0", label="share of draws that deploy from 150°")
-axes.plot(amplitudes_mm, 100 * np.array(strokes), "s-", color="C3", label="mean largest stroke at 150°")
+axes.plot(amplitudes_mm, 100 * np.array(strokes), "s-", color="C1", label="mean largest stroke at 150°")
 axes.axhline(8, color="#999999", linestyle=":", label="8 %: recovered by Ti–Ni wires")
 axes.set(xscale="log", yscale="log", xlabel="amplitude of the shifts (mm; panels of 80 mm)", ylabel="share or stroke (%)")
 axes.legend()

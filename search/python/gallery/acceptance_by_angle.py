@@ -10,9 +10,10 @@ import matplotlib.pyplot as plt
 import misalign
 import numpy as np
 
+plt.style.use(misalign.style)
 DRAWS, Z = 5000, 1.96
 angles_deg = np.arange(0, 181)
-figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+figure, axes = plt.subplots()
 for name, color in (("miura-4x4", "C0"), ("miura-6x6", "C1")):
     campaign = misalign.read(f"search/campaigns/{name}.json")
     reached_deg = misalign.judge(campaign, campaign.shifts(range(DRAWS))).deploys_from_deg
@@ -22,6 +23,6 @@ for name, color in (("miura-4x4", "C0"), ("miura-6x6", "C1")):
                       alpha=0.2, linewidth=0)
     axes.plot(angles_deg[hits > 0], hits[hits > 0] / DRAWS, color=color, label=name)
 axes.set(yscale="log", ylim=(1e-4, 1.3), xlim=(0, 180), xlabel="least D (°)", ylabel="share of draws")
-axes.grid(color="#eeeeee")
+axes.grid()
 axes.legend()
 plt.show()

@@ -13,7 +13,9 @@ import struct
 import subprocess
 
 import matplotlib.pyplot as plt
+import misalign
 
+plt.style.use(misalign.style)
 said = json.loads(subprocess.run(["misalign", "certify", "search/patterns/table1.json", "--to", "180", "--json"],
                                  capture_output=True, check=True).stdout)["certificate"]
 proof = base64.b64decode(said["proof"])
@@ -21,7 +23,7 @@ _, creases, balls, intervals = struct.unpack_from("<4I", proof)
 HEAD, SIZE = 32, 16 + 4 * creases + 12 * balls      # each: where it ends, its box, and the state in its middle
 ends = [struct.unpack_from("<df", proof, HEAD + SIZE * k) for k in range(intervals)]
 
-figure, axes = plt.subplots(figsize=(8, 4.5), layout="constrained")
+figure, axes = plt.subplots()
 from_deg = 0.0
 for number, (to_deg, box) in enumerate(ends):
     axes.bar(from_deg, to_deg - from_deg, width=to_deg - from_deg, align="edge", edgecolor="white", linewidth=0.5,

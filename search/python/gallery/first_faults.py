@@ -10,10 +10,11 @@ import matplotlib.pyplot as plt
 import misalign
 import numpy as np
 
+plt.style.use(misalign.style)
 campaign = misalign.read("search/campaigns/miura-6x6.json")
 verdicts = misalign.judge(campaign, campaign.shifts(range(5000)))
 
-figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+figure, axes = plt.subplots()
 seen = [fault for fault in range(len(misalign.faults)) if (verdicts.first_fault == fault).any()]
 axes.hist([verdicts.deploys_from_deg[verdicts.first_fault == fault] for fault in seen], bins=np.arange(0, 185, 5),
           stacked=True, label=[misalign.faults[fault] for fault in seen])

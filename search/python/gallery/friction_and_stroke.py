@@ -13,6 +13,7 @@ import tempfile
 import matplotlib.pyplot as plt
 import misalign
 
+plt.style.use(misalign.style)
 with tempfile.TemporaryDirectory() as folder:
     file = f"{folder}/small.db"
     subprocess.run(["misalign", "search", "search/campaigns/miura-4x4.json", "--draws", "2000", "--catalogue", file,
@@ -21,7 +22,7 @@ with tempfile.TemporaryDirectory() as folder:
         found = catalogue.query("SELECT stroke_max, deploys_from_deg, critical_friction_n_mm_per_mm(draw) AS friction "
                                 "FROM candidates LIMIT 500")
 
-figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+figure, axes = plt.subplots()
 points = axes.scatter(100 * found.stroke_max, found.friction.astype(float), c=found.deploys_from_deg, s=10)
 axes.set(yscale="log", xlabel="largest stroke up to D (%)", ylabel="critical friction from 36° (N mm/mm)")
 figure.colorbar(points, label="D (°)")

@@ -14,6 +14,7 @@ import matplotlib.pyplot as plt
 import misalign
 import numpy as np
 
+plt.style.use(misalign.style)
 with tempfile.TemporaryDirectory() as folder:
     file = f"{folder}/small.db"
     subprocess.run(["misalign", "search", "search/campaigns/miura-4x4.json", "--draws", "2000", "--catalogue", file,
@@ -26,11 +27,11 @@ METRICS = ["deploys_from_deg", "fold_limit_deg", "miscut_margin_mm", "slope_min_
            "stretch_sq_mm2", "kawasaki_defect_deg", "singular_value_min"]
 correlation = candidates[METRICS].astype(float).corr(method="spearman")
 
-figure, axes = plt.subplots(figsize=(8.5, 6.5), layout="constrained")
+figure, axes = plt.subplots(figsize=(6.3, 5.2))
 axes.imshow(correlation, vmin=-1, vmax=1, cmap="RdBu")
 axes.set_xticks(range(len(METRICS)), METRICS, rotation=40, ha="right", rotation_mode="anchor")
 axes.set_yticks(range(len(METRICS)), METRICS)
 for (row, column), value in np.ndenumerate(correlation.to_numpy()):
-    axes.text(column, row, f"{value:.2f}", ha="center", va="center", fontsize=7,
+    axes.text(column, row, f"{value:.2f}", ha="center", va="center", fontsize=6,
               color="white" if abs(value) > 0.6 else "black")
 plt.show()

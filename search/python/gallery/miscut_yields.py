@@ -12,8 +12,9 @@ import tempfile
 import matplotlib.pyplot as plt
 import misalign
 
+plt.style.use(misalign.style)
 errors_mm = (0.02, 0.05, 0.1, 0.15, 0.2, 0.3)
-figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+figure, axes = plt.subplots()
 with tempfile.TemporaryDirectory() as folder:
     file = f"{folder}/small.db"
     subprocess.run(["misalign", "search", "search/campaigns/miura-4x4.json", "--draws", "2000", "--catalogue", file,

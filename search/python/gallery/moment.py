@@ -10,19 +10,21 @@ import json
 import subprocess
 
 import matplotlib.pyplot as plt
+import misalign
 import numpy as np
 
+plt.style.use(misalign.style)
 springs = json.loads(subprocess.run(["misalign", "actuators", "search/patterns/table1.json", "--json"],
                                     capture_output=True, check=True).stdout)
 history = springs["history"]
 pilot_deg, moment_n_mm = np.array(history["pilot_deg"], float), np.array(history["moment_n_mm"], float)
 
-figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+figure, axes = plt.subplots()
 way = pilot_deg > 0
 axes.plot(pilot_deg[way], moment_n_mm[way], label="springs of 50 N/mm")
 axes.plot(pilot_deg[way], moment_n_mm[pilot_deg == 10] * (pilot_deg[way] / 10) ** 3, color="#999999", linestyle="--",
           label="ρ³ through 10°")
 axes.set(xscale="log", yscale="log", xlabel="pilot angle ρ (°)", ylabel="moment about the pilot crease (N mm)")
-axes.grid(color="#eeeeee")
+axes.grid()
 axes.legend()
 plt.show()

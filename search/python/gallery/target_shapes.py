@@ -17,6 +17,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
+plt.style.use(misalign.style)
 R, WAVE = 960, 480 / (2 * np.pi)
 FILE = "search/patterns/dome-6x6.json"
 at = np.arange(-320, 321, 40.0)
@@ -69,8 +70,8 @@ sides = np.tile([1.0, -1] * 3 + [1], (7, 1))
 sides[1::2, 0] = sides[0::2, -1] = 2
 x, y = np.meshgrid(np.linspace(-230, 230, 24), np.linspace(-230, 230, 24))
 
-figure = plt.figure(figsize=(9, 5), layout="constrained")
-colours = plt.cm.ScalarMappable(plt.Normalize(0, 30), "viridis")
+figure = plt.figure(figsize=(6.3, 3.8))
+colours = plt.cm.ScalarMappable(plt.Normalize(0, 30), plt.rcParams["image.cmap"])
 for place, (name, height) in enumerate(heights.items()):
     sheet = shaped(height)
     points_mm, away_mm = placed(sheet.fold([90]).vertices_mm[0], sides.ravel(), height)

@@ -16,6 +16,9 @@ this package reads their catalogues, and judges and folds any sheet.
 
 Angles are in degrees and lengths in mm, as the ends of names say. In shapes N counts
 sheets, S stations (pilot angles), V vertices, F facets, C creases, G diagonals. D is an angle, as everywhere: `deploys_from_deg`.
+
+Figures are matplotlib's: `plot` of a pattern, a folding and a catalogue, `animate` of a pattern. `style` is the path of their
+style: `matplotlib.pyplot.style.use(misalign.style)`.
 """
 
 try:
@@ -27,11 +30,13 @@ except ImportError as _error:
 from misalign._campaign import Campaign
 from misalign._catalogue import Catalogue
 from misalign._error import Error, UndecidedError
+from misalign._figures import style
 from misalign._folding import Folding
 from misalign._judge import Verdicts, faults, judge
 from misalign._misalign import __version__
 from misalign._pattern import Pattern
 from misalign._read import read
+from misalign._view import View, view
 
-__all__ = ["Campaign", "Catalogue", "Error", "Folding", "Pattern", "UndecidedError", "Verdicts",
-           "__version__", "faults", "judge", "read"]
+__all__ = ["Campaign", "Catalogue", "Error", "Folding", "Pattern", "UndecidedError", "Verdicts", "View",
+           "__version__", "faults", "judge", "read", "style", "view"]

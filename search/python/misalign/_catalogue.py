@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from misalign import _misalign
+from misalign import _figures, _misalign
 from misalign._arrays import arrays
 from misalign._campaign import Campaign
 from misalign._error import Error
@@ -106,6 +106,23 @@ class Catalogue:
         True
         """
         return _frame(self._opened().candidates(where or "", by, limit, list(columns)))
+
+    def plot(self, x: str = "stroke_max", y: str = "miscut_margin_mm", colour: str = "deploys_from_deg",
+             where: str | None = None, limit: int | None = None, axes: Any = None) -> Any:
+        """Draws candidates as points; returns matplotlib's axes.
+
+        `x`, `y`, `colour`  columns of `candidates`, or functions of sheets such as "thickness_mm(draw, 140)"
+        `where`, `limit`    those of `candidates`
+        `axes`              where to draw; None for a new figure in the style `misalign.style`
+
+        Numbers are those of the table, in its units. `misalign.Error`: 1 without matplotlib or pandas, others as from
+        `candidates`.
+
+        >>> axes = misalign.Catalogue("miura-4x4.db").plot(y="D", where="stroke_max < 0.05", limit=100)
+        >>> axes.get_xlabel(), len(axes.collections[0].get_offsets())
+        ('stroke max', 100)
+        """
+        return _figures.candidates(self, x, y, colour, where, limit, axes)
 
     def query(self, name_or_sql: str = "best") -> pandas.DataFrame:
         """Returns the rows of a named query (`schema/queries/README.md`), or of any SELECT.

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from misalign import _figures
+
 
 class Folding:
     """The folding path of a sheet, with a row for each station. Made by `Pattern.fold` and `Catalogue.replay`.
@@ -57,6 +59,20 @@ class Folding:
                      ("deploys_from_deg", "first_fault", "fault_deg", "where", "bump_between_samples", "accepted")})
         for name, value in said.items():
             setattr(self, name, value)
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws the elongations of the diagonals in percent, against the pilot angle in degrees; returns matplotlib's axes.
+
+        `axes`  where to draw; None for a new figure in the style `misalign.style`
+
+        A line for each diagonal, with a point for each station: blue if it is longer than flat at the last one, vermilion
+        if not. A dotted line marks D. `misalign.Error` (1) without matplotlib.
+
+        >>> axes = misalign.read("search/patterns/table1.json").fold().plot()
+        >>> len(axes.lines), axes.get_xlabel(), axes.get_ylabel()  # 16 diagonals, and D
+        (17, 'pilot angle (°)', 'elongation of the diagonals (%)')
+        """
+        return _figures.lengths(self, axes)
 
     def __repr__(self) -> str:
         return (f"<misalign.Folding: {len(self.pilot_deg)} stations, deploys from {self.deploys_from_deg:g} deg, "

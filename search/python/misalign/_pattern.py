@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from misalign import _misalign
+from misalign import _figures, _misalign
 from misalign._arrays import arrays, text
 from misalign._error import Error
 from misalign._folding import Folding
@@ -151,6 +151,45 @@ class Pattern:
         True
         """
         _misalign.write(self._sheet, os.fspath(path))
+
+    def plot(self, pilot_deg: float | None = None, axes: Any = None, magnified: float = 50,
+             colours: Any = None) -> Any:
+        """Draws the crease pattern with its holes, diagonals and shifts, or the folded sheet; returns matplotlib's axes.
+
+        `pilot_deg`  pilot angle of the folded sheet, in a space; None for the crease pattern
+        `axes`       where to draw, in mm (3-D for a folded sheet); None for a new figure in the style `misalign.style`
+        `magnified`  factor of the arrows that show the shifts; 0 for none
+        `colours`    colours of the folded sheet's panels [P], any that matplotlib takes; None for paper in a light from above
+
+        Diagonals are blue if they are longer at the end of the path than flat, vermilion if not. `misalign.Error`: 1 without
+        matplotlib, 2 for an angle beyond the path's end.
+
+        >>> pattern = misalign.read("search/patterns/table1.json")
+        >>> len(pattern.plot().patches) == len(pattern.facets)
+        True
+        >>> pattern.plot(pilot_deg=120).get_title()
+        'pilot angle 120°'
+        """
+        if pilot_deg is None:
+            return _figures.flat_sheet(self, axes, magnified)
+        return _figures.folded_sheet(self, axes, pilot_deg, colours)
+
+    def animate(self, from_deg: float | None = None, to_deg: float = 0, frames: int = 60, interval_ms: float = 50,
+                axes: Any = None) -> Any:
+        """Animates the deploying sheet; returns matplotlib's `FuncAnimation`, which shows, saves and becomes HTML.
+
+        `from_deg`, `to_deg`  pilot angles of the first and of the last frame, degrees, the first the larger; None for D
+        `frames`              number of frames, at equal steps of the angle
+        `interval_ms`         time between frames, ms
+        `axes`                3-D axes, in mm; None for a new figure in the style `misalign.style`
+
+        The motion is that of the folding path, not in time. `misalign.Error`: 1 without matplotlib, 2 for angles beyond the
+        path's end or in the wrong order, and for less than two frames.
+
+        >>> animation = misalign.read("search/patterns/table1.json").animate(from_deg=120, frames=3)
+        >>> animation.save("table1.gif", writer="pillow")  # in a notebook: IPython.display.HTML(animation.to_jshtml())
+        """
+        return _figures.motion(self, from_deg, to_deg, frames, interval_ms, axes)
 
     def contact(self, from_deg: float | None = None, trim_mm: float | None = None, diameter_mm: float | None = None,
                 end_mm: float | None = None, offset_ends: bool = False,
