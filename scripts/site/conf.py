@@ -4,7 +4,8 @@ import os
 import pathlib
 import re
 
-GALLERY = pathlib.Path(os.environ["MISALIGN_SITE"]) / "gallery"
+SITE = pathlib.Path(os.environ["MISALIGN_SITE"])
+GALLERY = SITE / "gallery"
 
 project = "misalign"
 copyright = "the misalign developers"
@@ -22,6 +23,7 @@ html_title = f"misalign {release}"
 html_show_sourcelink = False
 html_copy_source = False
 html_static_path = ["static"]
+html_extra_path = [os.fspath(SITE / "extra")]
 html_css_files = ["site.css"]
 html_search_scorer = os.path.join(os.path.dirname(__file__), "scorer.js")
 # Those of the theme itself. Debian 12's package has lost them: its sass leaves out a media query within another.
