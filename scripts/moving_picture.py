@@ -7,6 +7,7 @@ back. The sphere is the target, in the pose of least squares. With the package `
 """
 
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -18,7 +19,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.append(str(ROOT / "build/release/python"))  # where the build leaves it; an installed one comes first
 import misalign  # noqa: E402
 
-PROGRAM, PATTERN = ROOT / "build/release/misalign", ROOT / "search/patterns/dome-6x6.json"
+PROGRAM, PATTERN = shutil.which("misalign") or ROOT / "build/release/misalign", ROOT / "search/patterns/dome-6x6.json"
 RADIUS_MM, SHAPE_DEG, HOLD, FRAME_S = 1440, 90, 12, 1 / 12
 WIDE = 640
 INK, SURFACE = "#222222", "#4a90d9"

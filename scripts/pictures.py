@@ -2,7 +2,7 @@
 """What scripts/pictures.sh does with pictures.
 
 pictures.py figure NAME FILE         draws a figure of search/python/gallery as a small PNG
-pictures.py smaller FILE...          leaves 256 colours of each PNG
+pictures.py smaller FILE...          leaves 128 colours of each PNG
 pictures.py moving FOLDER FILE       the PNGs of a folder by name, there and back, as an animated WebP
 """
 
@@ -13,7 +13,7 @@ from pathlib import Path
 from PIL import Image
 
 GALLERY = Path(__file__).resolve().parent.parent / "search/python/gallery"
-DOTS_PER_INCH, COLOURS = 80, 256
+DOTS_PER_INCH, COLOURS = 80, 128
 FRAME_MS, END_MS, WIDE, QUALITY = 60, 900, 900, 70
 
 
@@ -37,7 +37,7 @@ def moving(folder, file):
     frames = [picture.resize((WIDE, high), Image.Resampling.LANCZOS) for picture in pictures]
     times = [END_MS] + [FRAME_MS] * (len(frames) - 2) + [END_MS] + [FRAME_MS] * (len(frames) - 2)
     frames += frames[-2:0:-1]
-    frames[0].save(file, save_all=True, append_images=frames[1:], duration=times, loop=0, quality=QUALITY, method=6)
+    frames[0].save(file, save_all=True, append_images=frames[1:], duration=times, loop=0, quality=QUALITY, method=4)
 
 
 if __name__ == "__main__":
