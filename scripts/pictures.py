@@ -28,7 +28,7 @@ def figure(name, file):
 def smaller(*files):
     for file in files:
         with Image.open(file) as picture:
-            picture.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(file, optimize=True)
+            picture.convert("RGB").quantize(COLOURS, Image.Quantize.LIBIMAGEQUANT).save(file, optimize=True)
 
 
 def moving(folder, file):

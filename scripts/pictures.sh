@@ -45,16 +45,20 @@ shots "$work/table1.html" $results/pattern overview,folding,charts,facts
 misalign report $patterns/table1.json --stress "$work/stress/table1-stress.json" --contact --output "$work/stress.html"
 shots "$work/stress.html" $results/stress folding,charts
 
-# A campaign that is watched; both processes end here.
+# A campaign that is watched.
+rm -f "$work"/{four.db*,url}
 search $campaigns/miura-4x4.json --catalogue "$work/four.db" --draws 1000
-misalign watch "$work/four.db" --port 0 > "$work/url" &
+(cd "$work" && exec misalign watch four.db --port 0 > url) &
 watcher=$!
-search $campaigns/miura-4x4.json --catalogue "$work/four.db" --draws 100000000 &
+misalign search $campaigns/miura-4x4.json --catalogue "$work/four.db" --draws 100000000 --progress none --log-level error &
 searcher=$!
-trap 'kill -INT $watcher $searcher 2> /dev/null || true; wait' EXIT
+end() { kill $watcher $searcher 2> /dev/null || true; wait; }
+trap end EXIT
 until [ -s "$work/url" ]; do sleep 0.2; done
 sleep 15  # some ten thousand candidates
-shots "$(grep -o 'http:[^ ]*' "$work/url")" $results watch
+shots "$(grep -o 'http:[^ ]*' "$work/url")" "$work/kept" watch
+end
+cp "$work/kept/watch-light.png" $results
 
 # The manual: the page in tutorials, two figures of the gallery, drawings.
 search $campaigns/miura-4x4.json --catalogue "$work/first.db" --draws 20000

@@ -7,14 +7,14 @@ import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { open_browser, open_page } from "./browser.mjs";
 
-// Names of pictures, and where each is on the page; null: what the window shows first.
+// Names of pictures, and where each is on the page.
 const kParts = {
   overview: "#overview",
   candidates: "#candidates",
   folding: "#sheet",
   charts: "#views",
   facts: "#facts",
-  watch: null,
+  watch: "#overview",
 };
 const kFilmed = "#folding",
   kUnfilmed = "#folding :is(button, details) { visibility: hidden }",
@@ -26,7 +26,8 @@ const kWide = { width: 1500, height: 900 },
   kFilmedWindow = { width: 1200, height: 900 };
 const kFrames = 40,
   kFolded = 0.85; // share of the slider where the film begins
-const kSettled_ms = 500;
+const kSettled_ms = 1500;
+const kWindows = ["watch"]; // pictures of the whole window, with the bar at its top
 
 async function opened(browser, page_file, options, address) {
   const { page, problems } = /^http:/.test(page_file)
@@ -46,11 +47,13 @@ async function parts(browser, page_file, directory, names, address) {
     for (const name of names) {
       const path = join(directory, `${name}-${theme}.png`);
       assert.ok(name in kParts, `there is no part ${name}`);
-      if (kParts[name] === null) await page.screenshot({ path });
-      else {
-        await page.locator(kParts[name]).scrollIntoViewIfNeeded({ timeout: 10000 });
-        await page.locator(kParts[name]).screenshot({ path });
-      }
+      const part = page.locator(kParts[name]);
+      await part.scrollIntoViewIfNeeded({ timeout: 10000 });
+      if (kWindows.includes(name)) {
+        await page.addStyleTag({ content: ".top { position: sticky !important }" });
+        await part.evaluate((element) => element.scrollIntoView());
+        await page.screenshot({ path });
+      } else await part.screenshot({ path });
     }
     assert.deepEqual(problems, []);
     await page.close();
