@@ -22,11 +22,12 @@ const kFilmed = "#folding",
 // Sticky bars would lie across a picture that is higher than the window; sections get a margin.
 const kStyle = `html { scrollbar-width: none } .top, .pilot { position: static !important }
   section { margin-inline: -16px; padding: 16px }`;
-const kWide = { width: 1500, height: 900 },
+const kWindowStyle = ".top { position: sticky !important } .pilot { visibility: hidden }";
+const kWide = { width: 1500, height: 1000 },
   kFilmedWindow = { width: 1200, height: 900 };
 const kFrames = 40,
   kFolded = 0.85; // share of the slider where the film begins
-const kSettled_ms = 1500;
+const kSettled_ms = 1000;
 const kWindows = ["watch"]; // pictures of the whole window, with the bar at its top
 
 async function opened(browser, page_file, options, address) {
@@ -48,12 +49,11 @@ async function parts(browser, page_file, directory, names, address) {
       const path = join(directory, `${name}-${theme}.png`);
       assert.ok(name in kParts, `there is no part ${name}`);
       const part = page.locator(kParts[name]);
-      await part.scrollIntoViewIfNeeded({ timeout: 10000 });
-      if (kWindows.includes(name)) {
-        await page.addStyleTag({ content: ".top { position: sticky !important }" });
-        await part.evaluate((element) => element.scrollIntoView());
-        await page.screenshot({ path });
-      } else await part.screenshot({ path });
+      assert.ok(await part.isVisible(), `the page has no ${name}`);
+      if (kWindows.includes(name)) await page.addStyleTag({ content: kWindowStyle });
+      await part.evaluate((element) => element.scrollIntoView({ behavior: "instant" }));
+      await page.waitForTimeout(kSettled_ms); // what has been scrolled to is painted
+      await (kWindows.includes(name) ? page : part).screenshot({ path });
     }
     assert.deepEqual(problems, []);
     await page.close();
