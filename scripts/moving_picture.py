@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Draws a sheet that deploys into a dome and self-folds into it, into search/manual/dome.svg: moving_picture.py
+"""Draws a sheet that deploys into a dome and self-folds into it, into search/manual/dome.svg, and the dome alone, for
+readers who want no motion, into dome-still.svg: moving_picture.py
 
 The sheet is what `misalign shape search/patterns/dome-6x6.json` makes; its exact motion from stowed to the dome, flat, and
 back. The sphere is the target, in the pose of least squares. With the package `misalign` and NumPy.
 """
 
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,7 +19,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.append(str(ROOT / "build/release/python"))  # where the build leaves it; an installed one comes first
 import misalign  # noqa: E402
 
-PROGRAM, PATTERN = ROOT / "build/release/misalign", ROOT / "search/patterns/dome-6x6.json"
+PROGRAM, PATTERN = shutil.which("misalign") or ROOT / "build/release/misalign", ROOT / "search/patterns/dome-6x6.json"
 RADIUS_MM, SHAPE_DEG, HOLD, FRAME_S = 1440, 90, 12, 1 / 12
 WIDE = 640
 INK, SURFACE = "#222222", "#4a90d9"
@@ -56,6 +58,36 @@ def polygon(corners, style):
     return f'<path d="M{"L".join(f"{x:.0f} {y:.0f}" for x, y in corners[:, :2])}Z" {style}/>'
 
 
+def frame(sheet, points, shape_mm, angle_deg, high):
+    """Panels from back to front, and the angle below them."""
+    panels = sorted(sheet.panels, key=lambda panel: points[panel, 2].mean())
+    drawn = "".join(polygon(points[panel], f'fill="{shade(shape_mm[panel])}"') for panel in panels)
+    return (f'<g stroke="{INK}" stroke-width=".7" stroke-linejoin="round">{drawn}</g>'
+            f'<text x="{WIDE / 2:g}" y="{high + 18}" text-anchor="middle" font-size="14" fill="{INK}">'
+            f"pilot angle {angle_deg:.0f}°</text>")
+
+
+def shown_when(shown):
+    """The animation that shows its group in these frames alone."""
+    changes = [0] + [i for i in range(1, len(shown)) if shown[i] != shown[i - 1]]
+    times = ";".join(f"{i / len(shown):.4f}" for i in changes)
+    values = ";".join("inline" if shown[i] else "none" for i in changes)
+    return (f'<animate attributeName="display" calcMode="discrete" dur="{len(shown) * FRAME_S:g}s" repeatCount="indefinite" '
+            f'values="{values}" keyTimes="{times}"/>')
+
+
+def write(name, high, sphere, inside):
+    """A picture of the sheet on the sphere's lines, which also shine through it."""
+    (ROOT / "search/manual" / name).write_text(f"""\
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDE} {high + 26}" width="{WIDE}" font-family="sans-serif">
+<title>A sheet that rests on a sphere of radius {RADIUS_MM} mm, deployed and self-folded</title>
+<g id="sphere" fill="none" stroke="{SURFACE}" stroke-opacity=".45" stroke-width="1">{sphere}</g>
+{inside}
+<use href="#sphere" opacity=".4"/>
+</svg>
+""", encoding="utf-8")
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         made = Path(folder) / "dome.json"
@@ -90,27 +122,13 @@ def main():
     high = round((most - least)[1] * scale)
     put = lambda points: np.concatenate([(points[..., :2] - least) * scale, points[..., 2:]], axis=-1)  # noqa: E731
     grid = put(view(surface))
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDE} {high + 26}" width="{WIDE}" font-family="sans-serif">',
-           f"<title>A sheet that rests on a sphere of radius {RADIUS_MM} mm, deployed and self-folded</title>"]
     lines = [grid[k] for k in range(13)] + [grid[:, k] for k in range(13)]
-    drawn = "".join(f'<path d="M{"L".join(f"{x:.0f} {y:.0f}" for x, y in line[:, :2])}"/>' for line in lines)
-    out.append(f'<g id="sphere" fill="none" stroke="{SURFACE}" stroke-opacity=".45" stroke-width="1">{drawn}</g>')
-    seconds = len(frames) * FRAME_S
-    for k in range(len(asked)):
-        shown = [frame == k for frame in frames]
-        changes = [0] + [i for i in range(1, len(shown)) if shown[i] != shown[i - 1]]
-        times = ";".join(f"{i / len(shown):.4f}" for i in changes)
-        values = ";".join("inline" if shown[i] else "none" for i in changes)
-        points = put(seen[k])
-        panels = sorted(sheet.panels, key=lambda panel: points[panel, 2].mean())
-        hidden = "" if shown[0] else ' display="none"'
-        out.append(f"<g{hidden} stroke=\"{INK}\" stroke-width=\".7\" stroke-linejoin=\"round\">"
-                   + "".join(polygon(points[panel], f'fill="{shade(shapes[k][panel])}"') for panel in panels)
-                   + f'<text x="{WIDE / 2}" y="{high + 18}" text-anchor="middle" font-size="14" fill="{INK}" stroke="none">'
-                   f"pilot angle {asked[k]:.0f}°</text>"
-                   f'<animate attributeName="display" calcMode="discrete" dur="{seconds:g}s" repeatCount="indefinite" '
-                   f'values="{values}" keyTimes="{times}"/></g>')
-    (ROOT / "search/manual/dome.svg").write_text("\n".join([*out, '<use href="#sphere" opacity=".4"/>', "</svg>"]) + "\n", encoding="utf-8")
+    sphere = "".join(f'<path d="M{"L".join(f"{x:.0f} {y:.0f}" for x, y in line[:, :2])}"/>' for line in lines)
+    moments = [frame(sheet, put(seen[k]), shapes[k], asked[k], high) for k in range(len(asked))]
+    write("dome.svg", high, sphere, "".join(
+        f"""<g{'' if frames[0] == k else ' display="none"'}>{moment}{shown_when(frames == k)}</g>\n"""
+        for k, moment in enumerate(moments)))
+    write("dome-still.svg", high, sphere, moments[at_shape])
 
 
 if __name__ == "__main__":

@@ -26,6 +26,14 @@ export PATH="$build:$PATH" PYTHONPATH="$build/python" PYTHONDONTWRITEBYTECODE=1 
 /usr/bin/python3 scripts/site/stage.py "$build/misalign" "$MISALIGN_SITE"
 /usr/bin/python3 -m sphinx -q -W --keep-going -j auto -c scripts/site -d "$MISALIGN_SITE/doctrees" \
   "$MISALIGN_SITE/pages" "$MISALIGN_SITE/html.part"
+# Debian 12's furo is not bundled: its script imports another, which a page that is a file may not, and its style one of
+# a web server.
+theme=$MISALIGN_SITE/html.part/_static
+if grep -q '^import Gumshoe' "$theme/scripts/furo.js"; then
+  { cat "$theme/scripts/gumshoe-patched.js"; grep -v '^import Gumshoe' "$theme/scripts/furo.js"; } > "$theme/bundled.js"
+  mv "$theme/bundled.js" "$theme/scripts/furo.js"
+fi
+sed -i '/^@import url(.*normalize/d' "$theme/styles/furo.css"
 mv "$MISALIGN_SITE/html.part" "$MISALIGN_SITE/html"  # whole, whenever it is there
 pages=$(find "$MISALIGN_SITE/html" -name '*.html' | wc -l)
 echo "$MISALIGN_SITE/html/index.html: $pages pages in $((SECONDS - begun_s)) s"

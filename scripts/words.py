@@ -58,6 +58,7 @@ def prose(text):
     text = re.sub(r"\$\$.*?\$\$", "", text, flags=re.S)
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"`[^`]*`", "code", text)
+    text = re.sub(r'<img [^>]*alt="([^"]*)"[^>]*>|</?[a-z][^<>]*>', r"\1", text)
     return re.split(r"\n\s*\n|^\s*(?:[-*]|\d+\.) ", text, flags=re.M)
 
 

@@ -4,7 +4,8 @@ import os
 import pathlib
 import re
 
-GALLERY = pathlib.Path(os.environ["MISALIGN_SITE"]) / "gallery"
+SITE = pathlib.Path(os.environ["MISALIGN_SITE"])
+GALLERY = SITE / "gallery"
 
 project = "misalign"
 copyright = "the misalign developers"
@@ -22,7 +23,9 @@ html_title = f"misalign {release}"
 html_show_sourcelink = False
 html_copy_source = False
 html_static_path = ["static"]
+html_extra_path = [os.fspath(SITE / "extra")]
 html_css_files = ["site.css"]
+html_show_search_summary = False  # a page that is a file may not read others
 html_search_scorer = os.path.join(os.path.dirname(__file__), "scorer.js")
 # Those of the theme itself. Debian 12's package has lost them: its sass leaves out a media query within another.
 html_theme_options = {"dark_css_variables": {f"color-{name}": value for name, value in {

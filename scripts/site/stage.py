@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""stage.py PROGRAM FOLDER: lays out what Sphinx binds: FOLDER/pages, and in FOLDER/gallery the gallery's scripts.
+"""stage.py PROGRAM FOLDER: lays out what Sphinx binds: FOLDER/pages, in FOLDER/gallery the gallery's scripts, and in
+FOLDER/extra files that HTML in Markdown shows.
 
 Pages are the repository's Markdown files with links that hold in their new places, and reference pages that the
 program gives. A link to another file brings that file along.
@@ -18,6 +19,7 @@ import reference  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MANUAL = "search/manual/"
 LINK = re.compile(r"(\]\()([^)\s]+)(\))")
+DRAWN = re.compile(r'((?:src|srcset)=")([^"]+)(")')  # of HTML, whose files Sphinx does not bring along
 KINDS = ("tutorials", "how-to", "explanation", "reference")
 
 
@@ -46,6 +48,7 @@ class Stage:
         self.folder = folder
         self.files = tracked()
         self.brought = set()
+        self.drawn = set()
 
     def target(self, name, link):
         """What a link of the file NAME is on the site."""
@@ -70,18 +73,23 @@ class Stage:
             target = self.target(name, match[2])
             return match[0] if target is None else match[1] + target + match[3]
 
+        def drawn(match):
+            self.drawn.add(posixpath.normpath(posixpath.join(posixpath.dirname(name), match[2])))
+            return moved(match)
+
         parts = re.split(r"(^```.*?^```$)", text, flags=re.M | re.S)
-        text = "".join(part if part.startswith("```") else LINK.sub(moved, part) for part in parts)
+        text = "".join(part if part.startswith("```") else DRAWN.sub(drawn, LINK.sub(moved, part)) for part in parts)
         to = self.folder / "pages" / place(name)
         to.parent.mkdir(parents=True, exist_ok=True)
-        to.write_text(text + self.contents(name, text), encoding="utf-8")
+        front = "---\nhide-toc: true\n---\n\n" if name == MANUAL + "index.md" else ""
+        to.write_text(front + text + self.contents(name, text), encoding="utf-8")
 
     def contents(self, name, text):
         """What the page at a folder's top leads to, in the order in which it names it."""
         if not re.search(r"(^|/)(README|index)\.md$", name) or name == "README.md":
             return ""
         if name == MANUAL + "index.md":
-            return toctree([f"{kind}/index" for kind in KINDS] + ["gallery/index"] * self.has_gallery(), "Manual") + \
+            return toctree(["gallery/index"] * self.has_gallery() + [f"{kind}/index" for kind in KINDS], "Manual") + \
                 toctree(["overview", "evidence/index", "code/index"], "More")
         here = posixpath.dirname(place(name))
         named = [posixpath.normpath(match[2].partition("#")[0]) for match in LINK.finditer(text)]
@@ -145,10 +153,11 @@ def main():
     (folder / "pages/code/index.md").write_text(
         "# The code\n\nHow it is built, and what its folders say of themselves.\n\n" +
         "".join(f"- [](<{each}.md>)\n" for each in code) + toctree(code), encoding="utf-8")
-    for name in sorted(stage.brought):
-        to = folder / "pages" / place(name)
-        to.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(ROOT / name, to)
+    for kind, names in (("pages", stage.brought - stage.drawn), ("extra", stage.drawn)):
+        for name in sorted(names):
+            to = folder / kind / place(name)
+            to.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, to)
     if stage.has_gallery():
         gallery(stage)
 

@@ -1,10 +1,12 @@
 // Twenty tasks of strangers on the site of the manual: each page that answers is at most two clicks from the first one,
 // or among the first results of one search. Thirty queries in the field's words: the right page is among the first three.
+// Cards, moving drawing and width of pages: site_looks.mjs.
 // site_test.mjs FOLDER
 import { existsSync } from "node:fs";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { kPatience_ms, open_browser } from "./browser.mjs";
+import { check_looks, watch_page } from "./site_looks.mjs";
 
 const kFirstResults = 5,
   kFirstOfQuery = 3;
@@ -126,9 +128,7 @@ const context = await browser.newContext({ viewport: { width: 1300, height: 900 
 const page = await context.newPage();
 page.setDefaultTimeout(kPatience_ms);
 const problems = [];
-page.on("request", (request) => {
-  if (!/^(file|data):/.test(request.url())) problems.push(`asks for ${request.url()}`);
-});
+watch_page(page, problems);
 
 /** The pages that visible links of the open page lead to. */
 const links = async () => {
@@ -184,6 +184,7 @@ for (const [task, typed, answers, said] of kTasks) {
   if (exists.length === 0) problems.push(`${task}: no page says ${said}`);
   if (clicks === "-" && !(rank >= 1 && rank <= kFirstResults)) problems.push(`${task}: not found`);
 }
+await check_looks(browser, site, problems);
 await browser.close();
 for (const problem of problems) console.log(`FAILED: ${problem}`);
 process.exit(problems.length ? 1 : 0);
