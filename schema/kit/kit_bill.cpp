@@ -21,9 +21,8 @@ class Bill {
   explicit Bill(const GuideInput& input) : input_(input), sheet_(input.sheet) {}
 
   std::string text() const {
-    return "<h2>Parts to buy</h2>\n<table>\n" + table_row({"part", "number", "amount"}, 1, "th") +
-           panels() + hinges() + joints() + filling() + holder() + "</table>\n" + groups() +
-           thickness();
+    return "<h2>Parts to buy</h2>\n" + table_begin({"part", "number", "amount"}, 1) + panels() +
+           hinges() + joints() + filling() + holder() + kTableEnd + groups() + thickness();
   }
 
  private:

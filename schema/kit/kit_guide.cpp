@@ -37,8 +37,8 @@ std::string material_sheets(const GuideInput& input) {
 
 // Layers of the drawings in the order in which a machine follows them.
 std::string layer_table(const GuideInput& input) {
-  std::string text = "<h2>Layers, in the order of the machine</h2>\n<table>\n" +
-                     table_row({"layer", "colour", "work"}, 3, "th");
+  std::string text = "<h2>Layers, in the order of the machine</h2>\n" +
+                     table_begin({"layer", "colour", "work"}, 3);
   const auto meaning = [](const std::string& name) {
     return name == "registration"      ? "cut first: bores to place the sheet again"
            : name == "hinge"           ? "not cut: axes of hinges"
@@ -54,7 +54,7 @@ std::string layer_table(const GuideInput& input) {
         "<td>{}</td></tr>\n",
         layer.name, layer.colour.rgb, layer.colour.rgb, meaning(layer.name));
   }
-  return text + "</table>\n";
+  return text + kTableEnd;
 }
 
 }  // namespace
@@ -62,14 +62,16 @@ std::string layer_table(const GuideInput& input) {
 std::string kit_guide(const GuideInput& input) {
   std::string text = page_begin(input.title, PageStyle::guide);
   if (!input.kit.warning.empty()) {
-    text += "<p class=\"warning\">" + xml_text(input.kit.warning) + "</p>\n";
+    text += page_banner(BannerKind::caution, "Springs contradict the verdict",
+                        "<p class=\"warning\">" + xml_text(input.kit.warning) + "</p>");
   }
   const std::optional<double>& wanted_deg = input.design.from_deg;
   if (wanted_deg && !input.options.from_deg) {
-    text += fmt::format(
-        "<p>The angle of use, {:.10g}°, lies beyond D = {:.10g}°, from which the sheet deploys: "
-        "all values end at D.</p>\n",
-        *wanted_deg, input.sheet.deploys_from_deg());
+    text += page_banner(
+        BannerKind::caution, "Beyond the deployment angle",
+        fmt::format("<p>The angle of use, {:.10g}°, lies beyond D = {:.10g}°, from which the sheet "
+                    "deploys: all values end at D.</p>",
+                    *wanted_deg, input.sheet.deploys_from_deg()));
   }
   const KitFittings& fittings = input.kit.fittings;
   if (const std::string& words = fittings.edges.words(); !words.empty()) {

@@ -93,9 +93,8 @@ std::string springs_way_section(const solver::Sheet& sheet, const Design& design
   if (!faces) return "";
   std::string text = "<h2>Way of the springs</h2>\n" + sentences_of(sheet, *faces);
   if (faces->springs.empty()) return text;
-  return text + "<table>\n" +
-         table_row({"order", "spring", "face", "axis", "first hook", "second hook"}, 6, "th") +
-         rows_of(sheet, fittings, *faces) + "</table>\n";
+  return text + table_begin({"order", "spring", "face", "axis", "first hook", "second hook"}, 6) +
+         rows_of(sheet, fittings, *faces) + kTableEnd;
 }
 
 }  // namespace misalign::schema

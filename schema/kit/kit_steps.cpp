@@ -22,8 +22,8 @@ class Steps {
   explicit Steps(const GuideInput& input) : input_(input), sheet_(input.sheet) {}
 
   std::string text() const {
-    return "<h2>Assembly</h2>\n<ol>\n" + trial() + rows() + joints() + folding() + filling() +
-           "</ol>\n";
+    return "<h2>Assembly</h2>\n<ol class=\"steps\">\n" + trial() + rows() + joints() + folding() +
+           filling() + "</ol>\n";
   }
 
  private:
@@ -88,7 +88,7 @@ class Steps {
                       panel_label(sheet_, ball.to_facet)});
     }
     const std::string picture = assembled_picture(sheet_, input_.design.diagonals_name());
-    if (rows.empty()) return picture;
+    if (rows.empty()) return "<li><b>Compare it with the drawing.</b>\n" + picture + "</li>\n";
     const auto& parts = input_.options.joints;
     return fmt::format("<li><b>Make the ball joints</b> in this order. {}\n",
                        parts ? joint_steps(parts->kind)

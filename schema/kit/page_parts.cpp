@@ -13,29 +13,6 @@
 namespace misalign::schema {
 namespace {
 
-constexpr const char* kStyle =
-    "@page{size:A4;margin:12mm}"
-    "body{font:10.5pt/1.35 sans-serif;max-width:186mm;margin:1em auto;padding:0 1em}"
-    "h1{font-size:16pt;margin:.2em 0}h2{font-size:13pt;margin:1em 0 "
-    ".3em}h1,h2,h2+p{break-after:avoid}"
-    "table{border-collapse:collapse;margin:.4em 0}td,th{border:1px solid #999;padding:.1em .5em;"
-    "text-align:left}table.beside "
-    "td{white-space:nowrap}th{background:#eee}td.n,th.n{text-align:right}"
-    "table.beside{display:inline-table;margin-right:1em;vertical-align:top}"
-    "table,tr,figure,.step{break-inside:avoid}"
-    "figure{display:inline-block;margin:0;vertical-align:top}figure.wide{width:100%}"
-    "figure.half{width:49%}figure.third{width:32%}svg{width:100%;max-height:60mm}"
-    "figure.half svg{max-height:75mm}figure.wide svg{max-height:105mm}"
-    ".swatch{display:inline-block;width:1.2em;height:.8em;border:1px solid #999}"
-    ".warning{border:2px solid #c00;padding:.5em}"
-    "@media print{body{max-width:none;margin:0;padding:0 .5mm}}";
-// A sheet of 6 x 6 fits one page.
-constexpr const char* kCardStyle =
-    "td.n{white-space:nowrap}.bad{background:#fdd}.pair figure{width:49%}@page{margin:9mm}"
-    "@media print{body{font-size:7.5pt;line-height:normal}h1{font-size:12pt;margin:0}"
-    "h2{font-size:9pt;margin:.3em 0}p{margin:.2em 0}table{margin:.2em 0}td,th{padding:0 .4em}"
-    ".pair figure svg{max-height:17em}}";
-
 // One row for each spring; a diagonal without one has none.
 std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& actuation,
                          const std::function<SpringLengths(int)>& lengths, LengthUnit unit) {
@@ -46,15 +23,15 @@ std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& ac
   if (actuation.few) few = actuation.few->diagonals;
   std::string text = fmt::format(
       "<h2>Springs</h2>\n<p>{} {}. Folded: pilot angle {:.10g}°. A spring pulls where it is longer "
-      "than its free length{}.</p>\n<table>\n",
+      "than its free length{}.</p>\n",
       std::get<solver::Springs>(fill).pull_only ? "All wires are" : "All springs are",
       rest_words(fill, kDegreeSign),
       actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)],
       std::get<solver::Springs>(fill).pull_only ? "" : ", and pushes where it is shorter");
   const std::string bracket = fmt::format(" ({})", name_of(unit));
-  text += table_row({"no.", "vertices", "force", "enough", "free" + bracket, "flat" + bracket,
-                     "folded" + bracket, "elongation (%)", "force (N)"},
-                    4, "th");
+  text += table_begin({"no.", "vertices", "force", "enough", "free" + bracket, "flat" + bracket,
+                       "folded" + bracket, "elongation (%)", "force (N)"},
+                      4, "numbers");
   double largest_n = 0;
   Eigen::Index count = 0;
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
@@ -78,7 +55,7 @@ std::string spring_table(const solver::Sheet& sheet, const solver::Actuation& ac
          fmt::format("{:+.2f}", 100 * (folded_mm / flat_mm - 1)), fmt::format("{:.3g}", force_n)},
         4);
   }
-  text += fmt::format("</table>\n<p>Largest force: {:.3g} N.", largest_n);
+  text += fmt::format("{}<p>Largest force: {:.3g} N.", kTableEnd, largest_n);
   if (!few.empty()) {
     text += fmt::format(
         " The {} of {} springs marked “enough” alone keep {:.0f} % of the least moment.",
@@ -95,13 +72,13 @@ std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& act
   const std::vector<solver::Diagonal>& diagonals = sheet.mechanism().diagonals;
   std::string text = fmt::format(
       "<h2>Rubber plates</h2>\n<p>{}, bonded to the edges of their holes. Cut-out: the diagonals "
-      "of a plate without stress. Folded: pilot angle {:.10g}°.</p>\n<table>\n",
+      "of a plate without stress. Folded: pilot angle {:.10g}°.</p>\n",
       filling_words(fill, sheet.mechanism().diagonal_count(), kDegreeSign),
       actuation.pilot_deg[static_cast<std::size_t>(actuation.from_row)]);
   const std::string bracket = fmt::format(" ({})", name_of(unit));
-  text += table_row({"hole", "diagonals", "cut-out" + bracket, "flat" + bracket, "folded" + bracket,
-                     "energy (N mm)"},
-                    2, "th");
+  text += table_begin({"hole", "diagonals", "cut-out" + bracket, "flat" + bracket,
+                       "folded" + bracket, "energy (N mm)"},
+                      2, "numbers");
   for (Eigen::Index h = 0; h < filling.holes(); ++h) {
     const auto first = static_cast<std::size_t>(2 * h);
     const auto pair = [&](const auto& text_of, const char* between) {
@@ -130,16 +107,25 @@ std::string plate_table(const solver::Sheet& sheet, const solver::Actuation& act
          fmt::format("{:.3g}", filling.hole(h, folded_mm).n_mm)},
         2);
   }
-  return text + "</table>\n";
+  return text + kTableEnd;
 }
 
 }  // namespace
 
 std::string page_begin(const std::string& title, PageStyle style) {
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>"
-      "<style>{1}{2}</style></head><body>\n<h1>{0}</h1>\n",
-      xml_text(title), kStyle, style == PageStyle::card ? kCardStyle : "");
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+      "<title>{0}</title>\n<style>{1}</style></head><body><main>\n<h1>{0}</h1>\n",
+      xml_text(title), page_style(style));
+}
+
+std::string page_banner(BannerKind kind, const std::string& heading, const std::string& paragraph) {
+  const char* const name = kind == BannerKind::passes  ? "passes"
+                           : kind == BannerKind::fails ? "fails"
+                                                       : "caution";
+  return fmt::format("<div class=\"verdict {}\"><strong>{}</strong>{}</div>\n", name,
+                     xml_text(heading), paragraph);
 }
 
 std::string table_row(const std::vector<std::string>& cells, std::size_t numbers,
@@ -152,17 +138,24 @@ std::string table_row(const std::vector<std::string>& cells, std::size_t numbers
   return text + "</tr>\n";
 }
 
+std::string table_begin(const std::vector<std::string>& heads, std::size_t numbers,
+                        const char* name) {
+  return fmt::format("<table{}><thead>\n{}</thead><tbody>\n",
+                     *name == '\0' ? "" : fmt::format(" class=\"{}\"", name),
+                     table_row(heads, numbers, "th"));
+}
+
 std::string page_tables(const std::vector<std::string>& heads,
                         const std::vector<std::vector<std::string>>& rows, std::size_t numbers) {
   constexpr std::size_t kMostRows = 24;
   const std::size_t tables = (rows.size() + kMostRows - 1) / kMostRows;
   std::string text;
   for (std::size_t t = 0; t < tables; ++t) {
-    text += "<table class=\"beside\">\n" + table_row(heads, numbers, "th");
+    text += table_begin(heads, numbers, "beside");
     for (std::size_t r = t * rows.size() / tables; r < (t + 1) * rows.size() / tables; ++r) {
       text += table_row(rows[r], numbers);
     }
-    text += "</table>\n";
+    text += kTableEnd;
   }
   return text;
 }
@@ -170,13 +163,13 @@ std::string page_tables(const std::vector<std::string>& heads,
 std::string hinge_table(const solver::Sheet& sheet, std::optional<double> thickness_mm,
                         Eigen::Index from_row, double from_deg, LengthUnit unit) {
   std::string text =
-      "<h2>Hinges</h2>\n<table>\n" +
-      table_row({"hinges", "largest fold angle",
-                 thickness_mm ? fmt::format("gap, film at half thickness, panels of {}",
-                                            length_text(*thickness_mm, unit, 2))
-                              : "gap, film at half thickness, per mm",
-                 "or bevel of edges"},
-                1, "th");
+      "<h2>Hinges</h2>\n" +
+      table_begin({"hinges", "largest fold angle",
+                   thickness_mm ? fmt::format("gap, film at half thickness, panels of {}",
+                                              length_text(*thickness_mm, unit, 2))
+                                : "gap, film at half thickness, per mm",
+                   "or bevel of edges"},
+                  1);
   for (const bool valley : {false, true}) {
     const KitHinges hinges(sheet, valley, from_row);
     text += table_row({hinges.name, fmt::format("{:.1f}°", hinges.fold_deg),
@@ -185,9 +178,9 @@ std::string hinge_table(const solver::Sheet& sheet, std::optional<double> thickn
                        fmt::format("{:.1f}°", hinges.bevel_deg())},
                       1);
   }
-  text += fmt::format(
-      "</table>\n<p>Values up to {:.10g}°. Hinges lie in the mid-plane, at half the thickness.",
-      from_deg);
+  text +=
+      fmt::format("{}<p>Values up to {:.10g}°. Hinges lie in the mid-plane, at half the thickness.",
+                  kTableEnd, from_deg);
   const FaceHingeMisfit misfit = face_hinge_misfit(sheet, from_row);
   if (misfit.loop) {
     text += fmt::format(

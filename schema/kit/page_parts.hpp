@@ -7,20 +7,28 @@
 #include <vector>
 
 #include "schema/exchange/length_unit.hpp"
+#include "schema/kit/page_style.hpp"
 #include "solver/motion/actuation.hpp"
 
 namespace misalign::schema {
 
-/// Pages of A4, with letters of at least 2.5 mm; or a card, which fits one of them.
-enum class PageStyle { guide, card };
-
 /// The page up to its heading.
 std::string page_begin(const std::string& title, PageStyle style);
-inline constexpr const char* kPageEnd = "</body></html>\n";
+inline constexpr const char* kPageEnd = "</main></body></html>\n";
+
+/// The message of a banner, which its sign and its colour repeat.
+enum class BannerKind { passes, caution, fails };
+/// A banner of a heading and a paragraph, which is HTML.
+std::string page_banner(BannerKind kind, const std::string& heading, const std::string& paragraph);
 
 /// A table's row; cells from `numbers` on are aligned to the right.
 std::string table_row(const std::vector<std::string>& cells, std::size_t numbers,
                       const char* cell = "td");
+
+/// A table up to its headings, which each of its pages repeats.
+std::string table_begin(const std::vector<std::string>& heads, std::size_t numbers,
+                        const char* name = "");
+inline constexpr const char* kTableEnd = "</tbody></table>\n";
 
 /// Tables side by side of at most 24 rows each, about equally many, none of which a page divides;
 /// nothing without rows.

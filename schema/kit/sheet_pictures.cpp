@@ -24,28 +24,37 @@ Vector2d middle(const std::vector<Vector2d>& corners) {
   return std::accumulate(corners.begin(), corners.end(), Vector2d(0, 0)) / 4.0;
 }
 
-// A light colour, another one for each of twelve rows.
-std::string row_colour(int row) {
+// Fills and lines in the colours of the page's style, which has their weights.
+constexpr const char* kPanel = "fill:var(--panel);stroke:var(--line)";
+constexpr const char* kPlaced = "fill:var(--grid);stroke:var(--line)";
+constexpr const char* kFront = "fill:var(--panel-front);stroke:var(--panel-edge)";
+constexpr const char* kBack = "fill:var(--panel-back);stroke:var(--panel-edge)";
+constexpr const char* kMountain = "stroke:var(--mountain)";
+constexpr const char* kValley = "stroke:var(--valley);stroke-dasharray:6 4";
+constexpr const char* kDiagonal = "stroke:var(--grows);stroke-width:2.4px";
+
+// A panel of a row: another hue for each of twelve rows.
+std::string row_style(int row) {
   constexpr int kHues = 12, kStep_deg = 150;
-  return fmt::format("hsl({},75%,78%)", row % kHues * kStep_deg % 360);
+  return fmt::format("fill:hsl({},var(--row-fill));stroke:var(--edge)",
+                     row % kHues * kStep_deg % 360);
 }
 
 }  // namespace
 
 std::string row_picture(const solver::Sheet& sheet, int row, const std::string& caption) {
   SvgPicture picture;
-  const auto& places = sheet.base().sheet.places;
-  for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
-    const int of_panel = places[static_cast<std::size_t>(sheet.panels().facets[p])][0];
-    picture.polygon(corners_mm(sheet, p), fmt::format("fill:{};stroke:#333;stroke-width:.6",
-                                                      of_panel == row  ? row_colour(row)
-                                                      : of_panel < row ? "#ddd"
-                                                                       : "#fff"));
+  const auto& panels = sheet.panels();
+  const auto row_of = [&](std::size_t panel) {
+    return sheet.base().sheet.places[static_cast<std::size_t>(panels.facets[panel])][0];
+  };
+  for (std::size_t p = 0; p < panels.facets.size(); ++p) {
+    if (row_of(p) != row) picture.polygon(corners_mm(sheet, p), row_of(p) < row ? kPlaced : kPanel);
   }
-  for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
-    const int facet = sheet.panels().facets[p];
-    if (places[static_cast<std::size_t>(facet)][0] != row) continue;
-    picture.label(middle(corners_mm(sheet, p)), panel_label(sheet, facet));
+  for (std::size_t p = 0; p < panels.facets.size(); ++p) {
+    if (row_of(p) != row) continue;
+    picture.polygon(corners_mm(sheet, p), row_style(row));
+    picture.label(middle(corners_mm(sheet, p)), panel_label(sheet, panels.facets[p]));
   }
   return picture.figure(caption, FigureSize::half);
 }
@@ -53,7 +62,7 @@ std::string row_picture(const solver::Sheet& sheet, int row, const std::string& 
 std::string bed_picture(const solver::Sheet& sheet, const Kit& kit, std::size_t bed) {
   SvgPicture picture;
   const Vector2d& size = kit.sheets.size_mm;
-  picture.polygon({{0, 0}, {size.x(), 0}, size, {0, size.y()}}, "fill:none;stroke:#333");
+  picture.polygon({{0, 0}, {size.x(), 0}, size, {0, size.y()}}, "fill:none;stroke:var(--edge)");
   std::vector<std::pair<Vector2d, std::string>> labels;
   for (std::size_t k = 0; k < kit.parts.size(); ++k) {
     const Nested& place = kit.sheets.places[k];
@@ -64,14 +73,14 @@ std::string bed_picture(const solver::Sheet& sheet, const Kit& kit, std::size_t 
         corners.push_back(place(sheet.point_mm(v)));
       }
       const int row = sheet.base().sheet.places[static_cast<std::size_t>(facet)][0];
-      picture.polygon(corners, fmt::format("fill:{};stroke:#333;stroke-width:.6", row_colour(row)));
+      picture.polygon(corners, row_style(row));
       labels.emplace_back(middle(corners), panel_label(sheet, facet));
     }
   }
   for (const auto& [at_mm, words] : labels) picture.label(at_mm, words);
   for (const Vector2d& mark : kit.sheets.marks_mm) picture.dot(mark, 0.5 * kMark_mm);
   constexpr std::size_t kFew = 2;
-  return picture.figure(fmt::format("Sheet {} of {}", bed + 1, kit.sheets.beds.size()),
+  return picture.figure(fmt::format("Sheet of material {} of {}", bed + 1, kit.sheets.beds.size()),
                         kit.sheets.beds.size() <= kFew ? FigureSize::wide : FigureSize::half);
 }
 
@@ -79,26 +88,32 @@ std::string assembled_picture(const solver::Sheet& sheet, const std::string& dia
   const solver::Mechanism& mechanism = sheet.mechanism();
   SvgPicture picture;
   for (std::size_t p = 0; p < sheet.panels().facets.size(); ++p) {
-    picture.polygon(corners_mm(sheet, p), "fill:#eef;stroke:none");
+    picture.polygon(corners_mm(sheet, p), kPanel);
   }
   for (const solver::Crease& crease : mechanism.creases) {
     picture.line(sheet.point_mm(crease.a), sheet.point_mm(crease.b),
-                 mechanism.is_valley(crease) ? "stroke:#06c;stroke-dasharray:4 3" : "stroke:#c00");
+                 mechanism.is_valley(crease) ? kValley : kMountain);
   }
+  // Labels of diagonals lie near their upper ends, apart from their crossing and from the labels
+  // above ball joints.
+  constexpr double kLabel = 0.22;
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
     const solver::Diagonal& diagonal = mechanism.diagonals[static_cast<std::size_t>(d)];
-    const Vector2d from = sheet.point_mm(diagonal.from), to = sheet.point_mm(diagonal.to);
-    picture.line(from, to, "stroke:#393");
-    picture.label(from + 0.38 * (to - from), "s" + std::to_string(d));
+    Vector2d from = sheet.point_mm(diagonal.from), to = sheet.point_mm(diagonal.to);
+    picture.line(from, to, kDiagonal);
+    if (from.y() < to.y()) std::swap(from, to);
+    picture.label(from + kLabel * (to - from), "s" + std::to_string(d));
   }
   for (const solver::BallJoint& ball : mechanism.balls) {
     picture.dot(sheet.point_mm(ball.vertex), 0.05 * mechanism.panel_width_mm);
     picture.label(sheet.point_mm(ball.vertex) + Vector2d(0, 0.14 * mechanism.panel_width_mm),
                   solver::vertex_label(ball.vertex));
   }
-  return picture.figure(
-      "Mountains: red; valleys: blue, dashed; " + diagonals + ": green; ball joints: dots",
-      FigureSize::wide);
+  return "<div class=\"lines\">" +
+         picture.figure("Sheet at flat. Mountains: red, solid; valleys: blue, dashed; " +
+                            diagonals + ": green, thick; ball joints: orange dots",
+                        FigureSize::wide) +
+         "</div>\n";
 }
 
 // Draws the farthest panels first.
@@ -125,10 +140,10 @@ std::string folded_picture(const solver::Sheet& sheet, const Eigen::Matrix3Xd& s
   std::ranges::stable_sort(panels, {}, &Seen::near);
   SvgPicture picture;
   for (const Seen& panel : panels) {
-    picture.polygon(panel.corners, panel.from_above ? "fill:#dde;stroke:#333;stroke-width:.6"
-                                                    : "fill:#fe9;stroke:#333;stroke-width:.6");
+    picture.polygon(panel.corners, panel.from_above ? kFront : kBack);
   }
-  return picture.figure(fmt::format("Pilot angle {:.10g}°", pilot_deg), FigureSize::third);
+  return picture.figure(fmt::format("Sheet at a pilot angle of {:.10g}°", pilot_deg),
+                        FigureSize::third);
 }
 
 }  // namespace misalign::schema

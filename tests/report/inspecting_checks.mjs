@@ -151,7 +151,7 @@ async function together_check(page, data, detail) {
       covered = [],
       lengths = floats(detail.length_mm),
       count = data.diagonals.length;
-    const charts = ["histories", "energy", "moment", "advantage"],
+    const charts = ["energy", "moment", "histories", "advantage"],
       scales = [];
     for (const id of charts) scales.push(await axis(by(page, id), "x"));
     for (const k of places) {

@@ -76,9 +76,25 @@ export const eventually = async (page, wanted, what) => {
 
 export const kManyColours = 64; // more are not counted
 
+/** Scrolls an element into the window, and waits until the page knows: it draws what is seen. */
+const in_view = async (locator) => {
+  await locator.scrollIntoViewIfNeeded();
+  await locator.evaluate(
+    (node) =>
+      new Promise((done) => {
+        new IntersectionObserver(([{ isIntersecting }], watch) => {
+          if (!isIntersecting) return;
+          watch.disconnect();
+          requestAnimationFrame(() => requestAnimationFrame(done));
+        }).observe(node);
+      }),
+  );
+};
+
 /** Pixels of a canvas: a hash, how many are covered, and by how many colours, if they are few. */
-export const pixels = (locator) =>
-  locator.evaluate((canvas, most) => {
+export const pixels = async (locator) => {
+  await in_view(locator);
+  return locator.evaluate((canvas, most) => {
     const copy = Object.assign(document.createElement("canvas"), {
       width: canvas.width,
       height: canvas.height,
@@ -98,6 +114,7 @@ export const pixels = (locator) =>
     }
     return { hash, covered, colours: colours.size };
   }, kManyColours);
+};
 
 /** The map from values to pixels of an axis, from where its ticks are written; `of`: Math.log10. */
 export async function axis(box, which, of = (value) => value) {

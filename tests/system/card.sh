@@ -64,6 +64,25 @@ grep -q ": fails $((asked - $(field card.json passed))) of $asked requirements$"
 [ "$(grep -o '<td>pass</td>\|<td>FAIL</td>' card.html | wc -l)" = "$asked" ] || fail "the page's rows"
 grep -q '<td>A[0-9]*-A[0-9]*</td>' card.html && grep -q '<svg' card.html || fail "springs and pictures"
 
+# Pages that fail, that pass, and that pass if held at flat: banner and bars are the JSON's, text can be read.
+# page CODE ARGUMENT...: of a card that ends with this code.
+page() {
+  card "$@" --json --output look.html > look.json
+  python3 -B "$source_dir/tests/system/card_page.py" "$source_dir/schema/report/page.css" look.html look.json ||
+    fail "the page of card ${*:2}"
+}
+one_a_hole='{"kind": "springs", "on": "one_a_hole"}'
+page 6 mine.db "$draw" --trials 200
+page 0 "$table1" --from 60 --fill "$one_a_hole"
+page 6 "$table1" --from 60 --fill "${one_a_hole%\}}, \"preload_n\": 0.1}"
+page 6 "$table1"
+chromium=${CHROMIUM:-/usr/bin/chromium}
+if [ -x "$chromium" ]; then  # 6 x 6 panels and 16 springs on one side of A4
+  "$chromium" --headless --no-sandbox --disable-gpu --user-data-dir="$work/browser" --no-pdf-header-footer \
+    --print-to-pdf=look.pdf look.html > out.txt 2>&1
+  [ "$(grep -ac '/Type /Page$' look.pdf)" = 1 ] || fail "pages of A4: $(grep -ac '/Type /Page$' look.pdf)"
+fi
+
 # A bare pattern is judged by what every sheet needs; one spring a hole from 60 degrees has it all.
 card 6 "$table1" --json > bare.json
 [ "$(field bare.json asked) $(field bare.json passed)" = "6 5" ] || fail "a bare card asks $(field bare.json asked)"

@@ -259,6 +259,11 @@ assert float(missed) > odd - 0.006, (missed, odd)
 assert "butted" not in page and "looks up" not in page
 END
 
+# It has the colours of the report's page; so has a guide with a warning.
+for guide in guide/table1-kit.html unreached/dome-6x6-kit.html; do
+  "$python" -B "$source_dir/tests/system/card_page.py" "$source_dir/schema/report/page.css" $guide || fail "colours of $guide"
+done
+
 # Layers in the order of the machine, in colours of LightBurn's palette.
 "$python" -B - guide/table1-kit.svg << 'END' || fail "layers of a kit"
 import re, sys

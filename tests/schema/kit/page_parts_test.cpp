@@ -24,7 +24,7 @@ TEST(PageTables, DivideTheirRowsEqually) {
     std::string text = page_tables({"a"}, rows, 1);
     const std::size_t tables = count_of(text, "<table");
     EXPECT_EQ(tables, (count + 23) / 24);
-    EXPECT_EQ(count_of(text, "<th"), tables);  // each has its headings
+    EXPECT_EQ(count_of(text, "<th>"), tables);  // each has its headings
     EXPECT_EQ(count_of(text, "<td"), count);
     std::size_t least = count, most = 0;
     while (!text.empty()) {
