@@ -68,7 +68,7 @@ function comparison(report, candidates, held, picked) {
         cell(metric, theirs, which < 0),
       );
     });
-  const heads = ["", heading(report, picked), held.name];
+  const heads = ["Metric", heading(report, picked), held.name];
   return h(
     "table",
     { class: "beside" },
@@ -91,7 +91,7 @@ class Beside {
   #state;
   #inspector;
   #histories = []; // { decoded, chart, state } of the held sheet, and of the picked one
-  #redraws = new Map(); // by box
+  #entries = new Map(); // of #histories, by box
   #held_state = make_state({ sample: 0, diagonal: null });
   #folding = null;
 
@@ -177,17 +177,19 @@ class Beside {
       own = report.details.find((entry) => entry.draw === this.#state.get("picked"));
     this.#histories = [];
     const show = (id, detail, name, state) => {
+      const box = by_id(id).querySelector("div");
       by_id(id).hidden = !detail;
+      this.#entries.delete(box);
+      box.replaceChildren();
       if (!detail) return;
       const decoded = decode_lengths(detail, report),
         along = { state, detail, decoded, end_deg: end_of_path(report) },
         entry = { decoded, state, chart: make_histories(h("p"), report, along) };
       this.#histories.push(entry);
-      const box = by_id(id).querySelector("div");
       by_id(id).querySelector("figcaption").textContent =
         `Lengths of the diagonals of ${name.toLowerCase()}`;
-      this.#redraws.set(box, entry);
-      show_when_wide(box, (width) => this.#redraws.get(box).chart.draw(width));
+      this.#entries.set(box, entry);
+      show_when_wide(box, (width) => this.#entries.get(box)?.chart.draw(width) ?? h("span"));
     };
     show(
       "beside-own",

@@ -55,14 +55,22 @@ export function show_when_wide(box, draw) {
   return made.redraw;
 }
 
-/** Plot.plot with room on the left for the widest tick, and for a title along the axis. */
-export function plot_with_room(options) {
+/** Plot.plot, whose labelled parts have a role: without one they may have no label. */
+export function plot_of(options) {
   const plot = Plot.plot(options);
+  for (const part of plot.querySelectorAll("[aria-label]:not([role])"))
+    part.setAttribute("role", part.localName === "g" ? "group" : "img");
+  return plot;
+}
+
+/** plot_of with room on the left for the widest tick, and for a title along the axis. */
+export function plot_with_room(options) {
+  const plot = plot_of(options);
   const ticks = plot.querySelectorAll('g[aria-label^="y-axis tick label"] text');
   const widest = Math.max(0, ...[...ticks].map((tick) => text_width(tick.textContent, kLetter_px)));
   const along = options.y?.labelAnchor === "center" ? kTitle_px : 0;
   const room = Math.ceil(widest) + kTick_px + along;
-  return room > options.marginLeft ? Plot.plot({ ...options, marginLeft: room }) : plot;
+  return room > options.marginLeft ? plot_of({ ...options, marginLeft: room }) : plot;
 }
 
 const kPilotTicks_deg = [0, 30, 60, 90, 120, 150, 180],

@@ -1,5 +1,6 @@
 // Charts the first faults by diagonal and crease, as bars and on the sheet.
 import * as Plot from "@observablehq/plot";
+import { plot_of } from "./chart.js";
 import { ends_of } from "./data.js";
 import { dashed, h, percent, plural } from "./format.js";
 import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
@@ -39,7 +40,7 @@ export function where_chart(list, width) {
     [...faults].map(([fault, { sampled, share }]) => ({ where, fault, part: share, sampled })),
   );
   const present = fault_order.filter((fault) => parts.some((part) => part.fault === fault));
-  return Plot.plot({
+  return plot_of({
     width,
     height: 44 + 23 * shown.length,
     marginLeft: 74,

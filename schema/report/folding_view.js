@@ -2,11 +2,12 @@
 // to front, with the same camera and controls.
 import { Vector3 } from "three";
 import { folding_files } from "./folding_files.js";
-import { clamp, h } from "./format.js";
+import { h } from "./format.js";
 import { PanelPaint } from "./panel_paint.js";
 import { painter_pen } from "./painter_pen.js";
 import { file_stem } from "./page_kind.js";
 import { panel_size_mm } from "./sheet.js";
+import { distance_from, is_within } from "./pointing.js";
 import { SheetCamera } from "./sheet_camera.js";
 import { kinds_of_springs, share_of_force } from "./spring_forces.js";
 import { target_grid } from "./target_grid.js";
@@ -39,23 +40,6 @@ function radius_of(values) {
   return most || 1;
 }
 
-/** Distance of a point from a segment, on the screen. */
-function away_from([x, y], [x1, y1], [x2, y2]) {
-  const along =
-      ((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / ((x2 - x1) ** 2 + (y2 - y1) ** 2 || 1),
-    t = clamp(along, 0, 1);
-  return Math.hypot(x - x1 - t * (x2 - x1), y - y1 - t * (y2 - y1));
-}
-
-/** Returns whether a point lies within a convex outline. */
-function is_within([x, y], outline) {
-  const sides = outline.map(([x1, y1], i) => {
-    const [x2, y2] = outline[(i + 1) % outline.length];
-    return (x2 - x1) * (y - y1) - (y2 - y1) * (x - x1);
-  });
-  return sides.every((side) => side >= 0) || sides.every((side) => side <= 0);
-}
-
 const pairs_of = (list) => list.map(({ from_vertex, to_vertex }) => [from_vertex, to_vertex]);
 
 /** Pictures drawn since the page was opened. */
@@ -84,6 +68,8 @@ class FoldingView {
   #radius = 1;
   #marked = null;
   #points = null;
+  #moves = false;
+  #shown = 0; // the sample at which, or after which
   #width = 0;
   #is_seen = true;
 
@@ -148,15 +134,29 @@ class FoldingView {
     if (before !== this.#radius && this.#width) this.whole();
   }
 
-  pose(sample) {
+  /**
+   * Shows a place among the samples; null: that of the state, where the sheet rests. Between two
+   * samples the vertices are interpolated linearly.
+   */
+  pose(at) {
     if (!this.#decoded) return;
-    const { vertex_count, vertices_mm, pilot_deg } = this.#decoded;
-    const sheet = vertices_mm.subarray(3 * sample * vertex_count, 3 * (sample + 1) * vertex_count);
-    this.#points = new Float32Array(sheet.length + this.#target.points.length);
-    this.#points.set(sheet);
-    this.#points.set(this.#target.points, sheet.length);
+    const place = at ?? this.#state.get("sample");
+    this.#moves = at !== null && !Number.isInteger(at);
+    const { vertex_count, vertices_mm, pilot_deg } = this.#decoded,
+      count = 3 * vertex_count,
+      sample = Math.floor(place),
+      part = place - sample,
+      before = vertices_mm.subarray(count * sample, count * (sample + 1));
+    this.#points = new Float32Array(count + this.#target.points.length);
+    this.#points.set(before);
+    this.#points.set(this.#target.points, count);
+    if (part > 0) {
+      const after = vertices_mm.subarray(count * (sample + 1), count * (sample + 2));
+      after.forEach((value, i) => (this.#points[i] += part * (value - before[i])));
+    }
     this.#paint.pose(pilot_deg[sample]);
-    this.draw(sample);
+    this.#shown = sample;
+    this.draw();
   }
 
   mark(d) {
@@ -166,10 +166,11 @@ class FoldingView {
     this.draw();
   }
 
-  draw(sample = this.#state.get("sample")) {
+  draw() {
     if (!this.#points || !this.#is_seen) return;
     if (pictures.count++ === 0) performance.mark("first-picture");
-    this.#pen.draw(this.#points, this.#camera.camera, (d) => this.#force_share(sample, d));
+    const force_share = (d) => this.#force_share(this.#shown, d);
+    this.#pen.draw(this.#points, this.#camera.camera, force_share, this.#moves);
     this.#labels.move((v) => this.#place(v));
   }
 
@@ -288,7 +289,7 @@ class FoldingView {
     let best = null,
       least = kReach_px;
     this.#report.diagonals.forEach(({ from_vertex, to_vertex }, d) => {
-      const away = away_from(pointer, seen[from_vertex], seen[to_vertex]);
+      const away = distance_from(pointer, seen[from_vertex], seen[to_vertex]);
       if (away < least) [best, least] = [d, away];
     });
     return best;

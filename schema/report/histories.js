@@ -154,9 +154,9 @@ export function history_rows(report, decoded) {
 }
 
 const kHeads = [
-  ["", "number in drawings, catalogue and exports"],
+  ["no.", "number in drawings, catalogue and exports"],
   ["diagonal", ""],
-  ["", "change of length as the sheet folds"],
+  ["±", "change of length as the sheet folds"],
   ["now", "elongation at the slider’s pilot angle"],
   ["at D", "elongation at D"],
   ["force", "spring force at the slider’s pilot angle, N; positive: tension"],
@@ -216,7 +216,11 @@ export function make_diagonal_list(box, report, detail, decoded, state) {
       h(
         "thead",
         {},
-        h("tr", {}, ...kHeads.map(([words, about]) => h("th", { title: about }, words))),
+        h(
+          "tr",
+          {},
+          ...kHeads.map(([words, about]) => h(words ? "th" : "td", { title: about }, words)),
+        ),
       ),
       h(
         "tbody",

@@ -39,7 +39,8 @@ export class Inspector {
   #candidates;
   #state;
   #end_deg;
-  #views = null; // slider, crease pattern and folding, shared by all draws
+  #pilot;
+  #views = null; // folding and crease pattern, shared by all draws
   #parts = [];
   #charts = new Map(); // box → { chart, redraw }
   #decoded = null; // of the shown one
@@ -47,11 +48,15 @@ export class Inspector {
   constructor(report, candidates, state) {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
     this.#end_deg = end_of_path(report);
+    this.#pilot = make_pilot(by_id("pilot-bar"), state);
     state.on("sample", () => this.#parts.forEach((part) => part.move?.()));
     state.on("at", (at) => {
       if (at === "" || !this.#decoded) return;
       state.set("playing", false);
       state.set("sample", last_sample_up_to(this.#decoded.pilot_deg, Number(at)));
+    });
+    state.on("place", (place) => {
+      if (this.#decoded) this.#views.folding.pose(place);
     });
     state.on("diagonal", (d) => this.#parts.forEach((part) => part.mark?.(d)));
   }
@@ -61,7 +66,7 @@ export class Inspector {
   }
 
   move_by_itself() {
-    if (this.#decoded) this.#views.pilot.run_by_itself(by_id("folding"));
+    if (this.#decoded) this.#pilot.run_by_itself(by_id("folding"));
   }
 
   show(draw) {
@@ -112,12 +117,13 @@ export class Inspector {
     const certified = report.certificates?.some((entry) => entry.draw === draw);
     show_sheet_facts(by_id("sheet-facts"), report, draw, known, detail);
     show_next(by_id("sheet-next"), report, draw, state, certified);
-    by_id("folding-card").hidden = by_id("pilot-bar").hidden = !detail;
+    by_id("folding-card").hidden = !detail;
     by_id("no-details").hidden = Boolean(detail);
     this.#parts = [];
     if (detail) return this.#show_folding(detail);
     state.set("playing", false);
     state.set("pilot_deg", null);
+    this.#pilot.name(heading(report, draw));
     show_no_details(by_id("no-details"), report, draw, state, (wanted) => this.#compute(wanted));
   }
 
@@ -156,7 +162,6 @@ export class Inspector {
     const report = this.#report,
       state = this.#state;
     return (this.#views ??= {
-      pilot: make_pilot(by_id("pilot-bar"), state),
       folding: make_folding_view(by_id("folding"), by_id("folding-caption"), report, state),
     });
   }
@@ -176,12 +181,15 @@ export class Inspector {
       ),
     );
     state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]);
-    const { pilot, folding } = this.#shared_views();
-    pilot.load(detail, decoded);
+    const { folding } = this.#shared_views();
+    this.#pilot.load(detail, decoded, heading(this.#report, detail.draw));
     folding.load(detail, decoded);
     this.#parts = [
-      { move: () => folding.pose(state.get("sample")), mark: (d) => folding.mark(d) },
-      pilot,
+      {
+        move: () => state.get("place") === null && folding.pose(state.get("sample")),
+        mark: (d) => folding.mark(d),
+      },
+      this.#pilot,
       { move: () => state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]) },
     ];
     state.set("playing", was_playing);

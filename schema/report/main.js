@@ -245,6 +245,7 @@ async function main() {
     ...first_axes(candidates),
     at: "", // the pilot angle at which the reader has stopped
     sample: 0,
+    place: null, // among the samples, while the sheet moves
     pilot_deg: null,
     diagonal: null,
     order: null,

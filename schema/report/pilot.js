@@ -42,18 +42,29 @@ class Pilot {
   });
   #marks = h("div", { class: "marks" });
   #says = h("output", { "data-testid": "pilot-says" });
+  #name = h("a", { href: "#sheet", class: "whose", "data-testid": "pilot-whose" });
   #decoded = null;
   #detail = null;
   #frame = 0;
 
   constructor(box, state) {
     this.#state = state;
-    box.append(this.#play, h("div", { class: "track" }, this.#slider, this.#marks), this.#says);
+    const track = h("div", { class: "track" }, this.#slider, this.#marks);
+    box.append(this.#name, this.#play, track, this.#says);
     this.#listen();
     new ResizeObserver(() => this.#part_words()).observe(this.#marks);
   }
 
-  load(detail, decoded) {
+  /** Shows whose metrics are shown, without a folding. */
+  name(name) {
+    this.#name.textContent = name;
+    this.#show_parts(false);
+    this.#decoded = null;
+  }
+
+  load(detail, decoded, name) {
+    this.#name.textContent = name;
+    this.#show_parts(true);
     [this.#detail, this.#decoded] = [detail, decoded];
     this.#slider.max = decoded.samples - 1;
     const add = (angle_deg, words, kind) =>
@@ -73,6 +84,11 @@ class Pilot {
     this.#part_words();
     this.#label();
     this.move();
+  }
+
+  #show_parts(has_folding) {
+    for (const part of [this.#play, this.#slider.parentNode, this.#says])
+      part.hidden = !has_folding;
   }
 
   /** Moves the words of the angle of use, and of the first contact, right of those that they overlap. */
@@ -143,6 +159,7 @@ class Pilot {
       cancelAnimationFrame(this.#frame);
       this.#label();
       if (playing) this.#run();
+      else state.set("place", null);
     });
   }
 
@@ -188,6 +205,7 @@ class Pilot {
         if (place === 0) rest = 0.9;
       }
       this.#state.set("sample", Math.round(place));
+      this.#state.set("place", place);
       this.#frame = requestAnimationFrame(step);
     };
     this.#frame = requestAnimationFrame(step);

@@ -71,7 +71,7 @@ export function show_next(box, report, draw, state, has_certificate) {
     ["Drawings to cut:", `export ${chosen} --format svg${springs} --output ${stem}`, "next-svg"],
   ];
   box.replaceChildren(
-    h("h3", {}, "Next"),
+    h("h2", { class: "small" }, "Next"),
     ...steps.map(([about, words, id]) => command(about, `${misalign} ${words}`, state, id)),
   );
 }

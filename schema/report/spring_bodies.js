@@ -18,7 +18,7 @@ import {
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import { colour } from "./theme.js";
 
-const kTurns = 11,
+const kTurns = 9,
   kEnds = 0.14, // share of a spring's length that is straight, at each end
   kMostCoils = 120; // sheets with more springs have bands instead
 
@@ -40,10 +40,11 @@ const upright = (geometry, length) => geometry.rotateX(Math.PI / 2).translate(0,
 
 /** A spring that pulls: a coil; one that pushes: a coil about a rod. */
 function spring_body(length, size, pushes, is_fine) {
-  if (!is_fine) return upright(new CylinderGeometry(size / 3, size / 3, length, 5), length);
-  const coil = new TubeGeometry(new Coil(length, size), 16 * kTurns, size / 5, 5);
+  if (!is_fine)
+    return upright(new CylinderGeometry(size / 3, size / 3, length, 5, 1, true), length);
+  const coil = new TubeGeometry(new Coil(length, size), 10 * kTurns, size / 5, 3);
   if (!pushes) return coil;
-  const rod = upright(new CylinderGeometry(size / 2, size / 2, length, 7), length);
+  const rod = upright(new CylinderGeometry(size / 2, size / 2, length, 5, 1, true), length);
   return mergeGeometries([coil, rod]);
 }
 

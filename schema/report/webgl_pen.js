@@ -20,6 +20,15 @@ import { colour } from "./theme.js";
 
 const kShadow_px = 1024;
 
+/** Returns whether WebGL is drawn without a graphics card. */
+function is_software(canvas) {
+  const gl = canvas.getContext("webgl2"),
+    info = gl?.getExtension("WEBGL_debug_renderer_info");
+  return /swiftshader|llvmpipe|software/i.test(
+    info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "",
+  );
+}
+
 function line_mesh({ pairs, width, dashed, dash, on_top }) {
   const geometry = new LineSegmentsGeometry();
   geometry.setPositions(new Float32Array(pairs.length * 6));
@@ -70,11 +79,15 @@ class WebglPen {
   #tint = null;
   #lines = [];
   #drawn = null; // the points of the last picture
+  // Without a graphics card a moving sheet is coarser, without a shadow; one at rest twice as fine.
+  #is_software = is_software(document.createElement("canvas"));
+  #moves = false;
+  #size = [1, 1];
 
   constructor(canvas) {
     this.#renderer = new WebGLRenderer({
       canvas,
-      antialias: true,
+      antialias: !this.#is_software,
       alpha: true,
       preserveDrawingBuffer: true,
     });
@@ -122,13 +135,16 @@ class WebglPen {
   }
 
   resize(width, height) {
-    this.#renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+    this.#size = [width, height];
+    const finest = this.#is_software && !this.#moves ? 2 : devicePixelRatio || 1;
+    this.#renderer.setPixelRatio(this.#is_software && this.#moves ? 1 : Math.min(2, finest));
     this.#renderer.setSize(width, height, false);
   }
 
-  /** `force_share`: of each spring, the share of the largest force. */
-  draw(points, camera, force_share) {
+  /** `force_share`: of each spring, the share of the largest force; `moves`: more follow at once. */
+  draw(points, camera, force_share, moves) {
     if (!this.#group) return;
+    if (this.#is_software && moves !== this.#moves) this.#set_pace(moves);
     if (points !== this.#drawn) {
       this.#panels.move(points);
       for (const body of this.#bodies) body.move(points, force_share);
@@ -157,6 +173,13 @@ class WebglPen {
   /** The meshes of panels and bodies as they are now. */
   get solids() {
     return [this.#panels.mesh, ...this.#bodies.map(({ mesh }) => mesh)];
+  }
+
+  #set_pace(moves) {
+    this.#moves = moves;
+    this.#lamp.castShadow = this.#ground.visible = !moves;
+    this.resize(...this.#size);
+    this.#drawn = null;
   }
 
   #light(radius, ground_mm, thickness_mm) {

@@ -269,6 +269,7 @@ async function marking_check(page, detail) {
   const slider = by(page, "pilot");
   await check("a diagonal in focus or under the pointer is marked in all views", async () => {
     await go(page, Math.floor(detail.pilot_deg.length / 2));
+    await page.mouse.move(2, 2); // what scrolls below the pointer would be marked
     const picked = () =>
       Promise.all(
         ["crease-pattern", "histories", "diagonals"].map((id) =>

@@ -121,8 +121,8 @@ bool is_all_played(const Range& range, const Tally& all, double share_of_sites) 
   const auto* const counts = reinterpret_cast<const std::uint64_t*>(&all);
   const bool is_all =
       all.seeds == seeds &&
-      (seeds < kMany || (share_of_sites > 0.5 &&
-                         std::count(counts, counts + sizeof all / sizeof *counts, 0) == 0));
+      (seeds < kMany ||
+       (share_of_sites > 0.5 && std::count(counts, counts + sizeof all / sizeof *counts, 0) == 0));
   if (!is_all) fmt::print("not everything was played\n");
   return is_all;
 }
@@ -170,7 +170,8 @@ int play_range(const Range& range) {
               board.failures);
   const double share_of_sites = print_sites(disks);
   for (const auto& disk : disks) std::filesystem::remove_all(disk->folder());
-  return board.failures == 0 && is_all_played(range, all, share_of_sites) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return board.failures == 0 && is_all_played(range, all, share_of_sites) ? EXIT_SUCCESS
+                                                                          : EXIT_FAILURE;
 }
 
 // Leaves out ranks, lives and single faults in turn, as long as the seed still fails.
