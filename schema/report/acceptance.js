@@ -71,7 +71,7 @@ export function first_faults_csv({ faults, campaign }) {
   };
 }
 
-export function survival_csv({ faults, campaign }) {
+function survival_csv({ faults, campaign }) {
   const points = survival_points(faults.rows, campaign.configuration);
   return {
     heads: ["pilot_deg", "share_without_fault", "low_95", "high_95"],

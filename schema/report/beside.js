@@ -121,7 +121,7 @@ class Beside {
         held !== "" && held !== picked && picked !== null
           ? held_sheet(this.#report, this.#candidates, held, picked)
           : null;
-    by_id("hold").hidden = held === picked || is_pattern(this.#report);
+    by_id("hold").hidden = picked === null || held === picked || is_pattern(this.#report);
     by_id("beside-card").hidden = held === "";
     by_id("hold-start").hidden =
       held === kStart || !held_sheet(this.#report, this.#candidates, kStart, picked);

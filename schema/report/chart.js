@@ -1,6 +1,7 @@
 // Charts that fill their box and are drawn again when its width changes. Charts over the pilot
 // angle share an axis, and a rule that moves with the slider.
 import * as Plot from "@observablehq/plot";
+import { stop_at } from "./data.js";
 import { degrees, h } from "./format.js";
 import { on_print, paper_share } from "./paper.js";
 import { text_width } from "./text_size.js";
@@ -190,8 +191,7 @@ function seek_on(plot, width, x, state, decoded) {
   const seek = (event) => {
     const frame = plot.getBoundingClientRect(),
       ratio = x.invert(((event.clientX - frame.left) * width) / frame.width);
-    state.set("playing", false);
-    state.set("sample", nearest_sample(decoded, ratio));
+    stop_at(state, decoded, nearest_sample(decoded, ratio));
   };
   plot.addEventListener("pointerdown", (event) => {
     plot.setPointerCapture(event.pointerId);

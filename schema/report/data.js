@@ -112,6 +112,19 @@ export function values_of(report, candidates, draw) {
   };
 }
 
+/** Stops a sheet at a sample, whose angle the address then keeps. */
+export function stop_at(state, { pilot_deg }, sample) {
+  state.set("playing", false);
+  state.set("sample", sample);
+  state.set("at", String(pilot_deg[sample]));
+}
+
+/** Where a deployment begins: at the angle of use, at D, or at the end of a rejected draw's path. */
+export function first_sample(detail, { depth, samples, pilot_deg }) {
+  if (detail.from_deg) return last_sample_up_to(pilot_deg, detail.from_deg);
+  return detail.accepted !== false && depth > 0 ? depth : samples - 1;
+}
+
 export function last_sample_up_to(pilot_deg, limit_deg) {
   let k = 0;
   while (k + 1 < pilot_deg.length && pilot_deg[k + 1] <= limit_deg + 1e-9) ++k;

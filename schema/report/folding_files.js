@@ -1,4 +1,4 @@
-// Saves the folding picture: as PNG of any width, as glTF, and as a film of one deployment.
+// Saves the folding picture: as PNG up to 7,680 px wide, as glTF, and as a film of one deployment.
 import {
   BufferGeometry,
   Color,
@@ -21,7 +21,7 @@ const kWidths_px = [1280, 1920, 3840, 7680],
 /** A mesh without instances, its colours at its corners. */
 function plain_mesh(mesh) {
   const count = mesh.isInstancedMesh ? mesh.count : 1,
-    whole = mesh.geometry.toNonIndexed(),
+    whole = mesh.geometry.index ? mesh.geometry.toNonIndexed() : mesh.geometry,
     positions = [],
     normals = [],
     colours = [],
@@ -34,9 +34,9 @@ function plain_mesh(mesh) {
       part.applyMatrix4(matrix);
     }
     const corners = part.attributes.position.count;
-    positions.push(...part.attributes.position.array);
-    normals.push(...part.attributes.normal.array);
-    if (part.attributes.color) colours.push(...part.attributes.color.array);
+    for (const value of part.attributes.position.array) positions.push(value);
+    for (const value of part.attributes.normal.array) normals.push(value);
+    if (part.attributes.color) for (const value of part.attributes.color.array) colours.push(value);
     else {
       if (mesh.instanceColor) mesh.getColorAt(i, colour);
       else colour.copy(mesh.material.color);
@@ -55,7 +55,7 @@ function plain_mesh(mesh) {
 }
 
 /** The sheet as binary glTF: in metres, y upwards. */
-export async function gltf_of(solids) {
+async function gltf_of(solids) {
   const sheet = new Group().add(...solids.map(plain_mesh));
   sheet.name = "sheet";
   sheet.scale.setScalar(kMetres_per_mm);
@@ -63,8 +63,9 @@ export async function gltf_of(solids) {
   return new GLTFExporter().parseAsync(sheet, { binary: true });
 }
 
-/** Records one deployment from `first` to the flat sample 0, then goes back to `shown`. */
-async function film_of(canvas, { first, shown, pose }) {
+/** Records one deployment from `first` to flat, as long as it goes on, then shows `shown` again. */
+async function film_of(canvas, { first, shown, pose, goes_on, pause }) {
+  pause();
   const recorder = new MediaRecorder(canvas.captureStream(kFrames_per_s), {
     mimeType: "video/webm",
     videoBitsPerSecond: 8e6,
@@ -78,15 +79,15 @@ async function film_of(canvas, { first, shown, pose }) {
     const step = (now) => {
       const time_s = (now - begun) / 1000,
         part = clamp((time_s - kRest_s) / kFilm_s, 0, 1);
-      pose(Math.round(first * (1 - part)));
-      if (time_s > kFilm_s + 2 * kRest_s) done();
+      if (goes_on()) pose(first * (1 - part));
+      if (time_s > kFilm_s + 2 * kRest_s || !goes_on()) done();
       else requestAnimationFrame(step);
     };
     requestAnimationFrame(step);
   });
   recorder.stop();
   await ended;
-  pose(shown);
+  if (goes_on()) pose(shown);
   return new Blob(parts, { type: "video/webm" });
 }
 
@@ -112,9 +113,12 @@ export function folding_files(view) {
           const { target } = event;
           target.disabled = true;
           says.textContent = words === "Film" ? "recording …" : "";
-          await save();
-          says.textContent = "";
-          target.disabled = false;
+          try {
+            await save();
+          } finally {
+            says.textContent = "";
+            target.disabled = false;
+          }
         },
       },
       words,
@@ -143,9 +147,10 @@ export function folding_files(view) {
       "div",
       {},
       h("div", { class: "row" }, button("PNG", "Picture as PNG", "folding-png", png), width),
-      view.pen.has_solids &&
-        button("glTF", "Folded sheet as binary glTF, in metres", "folding-gltf", gltf),
-      can_film && button("Film", "One deployment as WebM", "folding-film", film),
+      view.pen.has_solids
+        ? button("glTF", "Folded sheet as binary glTF, in metres", "folding-gltf", gltf)
+        : null,
+      can_film ? button("Film", "One deployment as WebM", "folding-film", film) : null,
       says,
     ),
   );

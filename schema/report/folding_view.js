@@ -1,6 +1,7 @@
 // Shows the folding sheet in space: by WebGL where it is available, else on a 2-D canvas from back
 // to front, with the same camera and controls.
 import { Vector3 } from "three";
+import { first_sample } from "./data.js";
 import { folding_files } from "./folding_files.js";
 import { h } from "./format.js";
 import { PanelPaint } from "./panel_paint.js";
@@ -169,7 +170,9 @@ class FoldingView {
   draw() {
     if (!this.#points || !this.#is_seen) return;
     if (pictures.count++ === 0) performance.mark("first-picture");
-    const force_share = (d) => this.#force_share(this.#shown, d);
+    const share = (d) => this.#force_share(this.#shown, d),
+      largest = () => Math.max(0, ...this.#report.diagonals.map((_, d) => share(d)));
+    const force_share = (d) => (d === null ? largest() : share(d));
     this.#pen.draw(this.#points, this.#camera.camera, force_share, this.#moves);
     this.#labels.move((v) => this.#place(v));
   }
@@ -202,11 +205,16 @@ class FoldingView {
       canvas: this.#canvas,
       stem: () => this.#stem(),
       pose_stem: () => `${this.#stem()}-folded-${this.#decoded.pilot_deg[state.get("sample")]}deg`,
-      range: () => ({
-        first: this.#decoded.depth || this.#decoded.samples - 1,
-        shown: state.get("sample"),
-        pose: (sample) => this.pose(sample),
-      }),
+      range: () => {
+        const decoded = this.#decoded;
+        return {
+          first: first_sample(this.#detail, decoded),
+          shown: null,
+          pose: (place) => this.pose(place),
+          goes_on: () => this.#decoded === decoded,
+          pause: () => state.set("playing", false),
+        };
+      },
     });
   }
 
@@ -247,8 +255,8 @@ class FoldingView {
 
   /** Below the sheet from the angle at which the film begins to flat. */
   #ground_mm() {
-    const { vertices_mm, vertex_count, depth } = this.#decoded,
-      last = 3 * vertex_count * (depth + 1);
+    const { vertices_mm, vertex_count } = this.#decoded,
+      last = 3 * vertex_count * (first_sample(this.#detail, this.#decoded) + 1);
     let least = 0;
     for (let i = 2; i < last; i += 3) least = Math.min(least, vertices_mm[i]);
     return least - this.#thickness_mm();

@@ -51,7 +51,7 @@ export class Inspector {
     this.#pilot = make_pilot(by_id("pilot-bar"), state);
     state.on("sample", () => this.#parts.forEach((part) => part.move?.()));
     state.on("at", (at) => {
-      if (at === "" || !this.#decoded) return;
+      if (at === "" || !this.#decoded || Number(at) === state.get("pilot_deg")) return;
       state.set("playing", false);
       state.set("sample", last_sample_up_to(this.#decoded.pilot_deg, Number(at)));
     });
@@ -108,7 +108,8 @@ export class Inspector {
     by_id("sheet-of").textContent = is_pattern(report) ? "Pattern" : report.campaign.name;
     by_id("picked-title").textContent =
       heading(report, draw) + (row === undefined ? "" : ` · rank ${count(row + 1)}`);
-    by_id("inspect-title").textContent = heading(report, draw);
+    by_id("inspect-title").textContent =
+      `Details of ${is_pattern(report) ? "the sheet" : heading(report, draw).toLowerCase()}`;
     by_id("picked-words").textContent =
       (detail
         ? verdict_words(detail)
@@ -116,10 +117,14 @@ export class Inspector {
       population_words(report, draw);
     const certified = report.certificates?.some((entry) => entry.draw === draw);
     show_sheet_facts(by_id("sheet-facts"), report, draw, known, detail);
-    show_next(by_id("sheet-next"), report, draw, state, certified);
+    show_next(by_id("sheet-next"), report, draw, state, {
+      has_certificate: certified,
+      is_accepted: detail ? detail.accepted !== false : row !== undefined,
+    });
     by_id("folding-card").hidden = !detail;
     by_id("no-details").hidden = Boolean(detail);
     this.#parts = [];
+    this.#decoded = null;
     if (detail) return this.#show_folding(detail);
     state.set("playing", false);
     state.set("pilot_deg", null);
@@ -166,6 +171,12 @@ export class Inspector {
     });
   }
 
+  /** The pilot angle at which a sheet is shown first: the address's, that of use, or a usual one. */
+  #angle_of(detail) {
+    const at = this.#state.get("at");
+    return at === "" ? (detail.from_deg ?? kFirstPilot_deg) : Number(at);
+  }
+
   #show_folding(detail) {
     const state = this.#state,
       decoded = (this.#decoded = decode_detail(detail, this.#report));
@@ -175,10 +186,7 @@ export class Inspector {
     // The pilot angle stays, so that two draws can be compared.
     state.set(
       "sample",
-      last_sample_up_to(
-        decoded.pilot_deg,
-        state.get("pilot_deg") ?? detail.from_deg ?? kFirstPilot_deg,
-      ),
+      last_sample_up_to(decoded.pilot_deg, state.get("pilot_deg") ?? this.#angle_of(detail)),
     );
     state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]);
     const { folding } = this.#shared_views();

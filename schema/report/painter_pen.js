@@ -15,22 +15,24 @@ export function painter_pen(canvas) {
       [corners, parts] = [panels, lines];
     },
     async picture(width, height, camera, save) {
-      const before = [canvas.width, canvas.height];
+      const before = [canvas.width, canvas.height],
+        usual = ratio;
+      ratio *= width / canvas.width;
       [canvas.width, canvas.height] = [width, height];
       this.draw(drawn, camera);
       const saved = await save(canvas);
+      ratio = usual;
       [canvas.width, canvas.height] = before;
       this.draw(drawn, camera);
       return saved;
     },
+    recolour() {},
     tint(tint) {
       colours = tint?.colours ?? [];
     },
-    recolour() {},
     resize(width, height) {
       ratio = Math.min(2, devicePixelRatio || 1);
-      canvas.width = width * ratio;
-      canvas.height = height * ratio;
+      [canvas.width, canvas.height] = [width * ratio, height * ratio];
     },
     draw(points, camera) {
       drawn = points;

@@ -1,4 +1,5 @@
 // The slider of the pilot angle: flat on the right, folded on the left, like the charts' axis.
+import { first_sample, stop_at } from "./data.js";
 import { degrees, fixed, h } from "./format.js";
 
 const kSweep_s = 7,
@@ -46,6 +47,7 @@ class Pilot {
   #decoded = null;
   #detail = null;
   #frame = 0;
+  #by_itself = null; // what stops a sheet that nobody has started
 
   constructor(box, state) {
     this.#state = state;
@@ -129,8 +131,9 @@ class Pilot {
   }
 
   #stop_at(angle_deg) {
-    this.#state.set("at", "");
-    this.#state.set("at", String(angle_deg));
+    const angles = this.#decoded.pilot_deg,
+      next = angles.findIndex((at) => at >= angle_deg - 1e-9);
+    stop_at(this.#state, this.#decoded, next < 0 ? angles.length - 1 : next);
   }
 
   #listen() {
@@ -138,13 +141,13 @@ class Pilot {
       slider = this.#slider,
       turn = () => {
         const playing = !state.get("playing");
-        state.set("playing", playing);
-        state.set("at", playing ? "" : String(this.#decoded.pilot_deg[state.get("sample")]));
+        this.#by_itself?.disconnect();
+        if (!playing) return stop_at(state, this.#decoded, state.get("sample"));
+        state.set("at", "");
+        state.set("playing", true);
       };
     slider.addEventListener("input", () => {
-      state.set("playing", false);
-      state.set("sample", Number(slider.value));
-      state.set("at", String(this.#decoded.pilot_deg[state.get("sample")]));
+      stop_at(state, this.#decoded, Number(slider.value));
     });
     this.#play.addEventListener("click", turn);
     document.addEventListener("keydown", (event) => {
@@ -179,27 +182,20 @@ class Pilot {
     });
     watch.observe(sheet);
     state.set("playing", true);
-    for (const act of ["pointerdown", "keydown"])
-      this.#play.parentNode.addEventListener(act, () => watch.disconnect(), { once: true });
-  }
-
-  /** The first sample of the animation: D, or the path's end of a draw that is not accepted. */
-  #start() {
-    const { depth, samples } = this.#decoded;
-    return this.#detail.accepted && depth > 0 ? depth : samples - 1;
+    this.#by_itself = watch;
   }
 
   // Plays the unfolding in a loop, with a rest.
   #run() {
     const now_at = this.#state.get("sample");
-    let place = now_at > 0 ? now_at : this.#start(),
+    let place = now_at > 0 ? now_at : first_sample(this.#detail, this.#decoded),
       before = performance.now(),
       rest = 0;
     const step = (now) => {
       const passed = Math.min(0.1, (now - before) / 1000);
       before = now;
       if (rest > 0) rest -= passed;
-      else if (place <= 0) [place, rest] = [this.#start(), 0.4];
+      else if (place <= 0) [place, rest] = [first_sample(this.#detail, this.#decoded), 0.4];
       else {
         place = Math.max(0, place - (passed / kSweep_s) * (this.#decoded.samples - 1));
         if (place === 0) rest = 0.9;

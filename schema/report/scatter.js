@@ -174,8 +174,13 @@ class Scatter {
         [x, y] = this.#is_visible(picked)
           ? [this.#xs[picked], this.#ys[picked]]
           : [(left + right) / 2, (top + bottom) / 2],
-        [wide, tall] = [(right - left) / 2 / factor, (bottom - top) / 2 / factor];
-      this.#enlarge({ left: x - wide, right: x + wide, top: y - tall, bottom: y + tall });
+        at = (middle, end) => middle + (end - middle) / factor; // what is there stays there
+      this.#enlarge({
+        left: at(x, left),
+        right: at(x, right),
+        top: at(y, top),
+        bottom: at(y, bottom),
+      });
     }
     return true;
   }

@@ -5,7 +5,7 @@ import { corners_of, hexagons_of } from "./hexagons.js";
 import { colour } from "./theme.js";
 
 /** Largest number of candidates that are painted as points. */
-export const kMostPoints = 2000;
+const kMostPoints = 2000;
 
 const kRadius_px = 7; // of a hexagon
 

@@ -1,6 +1,6 @@
 // The figures of the picked sheet next to its folding, and what can be done with it next.
 import { command } from "./candidate.js";
-import { certified, h, percent } from "./format.js";
+import { certified, h, number, percent } from "./format.js";
 import { metric_of, with_unit } from "./metrics.js";
 import { is_pattern, noun } from "./page_kind.js";
 
@@ -17,7 +17,7 @@ const kFirst = [
 const fact = (name, value, about) =>
   h("div", { title: about }, h("dt", {}, name), h("dd", {}, value));
 
-/** Facts of a draw with these values; `none` stands for what was not done. */
+/** Facts of a draw with these values. */
 export function show_sheet_facts(box, report, draw, values, detail) {
   const known = kFirst.filter(
     (name) => metric_of[name] && values[name] !== undefined && values[name] !== null,
@@ -33,7 +33,7 @@ export function show_sheet_facts(box, report, draw, values, detail) {
       ? [
           fact(
             "critical friction",
-            `${friction.toPrecision(3)} N mm/mm`,
+            `${number(friction)} N mm/mm`,
             "Hinge friction at which the sheet just reaches flat by itself",
           ),
         ]
@@ -56,7 +56,7 @@ export function show_sheet_facts(box, report, draw, values, detail) {
 }
 
 /** The commands that usually follow, with a button to copy each. */
-export function show_next(box, report, draw, state, has_certificate) {
+export function show_next(box, report, draw, state, { has_certificate, is_accepted }) {
   const { misalign, catalogue, springs } = report.commands,
     whose = is_pattern(report) ? catalogue : `${catalogue} ${draw}`,
     chosen = is_pattern(report) ? catalogue : `${catalogue} --draw ${draw}`,
@@ -64,11 +64,19 @@ export function show_next(box, report, draw, state, has_certificate) {
   const steps = [
     [
       "Will it work? A card with every requirement:",
-      `card ${whose}${springs} --output card.html`,
+      `card ${whose}${springs} --output card-${draw}.html`,
       "next-card",
     ],
     ...(has_certificate ? [] : [["Proof of its motion:", `certify ${whose}`, "next-certify"]]),
-    ["Drawings to cut:", `export ${chosen} --format svg${springs} --output ${stem}`, "next-svg"],
+    ...(is_accepted
+      ? [
+          [
+            "Drawings to cut:",
+            `export ${chosen} --format svg${springs} --output ${stem}`,
+            "next-svg",
+          ],
+        ]
+      : []),
   ];
   box.replaceChildren(
     h("h2", { class: "small" }, "Next"),

@@ -63,7 +63,7 @@ function stretch(matrix, points, [a, b], length) {
 const distance = (points, [a, b]) =>
   Math.hypot(...[0, 1, 2].map((i) => points[3 * a + i] - points[3 * b + i]));
 
-/** The springs of one direction: { pairs, forces, colour, pushes }. */
+/** The springs of one direction: { pairs, numbers, colour, pushes }. */
 class Springs {
   #part;
   #length;
@@ -92,7 +92,7 @@ class Springs {
     this.#part.pairs.forEach((pair, i) => {
       stretch(matrix, points, pair, this.#length);
       this.mesh.setMatrixAt(i, matrix);
-      const share = Math.sqrt(Math.min(1, force_share(this.#part.numbers[i])));
+      const share = Math.sqrt(force_share(this.#part.numbers[i]));
       this.mesh.setColorAt(i, shown.lerpColors(relaxed, strained, 0.25 + 0.75 * share));
     });
     this.mesh.instanceMatrix.needsUpdate = true;
@@ -136,7 +136,7 @@ class Plates {
     position.needsUpdate = true;
     this.mesh.geometry.computeVertexNormals();
     const [relaxed, strained] = ["rubber", "grows"].map((name) => new Color(colour(name)));
-    this.mesh.material.color.lerpColors(relaxed, strained, force_share(0));
+    this.mesh.material.color.lerpColors(relaxed, strained, force_share(null));
   }
 }
 

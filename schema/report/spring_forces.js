@@ -1,21 +1,21 @@
 // The springs of the folding picture: which diagonals have one, and how hard it pulls or pushes.
 
-/** Returns whether the design puts a spring on a diagonal. */
-function has_spring({ actuators }, { from, to }) {
-  const { kind, on } = actuators.fill ?? {};
-  if (kind !== "springs") return false;
-  return !Array.isArray(on) || on.includes(`${from}-${to}`) || on.includes(`${to}-${from}`);
+/** Returns whether a diagonal has a spring: all have, unless some never pull or push. */
+function has_spring({ actuators, diagonals }, { force_n }, d) {
+  if (actuators.fill?.kind !== "springs") return false;
+  return !force_n || force_n.some((force, k) => k % diagonals.length === d && force !== 0);
 }
 
 /**
  * Diagonals that lengthen and those that shorten as the sheet folds: { pairs, numbers, colour,
  * pushes }. `without`: those that have no spring, and not those that have one.
  */
-export function kinds_of_springs(report, { grows }, without = false) {
+export function kinds_of_springs(report, decoded, without = false) {
+  const { grows } = decoded;
   return [false, true].map((pushes) => {
     const numbers = report.diagonals
       .map((_, d) => d)
-      .filter((d) => grows[d] !== pushes && has_spring(report, report.diagonals[d]) !== without);
+      .filter((d) => grows[d] !== pushes && has_spring(report, decoded, d) !== without);
     const pairs = numbers.map((d) => {
       const { from_vertex, to_vertex } = report.diagonals[d];
       return [from_vertex, to_vertex];
@@ -36,5 +36,5 @@ export function share_of_force(report, decoded) {
   let most = 0;
   for (let k = 0; k <= depth; ++k)
     for (let d = 0; d < count; ++d) most = Math.max(most, force(k, d));
-  return (k, d) => (most > 0 ? force(k, d) / most : 0);
+  return (k, d) => (most > 0 ? Math.min(1, force(k, d) / most) : 0);
 }

@@ -157,15 +157,11 @@ class WebglPen {
 
   /** A canvas with the picture at another size, whose shape the camera has; then as before. */
   async picture(width, height, camera, save) {
-    const canvas = this.#renderer.domElement,
-      before = [canvas.width, canvas.height],
-      ratio = this.#renderer.getPixelRatio();
-    this.#renderer.setPixelRatio(1);
-    this.#renderer.setSize(width, height, false);
+    this.#renderer.setPixelRatio(width / this.#size[0]); // lines keep their share of the picture
+    this.#renderer.setSize(this.#size[0], height / (width / this.#size[0]), false);
     this.#renderer.render(this.#scene, camera);
-    const saved = await save(canvas);
-    this.#renderer.setPixelRatio(ratio);
-    this.#renderer.setSize(before[0] / ratio, before[1] / ratio, false);
+    const saved = await save(this.#renderer.domElement);
+    this.resize(...this.#size);
     this.#renderer.render(this.#scene, camera);
     return saved;
   }
@@ -183,12 +179,11 @@ class WebglPen {
   }
 
   #light(radius, ground_mm, thickness_mm) {
-    const { camera, bias } = this.#lamp.shadow;
+    const { camera } = this.#lamp.shadow;
     this.#lamp.position.set(-0.7 * radius, -1.1 * radius, 2.6 * radius);
     Object.assign(camera, { left: -radius, right: radius, bottom: -radius, top: radius });
     [camera.near, camera.far] = [0.5 * radius, 6 * radius];
     camera.updateProjectionMatrix();
-    this.#lamp.shadow.bias = bias;
     this.#lamp.shadow.normalBias = Math.max(thickness_mm / 2, radius / 200);
     this.#ground.position.set(0, 0, ground_mm);
     this.#ground.scale.setScalar(8 * radius);
@@ -197,9 +192,10 @@ class WebglPen {
   #unload() {
     if (!this.#group) return;
     this.#scene.remove(this.#group);
-    this.#group.traverse(({ geometry, material }) => {
-      geometry?.dispose();
-      material?.dispose();
+    this.#group.traverse((node) => {
+      node.geometry?.dispose();
+      node.material?.dispose();
+      node.dispose?.();
     });
     this.#panels.dispose();
   }

@@ -147,12 +147,23 @@ class Figures(unittest.TestCase):
                 colours = plt.rcParams["axes.prop_cycle"].by_key()["color"]
         self.assertEqual(len(set(colours)), 7)
 
-    def test_angles_that_cannot_be(self):
+    def test_numbers_that_cannot_be(self):
         for call, words in (
                 (lambda: self.pattern.plot(pilot_deg=170), "pilot_deg=170: lies beyond the path's end; give at most 156.34$"),
                 (lambda: self.pattern.animate(from_deg=170), "from_deg=170: lies beyond"),
                 (lambda: self.pattern.animate(from_deg=20, to_deg=30), "from_deg=20: is not above to_deg=30"),
-                (lambda: self.pattern.animate(frames=1), "frames=1: is too small")):
+                (lambda: self.pattern.animate(frames=1), "frames=1: is too small; give at least 2$"),
+                (lambda: self.pattern.animate(frames=18000), "frames=18000: makes steps of less than 0.01 degrees"),
+                (lambda: self.pattern.animate(frames=10**9), "frames=1000000000: is too large; give at most 18001$"),
+                (lambda: self.pattern.animate(frames=True), "frames=True: is no whole number"),
+                (lambda: self.pattern.animate(interval_ms=0), "interval_ms=0: is too small; give at least 1$"),
+                (lambda: self.pattern.animate(to_deg=0.001), "to_deg=0.001: is too close to flat; give 0, or at least 0.01$"),
+                (lambda: self.pattern.plot(pilot_deg=1e-6), "pilot_deg=1e-06: is too close to flat"),
+                (lambda: self.pattern.plot(pilot_deg=True), "pilot_deg=True: is no finite number"),
+                (lambda: self.pattern.plot(magnified=1e9), "magnified=1000000000.0: is too large; give at most 1000000$"),
+                (lambda: self.pattern.plot(90, magnified=-1), "magnified=-1: is too small; give at least 0$"),
+                (lambda: self.pattern.plot(axes=3), "axes: are of the type int, not axes; make some with"),
+                (lambda: self.pattern.actuators(from_deg=10**400), "from_deg: is no finite number; give one$")):
             with self.assertRaisesRegex(misalign.Error, f"^{words}") as caught:
                 call()
             self.assertEqual(caught.exception.exit_code, 2)
@@ -213,9 +224,12 @@ class Views(unittest.TestCase):
         with self.assertRaisesRegex(misalign.Error, "is no pattern; give one") as caught:
             misalign.view(TABLE1)
         self.assertEqual(caught.exception.exit_code, 2)
-        for height in (0, -1, 1.5, True, "9"):
-            with self.assertRaisesRegex(misalign.Error, "is no height"):
+        for height, words in ((0, "=0: is too small; give at least 1$"), (-1, "=-1: is too small"), (10**7, "=10000000: is too large"),
+                              (10**400, ": is no finite number"), (10**5000, ": is no finite number"), (1.5, "=1.5: is no whole"),
+                              (True, "=True: is no whole"), ("9", "=9: is no whole")):
+            with self.assertRaisesRegex(misalign.Error, f"^height_px{words}") as caught:
                 misalign.view(misalign.read(TABLE1), height)
+            self.assertEqual(caught.exception.exit_code, 2)
 
     def test_without_the_program(self):
         from misalign import _view

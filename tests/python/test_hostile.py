@@ -113,7 +113,8 @@ class Sentences(unittest.TestCase):
         methods = [getattr(owner, name) for owner in (pattern, catalogue, campaign) for name in dir(owner)
                    if not name.startswith("_") and inspect.ismethod(getattr(owner, name))]
         tried = 0
-        for call in [*methods, functools.partial(misalign.judge, campaign, campaign.shifts([0]))]:
+        functions = [functools.partial(misalign.judge, campaign, campaign.shifts([0])), functools.partial(misalign.view, pattern)]
+        for call in [*methods, *functions]:
             signature = inspect.signature(call).parameters
             base = {name: needed[name] for name, one in signature.items() if one.default is one.empty and name in needed}
             for name, one in signature.items():

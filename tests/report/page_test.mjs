@@ -23,6 +23,7 @@ import {
   survival_check,
 } from "./keeping_checks.mjs";
 import { limits_checks } from "./limits_checks.mjs";
+import { motion_check } from "./motion_check.mjs";
 import { looks_checks } from "./looks_checks.mjs";
 import {
   carried_check,
@@ -169,7 +170,10 @@ await together([
     in_browser(async (browser) => {
       for (const report of others) await report_checks(browser, report);
       await without_storage(browser, reports[0]);
-      if (keeping) await design_check(browser, keeping);
+      if (keeping) {
+        await design_check(browser, keeping);
+        await motion_check(browser, keeping);
+      }
       if (values.odd) await odd_texts(browser, values.odd);
       if (keeping) await without_webgl(keeping);
     }),

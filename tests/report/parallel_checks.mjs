@@ -228,9 +228,9 @@ async function ascent_check(page, { details, candidates: { columns } }) {
     const numbers = async (name) => (await cells(name).allTextContents()).map(Number.parseFloat);
     const near = (shown, value) => Math.abs(shown - value) <= 0.006 * Math.abs(value);
     const worth = await numbers("end_value");
-    assert.ok(near(worth[0], start_value) && near(worth[1], end_value), worth.join());
-    assert.equal(await cells("end_value").nth(1).getAttribute("class"), "better");
-    assert.ok(near((await numbers("stroke_max"))[0], 100 * start.metrics.stroke_max));
+    assert.ok(near(worth[0], end_value) && near(worth[1], start_value), worth.join());
+    assert.equal(await cells("end_value").nth(0).getAttribute("class"), "better");
+    assert.ok(near((await numbers("stroke_max"))[1], 100 * start.metrics.stroke_max));
     assert.ok(await by(page, "beside-histories").isVisible());
     await by(page, "release").click();
     return `${made.draw}: ${start_value} to ${end_value}`;

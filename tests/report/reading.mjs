@@ -93,7 +93,8 @@ const in_view = async (locator) => {
 
 /** Pixels of a canvas: a hash, how many are covered, and by how many colours, if they are few. */
 export const pixels = async (locator) => {
-  await in_view(locator);
+  if ((await locator.getAttribute("data-testid")).endsWith("folding-canvas"))
+    await in_view(locator);
   return locator.evaluate((canvas, most) => {
     const copy = Object.assign(document.createElement("canvas"), {
       width: canvas.width,

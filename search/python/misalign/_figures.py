@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from misalign._error import Error
+from misalign._numbers import number, pilot_angle, whole
 
 if TYPE_CHECKING:
     from misalign._catalogue import Catalogue
@@ -42,6 +43,8 @@ def _axes(axes: Any, **options: Any) -> Iterator[Any]:
     """Gives the caller's axes as they are, or those of a new figure in the style."""
     plt = pyplot()
     if axes is not None:
+        if not isinstance(axes, plt.Axes):
+            raise Error(f"axes: are of the type {type(axes).__name__}, not axes; make some with matplotlib.pyplot.subplots", 2)
         if options.get("projection") == "3d" and not hasattr(axes, "get_zlim"):
             raise Error('axes: are not those of a space; make them with projection="3d"', 2)
         yield axes
@@ -137,7 +140,8 @@ def _shapes_mm(pattern: Pattern, stations_deg: npt.NDArray[np.float64], name: st
 
 def folded_sheet(pattern: Pattern, axes: Any, pilot_deg: float, colours: Any) -> Any:
     """Draws the folded sheet."""
-    shape_mm = _shapes_mm(pattern, np.array([pilot_deg], dtype=float), "pilot_deg")[0]
+    pilot_deg = pilot_angle("pilot_deg", pilot_deg)
+    shape_mm = _shapes_mm(pattern, np.array([pilot_deg]), "pilot_deg")[0]
     with _axes(axes, projection="3d") as axes:
         panels(pattern, axes, shape_mm, colours)
         space(axes, shape_mm)
@@ -148,12 +152,13 @@ def folded_sheet(pattern: Pattern, axes: Any, pilot_deg: float, colours: Any) ->
 def motion(pattern: Pattern, from_deg: float | None, to_deg: float, frames: int, interval_ms: float, axes: Any) -> Any:
     """Animates the sheet from one pilot angle down to another."""
     pyplot()
-    if from_deg is None:
-        from_deg = pattern.fold().deploys_from_deg
+    to_deg, frames = pilot_angle("to_deg", to_deg), whole("frames", frames, 2, 18001)
+    interval_ms = number("interval_ms", interval_ms, 1, 60000)
+    from_deg = pattern.fold().deploys_from_deg if from_deg is None else pilot_angle("from_deg", from_deg)
     if not from_deg > to_deg:
         raise Error(f"from_deg={from_deg:g}: is not above to_deg={to_deg:g}, to which the sheet deploys", 2)
-    if frames < 2:
-        raise Error(f"frames={frames}: is too small; give at least 2", 2)
+    if (from_deg - to_deg) / (frames - 1) < 0.01:
+        raise Error(f"frames={frames}: makes steps of less than 0.01 degrees; give fewer, or angles farther apart", 2)
     from matplotlib.animation import FuncAnimation  # type: ignore[import]
     stations_deg = np.linspace(to_deg, from_deg, frames)
     shapes_mm = _shapes_mm(pattern, stations_deg, "from_deg")[::-1]

@@ -12,8 +12,8 @@ import numpy.typing as npt
 
 from misalign import _figures, _misalign
 from misalign._arrays import arrays, text
-from misalign._error import Error
 from misalign._folding import Folding
+from misalign._numbers import number
 
 
 def _design(from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
@@ -23,8 +23,8 @@ def _design(from_deg: float | None = None, stiffness_n_per_mm: float | None = No
             diameter_mm: float | None = None) -> str:
     """Returns the design of a call, which overrides the pattern's."""
     for name, value in list(locals().items()):
-        if name != "fill" and value is not None and not (isinstance(value, (int, float, np.number)) and np.isfinite(value)):
-            raise Error(f"{name}={value}: is no finite number; give one", 2)
+        if name != "fill" and value is not None:
+            number(name, value)
     springs = {"stiffness_n_per_mm": stiffness_n_per_mm, "stroke_limit": stroke_limit, "preload_n": preload_n,
                "diameter_mm": diameter_mm}
     said: dict[str, Any] = {"from_deg": from_deg, "thickness_mm": thickness_mm, "miscut_mm": miscut_mm}
@@ -158,11 +158,11 @@ class Pattern:
 
         `pilot_deg`  pilot angle of the folded sheet, in a space; None for the crease pattern
         `axes`       where to draw, in mm (3-D for a folded sheet); None for a new figure in the style `misalign.style`
-        `magnified`  factor of the arrows that show the shifts; 0 for none
+        `magnified`  factor of the arrows that show the shifts, up to 1000000; 0 for none
         `colours`    colours of the folded sheet's panels [P], any that matplotlib takes; None for paper in a light from above
 
         Diagonals are blue if they are longer at the end of the path than flat, vermilion if not. `misalign.Error`: 1 without
-        matplotlib, 2 for an angle beyond the path's end.
+        matplotlib, 2 for an angle beyond the path's end, and for what is no such number.
 
         >>> pattern = misalign.read("search/patterns/table1.json")
         >>> len(pattern.plot().patches) == len(pattern.facets)
@@ -170,6 +170,7 @@ class Pattern:
         >>> pattern.plot(pilot_deg=120).get_title()
         'pilot angle 120°'
         """
+        magnified = number("magnified", magnified, 0, 1e6)
         if pilot_deg is None:
             return _figures.flat_sheet(self, axes, magnified)
         return _figures.folded_sheet(self, axes, pilot_deg, colours)
@@ -179,12 +180,12 @@ class Pattern:
         """Animates the deploying sheet; returns matplotlib's `FuncAnimation`, which shows, saves and becomes HTML.
 
         `from_deg`, `to_deg`  pilot angles of the first and of the last frame, degrees, the first the larger; None for D
-        `frames`              number of frames, at equal steps of the angle
-        `interval_ms`         time between frames, ms
+        `frames`              number of frames, at equal steps of the angle of at least 0.01 degrees
+        `interval_ms`         time between frames, from 1 to 60000 ms
         `axes`                3-D axes, in mm; None for a new figure in the style `misalign.style`
 
         The motion is that of the folding path, not in time. `misalign.Error`: 1 without matplotlib, 2 for angles beyond the
-        path's end or in the wrong order, and for less than two frames.
+        path's end or in the wrong order, for less than two frames, and for what is no such number.
 
         >>> animation = misalign.read("search/patterns/table1.json").animate(from_deg=120, frames=3)
         >>> animation.save("table1.gif", writer="pillow")  # in a notebook: IPython.display.HTML(animation.to_jshtml())

@@ -11,6 +11,7 @@ import tempfile
 from pathlib import Path
 
 from misalign._error import Error
+from misalign._numbers import whole
 from misalign._pattern import Pattern
 
 
@@ -66,16 +67,15 @@ def view(sheet: Pattern, height_px: int = 720) -> View:
     """Shows a sheet in a notebook, to fold and turn: the page of `misalign report`, in a frame. It needs no network.
 
     `sheet`      a pattern, such as `Catalogue.pattern` returns
-    `height_px`  height of the frame, pixels
+    `height_px`  height of the frame, pixels, from 1 to 100000
 
     The program makes the page, about 1 MB: that of the same build as this package, or the first one in PATH.
-    `misalign.Error`: 1 without a program, or where it has no report; 2 for what is no pattern.
+    `misalign.Error`: 1 without a program, or where it has no report; 2 for what is no pattern, and for what is no height.
 
     >>> misalign.view(misalign.read("search/patterns/table1.json"), height_px=600).height_px
     600
     """
     if not isinstance(sheet, Pattern):
         raise Error(f"{sheet!r}: is no pattern; give one, such as misalign.read and Catalogue.pattern return", 2)
-    if isinstance(height_px, bool) or not isinstance(height_px, int) or height_px < 1:
-        raise Error(f"height_px={height_px!r}: is no height; give a whole number of pixels", 2)
+    height_px = whole("height_px", height_px, 1, 100000)
     return View(_page(sheet), height_px)

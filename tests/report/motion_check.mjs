@@ -1,0 +1,44 @@
+// A page whose reader wants motion: the sheet moves by itself, until the reader stops it at an angle.
+import assert from "node:assert/strict";
+import { open_page } from "./browser.mjs";
+import { by, check, state } from "./reading.mjs";
+
+/** Waits until pictures have been drawn, or not for a while. */
+async function moves(page) {
+  const count = () => page.evaluate(() => window.misalign.pictures);
+  const before = await count();
+  for (let trial = 0; trial < 20; ++trial) {
+    await page.waitForTimeout(150);
+    if ((await count()) > before + 1) return true;
+  }
+  return false;
+}
+
+export async function motion_check(browser, report) {
+  await check(
+    "the sheet moves by itself until it is stopped, and the address keeps where",
+    async () => {
+      const { page, context, problems } = await open_page(browser, report, {
+        reducedMotion: "no-preference",
+      });
+      assert.ok(await moves(page), "it rests");
+      assert.equal(await by(page, "play").getAttribute("aria-pressed"), "true");
+      await by(page, "mark-depth").click();
+      const { pilot_deg } = await state(page);
+      await page.waitForFunction(
+        (at) => new URLSearchParams(location.hash.slice(1)).get("at") === at,
+        String(pilot_deg),
+      );
+      assert.equal(await moves(page), false, "it moves on");
+      await page.reload();
+      await page.waitForFunction(() => window.misalign !== undefined);
+      assert.equal((await state(page)).pilot_deg, pilot_deg);
+      assert.equal(await moves(page), false, "it moves, though it was stopped");
+      await by(page, "play").click();
+      assert.ok(await moves(page), "it does not play");
+      assert.equal(await page.evaluate(() => location.hash.includes("at=")), false);
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  );
+}
