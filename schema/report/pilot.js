@@ -1,6 +1,6 @@
 // The slider of the pilot angle: flat on the right, folded on the left, like the charts' axis.
 import { first_sample, stop_at } from "./data.js";
-import { degrees, fixed, h } from "./format.js";
+import { clamp, degrees, fixed, h } from "./format.js";
 
 const kSweep_s = 7,
   kApart_px = 12; // gap between words of marks
@@ -192,7 +192,7 @@ class Pilot {
       before = performance.now(),
       rest = 0;
     const step = (now) => {
-      const passed = Math.min(0.1, (now - before) / 1000);
+      const passed = clamp((now - before) / 1000, 0, 0.1);
       before = now;
       if (rest > 0) rest -= passed;
       else if (place <= 0) [place, rest] = [first_sample(this.#detail, this.#decoded), 0.4];
