@@ -36,7 +36,7 @@ export async function motion_check(browser, report) {
       assert.equal(await moves(page), false, "it moves, though it was stopped");
       await by(page, "play").click();
       assert.ok(await moves(page), "it does not play");
-      assert.equal(await page.evaluate(() => location.hash.includes("at=")), false);
+      await page.waitForFunction(() => !location.hash.includes("at="));
       assert.deepEqual(problems, []);
       await context.close();
     },
