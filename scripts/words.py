@@ -16,7 +16,7 @@ OPENINGS = set("what which where when how who whose why whether that as of for i
                "into so than".split())
 PRONOUNS = re.compile(r"\b(own|one|here|by|of|said|worth|found_)\b(?! *[(\"])")
 MOST_WORDS, MOST_OF_SUBJECT, SUBJECTS = 30, 72, 50
-COMMENT = re.compile(r"//[/!]?<?(.*)")
+COMMENT = re.compile(r"(?://[/!]?<?|/\*\*|\* )(.*)")
 LITERAL = re.compile(r'"((?:\\.|[^"\\\n])*)"')
 LABEL_END = re.compile(r"\b(?:of|with|at|from|by|to|as|than|for|in|on|up to):?$")
 WORDS_PAGE = ROOT / "search/manual/reference/words.md"
@@ -80,12 +80,12 @@ def openings_of(names):
             first = re.match(r" *[`(]?([A-Za-z']+)", comment[1]) if comment else None
             if first and not inside and first[1].lower() in OPENINGS:
                 yield name, number, line.strip()
-            inside = bool(comment and comment[1].strip()) and line.lstrip().startswith("//")
+            inside = bool(comment and comment[1].strip()) and line.lstrip().startswith(("//", "*"))
 
 
 def openings():
     """Comments that open with a question word or a preposition."""
-    return openings_of(cpp())
+    return openings_of([*cpp(), *tracked("schema/report/*.js", "tests/report/*.mjs")])
 
 
 def openings_of_tests():

@@ -41,7 +41,7 @@ function shuffled(list, random) {
 const has_angle = ({ first_fault, fault_deg }) => first_fault === "none" || fault_deg !== null;
 
 /**
- * At most `most` rows for marks, in random order by a fixed seed. Each mark represents the same
+ * Takes rows for marks, `most` at most, in random order by a fixed seed. Each represents the same
  * number of draws (systematic sampling by weight): a mark is a sampled draw where all fit and
  * weigh the same.
  */

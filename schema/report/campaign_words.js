@@ -50,7 +50,7 @@ function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n
   );
 }
 
-/** What an accepted draw has to do. */
+/** The requirement of an accepted draw. */
 function criterion_words(accept, filling) {
   const to = `from flat to a pilot angle of ${degrees(accept.deploys_from_deg)} or more`;
   if (accept.by !== "energy") return `every diagonal of every hole is monotone ${to}`;

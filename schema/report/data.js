@@ -119,7 +119,7 @@ export function stop_at(state, { pilot_deg }, sample) {
   state.set("at", String(pilot_deg[sample]));
 }
 
-/** Where a deployment begins: at the angle of use, at D, or at the end of a rejected draw's path. */
+/** The sample at which a deployment begins: that of the angle of use, of D, or of a rejected draw's end. */
 export function first_sample(detail, { depth, samples, pilot_deg }) {
   if (detail.from_deg) return last_sample_up_to(pilot_deg, detail.from_deg);
   return detail.accepted !== false && depth > 0 ? depth : samples - 1;

@@ -253,7 +253,7 @@ class FoldingView {
     };
   }
 
-  /** Below the sheet from the angle at which the film begins to flat. */
+  /** A height below the whole deployment. */
   #ground_mm() {
     const { vertices_mm, vertex_count } = this.#decoded,
       last = 3 * vertex_count * (first_sample(this.#detail, this.#decoded) + 1);

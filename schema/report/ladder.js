@@ -192,7 +192,7 @@ function show_levels(ladder, report) {
     "Level 0: first draws. “First met” counts each sheet once per population; the catalogue keeps it once.";
 }
 
-/** Without populations the share is unknown, though the data has 0. */
+/** The share is unknown without populations, though the data has 0. */
 const with_known_shares = (ladder) =>
   ladder.populations > 0
     ? ladder

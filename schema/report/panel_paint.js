@@ -21,7 +21,7 @@ export function stress_colours(panels_mpa) {
 const mpa = (stress) => (stress > 0 ? `${number(stress)} MPa` : "no node outside the discs");
 const kAtShape_deg = 0.6; // a sample this near has the shape
 
-/** What panels are coloured by: { values, words, least, note, button, caption, pilot_deg }, or null. */
+/** The values that colour panels: { values, words, least, note, button, caption, pilot_deg }, or null. */
 function paint_of({ stress, target }) {
   if (stress)
     return {

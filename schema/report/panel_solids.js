@@ -84,7 +84,7 @@ const kColours = { 1: "panel-front", "-1": "panel-back", 0: "panel-rim" };
 
 export class PanelSolids {
   #corners;
-  #plates; // of each panel: { first, count, local, normals, sides }
+  #plates; // { first, places, normals, sides } of each panel
   #lit = new MeshLambertMaterial({ vertexColors: true });
   #plain = new MeshBasicMaterial({ vertexColors: true, side: DoubleSide }); // not shaded
   mesh;

@@ -79,7 +79,7 @@ class WebglPen {
   #tint = null;
   #lines = [];
   #drawn = null; // the points of the last picture
-  // Without a graphics card a moving sheet is coarser, without a shadow; one at rest twice as fine.
+  // A moving sheet is coarser without a graphics card, and has no shadow; one at rest is finer.
   #is_software = is_software(document.createElement("canvas"));
   #moves = false;
   #size = [1, 1];

@@ -1,4 +1,4 @@
-// What a page offers to readers with a keyboard or a screen reader, by axe-core (Deque Systems).
+// Access by keyboard and screen reader; axe-core (Deque Systems) judges.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";

@@ -76,7 +76,7 @@ function density_check() {
       Math.abs(sum - crossed.length) < 0.01,
       `column ${column}: ${sum} of ${crossed.length}`,
     );
-    // As many lines lie above any height, but for those that cross it near here.
+    // The lines above any height stay as many, but for those that cross it near here.
     for (let y = 5; y < cells; y += 5) {
       const above = found.subarray(0, y).reduce((a, b) => a + b, 0),
         least = crossed.filter((at) => at < (y - 3) * cell).length,

@@ -3,7 +3,7 @@ import { createRequire } from "node:module";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-// By require, which also looks along NODE_PATH: the packages may lie in a build directory.
+// Packages may lie in a build directory: require also looks along NODE_PATH.
 const { chromium } = createRequire(import.meta.url)("playwright-core");
 
 /** No check fails for want of time: it waits for what is to happen, and only what is stuck is given up. */
@@ -27,7 +27,7 @@ export function open_browser(more = [], options = {}) {
 
 /** The page, and a list that fills with everything a reader should not meet: errors, requests. */
 export async function open_page(browser, report, options = {}) {
-  // Without smooth scrolling: what is measured must not move on before the mouse gets there.
+  // Smooth scrolling is off: what is measured must not move on before the mouse gets there.
   const context = await browser.newContext({ reducedMotion: "reduce", ...options });
   const problems = [];
   await context.route("**/*", (route) => {

@@ -70,7 +70,7 @@ export async function no_detail_checks(page, data) {
   );
 }
 
-/** What the table looks like, whatever is in it. */
+/** The layout of the table, whatever is in it. */
 export async function layout_checks(page, data) {
   const { columns } = data.candidates;
   await unfiltered(page, "all columns can be reached, and are seen to go on", async () => {
@@ -124,7 +124,7 @@ export async function layout_checks(page, data) {
   });
 }
 
-/** What `misalign tolerance` found, where it was asked. */
+/** The results of `misalign tolerance`, if there are any. */
 export async function yield_checks(page, data) {
   const { columns } = data.candidates;
   if (!columns.yield) return; // a catalogue from before it was kept
@@ -156,7 +156,7 @@ export async function yield_checks(page, data) {
   });
 }
 
-/** What `misalign certify` found, where it was asked. */
+/** The results of `misalign certify`, if there are any. */
 export async function certificate_checks(page, data) {
   const { columns } = data.candidates,
     of = (draw) => data.certificates.find((entry) => entry.draw === draw),

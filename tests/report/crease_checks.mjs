@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { by, check, eventually } from "./reading.mjs";
 
-/** What is drawn: every part of the sheet, and each shift where it points. */
+/** The drawing has every part of the sheet, and each shift where it points. */
 export async function crease_check(page, data, detail) {
   await check("the crease pattern has every crease, hole, diagonal and shift", async () => {
     const svg = by(page, "crease-pattern").locator("svg.sheet");
@@ -158,7 +158,7 @@ export async function width_check(page) {
   });
 }
 
-/** What moves a drawing that is zoomed, and what does not. */
+/** The acts that move a zoomed drawing, and those that do not. */
 export async function drag_checks(page) {
   const drawing = by(page, "crease-drawing"),
     box = () => drawing.getAttribute("viewBox");

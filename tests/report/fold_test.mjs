@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 
 const { validate } = ear.graph;
 
-/** What is wrong with a graph in Rabbit Ear's eyes; nothing if it is valid. */
+/** The errors that Rabbit Ear finds in a graph; none if it is valid. */
 function complaint(graph) {
   const said = validate(graph);
   // Vertices may meet when the sheet is folded up, never on the flat one.

@@ -336,7 +336,7 @@ async function turning_check(page) {
 }
 
 export async function detail_checks(page, data, detail, webgl = true) {
-  // As if nobody had said yet how the moment is to be drawn.
+  // Nobody has said yet how the moment is to be drawn.
   await by(page, "moment-log").evaluate((node) => delete node.dataset.said);
   await by(page, "detailed").selectOption(detail.draw);
   await words_check(page, data, detail);

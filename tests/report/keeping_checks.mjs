@@ -1,4 +1,4 @@
-// What a reader keeps of a page: its address, and files of what it shows.
+// A reader keeps of a page its address, and files of what it shows.
 /* global misalign -- of the page */
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -147,7 +147,7 @@ export async function link_checks(page, data) {
   });
 }
 
-/** What a button of a card saves: its name and bytes. */
+/** Name and bytes of the file that a card's button saves. */
 async function saved(page, box, kind) {
   const card = page.locator(".card").filter({ has: by(page, box) });
   const [download] = await Promise.all([
@@ -165,7 +165,7 @@ const rows_of = (bytes) =>
     .split("\r\n")
     .map((line) => line.split(","));
 
-/** How many colours a picture has, if they are few, drawn by the browser as it draws any picture. */
+/** The number of a picture's colours, if they are few, as the browser draws it. */
 const colours_of = (page, bytes, type) =>
   page.evaluate(
     async ([data, format, most]) => {

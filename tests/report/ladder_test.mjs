@@ -260,7 +260,7 @@ async function nothing_plain_check(page) {
   });
 }
 
-/** On a desk and on a phone. */
+/** The widths of a desk and of a phone. */
 async function layout_check(page) {
   await check("long numbers break no layout", async () => {
     for (const width of [1400, 800, 390]) {

@@ -1,4 +1,4 @@
-// How a page looks: by day and night, on paper, in a narrow window.
+// Looks of a page: by day and night, on paper, in a narrow window.
 import assert from "node:assert/strict";
 import { by, check, eventually } from "./reading.mjs";
 

@@ -1,4 +1,4 @@
-// What a report says of its campaign: figures, faults, whose folding it carries.
+// A report's words on its campaign: figures, faults, whose folding it carries.
 import assert from "node:assert/strict";
 import { by, check } from "./reading.mjs";
 

@@ -155,7 +155,7 @@ async function without_webgl(report) {
   await browser.close();
 }
 
-/** In a browser of its own, so that two of them draw at the same time. */
+/** Each run has its own browser, so that two of them draw at the same time. */
 async function in_browser(run) {
   const browser = await open_browser();
   await run(browser);

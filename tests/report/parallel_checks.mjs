@@ -58,7 +58,7 @@ async function brush_check(page, { candidates: { columns, total } }) {
       await by(page, "parallel-where").textContent(),
       `--where "${name} >= ${low} AND ${name} <= ${high}"`,
     );
-    // To the end of the axis there is no bound; another axis has its own; a click takes one away.
+    // There is no bound to the end of the axis; another axis has its own; a click takes one away.
     await brush(page, name, 0.5, 1.1);
     const upper = await by(page, "filter").inputValue();
     assert.match(upper, new RegExp(`^${name} >= \\S+$`));
@@ -78,7 +78,7 @@ async function brush_check(page, { candidates: { columns, total } }) {
 
 const kFew = 300; // candidates; more are shown by their density
 
-/** How strong the colours are along a column of the canvas: the distance from the card's. */
+/** Strength of the colours along a column of the canvas: their distance from the card's. */
 const strengths = (page, x) =>
   by(page, "parallel-canvas").evaluate((canvas, place) => {
     const copy = new OffscreenCanvas(canvas.width, canvas.height),
@@ -117,7 +117,7 @@ function crossings(columns, pair, reach = 2) {
   return counts;
 }
 
-/** Where no line passes is the card; where most pass the colour is stronger than where few do. */
+/** The card is seen where no line passes; the colour is strongest where most do. */
 async function density_check(page, { candidates: { columns, shown } }) {
   if (!(await by(page, "parallel").isVisible())) return;
   await unfiltered(page, "many lines are a density, few are lines", async () => {
@@ -210,9 +210,9 @@ async function front_check(page, { candidates: { columns } }) {
   });
 }
 
-/** Of a search that made draws better: what each was worth, and the draw beside what it became. */
+/** A search that made draws better says what each was worth, and shows it beside what it became. */
 async function ascent_check(page, { details, candidates: { columns } }) {
-  // What a population found is not stored, so that it cannot be held.
+  // Starts of populations are not stored, so that none can be held.
   const made = details.find(
     ({ ascent, draw }) => ascent?.steps > 0 && ascent.start && columns.draw.includes(draw),
   );

@@ -62,7 +62,7 @@ for (const report of reports) {
     const has = (verb) => commands.some((command) => command.includes(` ${verb} `));
     for (const verb of ["fold", "verify", "export", "actuators"])
       assert.ok(has(verb), `no command ${verb}`);
-    // What deploys from nowhere has nothing that miscut copies could lose.
+    // A sheet that deploys from nowhere has nothing that miscut copies could lose.
     assert.equal(has("tolerance"), detail.verdict.deploys_from_deg > 0, "command tolerance");
     for (const command of commands) {
       assert.ok(command.includes(` ${data.commands.catalogue}`), command);

@@ -26,7 +26,7 @@ const choose = async (place, value) => {
 };
 const section = (name) => press(page.locator(`.top nav a[href="#${name}"]`));
 
-/** What stands on the screen at that place; it must be seen without scrolling. */
+/** The text at a place, which must be seen without scrolling. */
 async function seen(place) {
   await page.waitForFunction(
     (node) => {

@@ -1,4 +1,4 @@
-// What the checks of a page are made of: the data inside it, read without the page's code, and what
+// Parts of the checks of a page: the data inside it, read without the page's code, and what
 // can be seen on it.
 /* global misalign -- of the page */
 import assert from "node:assert/strict";
@@ -27,7 +27,7 @@ export function summary() {
   return failures === 0;
 }
 
-/** What failed is said; what passed with VERBOSE=1 only, or the failure is lost in a long log. */
+/** Failures are said; passes only with VERBOSE=1, or a failure is lost in a long log. */
 export async function check(what, run) {
   ++checks;
   const start = performance.now();

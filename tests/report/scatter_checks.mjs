@@ -40,7 +40,7 @@ function lonely(points) {
     .map((i) => points[i]);
 }
 
-/** Whether the picked one of these is as near to a place as any, but for the pixel's edge. */
+/** Returns whether the picked one of these is as near to a place as any, but for the pixel's edge. */
 async function picks_nearest(page, place, points) {
   const { picked } = await state(page),
     point = points.find(({ draw }) => draw === picked),
@@ -48,7 +48,7 @@ async function picks_nearest(page, place, points) {
   return point !== undefined && away(point) < away(nearest(place, points)) + 2;
 }
 
-/** Where the whole plot of the two metrics has the candidates. */
+/** Places of the candidates in the whole plot of the two metrics. */
 async function points_of(page, candidates) {
   await by(page, "scatter-x").selectOption(across);
   await by(page, "scatter-y").selectOption(up);
@@ -56,7 +56,7 @@ async function points_of(page, candidates) {
   return points_of_axes(page, candidates);
 }
 
-/** Where the axes say that the candidates are. */
+/** Places of the candidates by the axes. */
 async function points_of_axes(page, { columns }) {
   const box = by(page, "scatter");
   const [x, y] = [await axis(box, "x"), await axis(box, "y")];

@@ -60,7 +60,7 @@ async function parts(browser, page_file, directory, names, address) {
   }
 }
 
-/** From folded to flat, slowly at both ends. */
+/** A deployment that is slow at both ends. */
 async function film(browser, page_file, directory, address) {
   const options = { colorScheme: "light", viewport: kFilmedWindow };
   const { page, problems } = await opened(browser, page_file, options, address);

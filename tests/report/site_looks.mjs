@@ -40,7 +40,7 @@ async function with_page(browser, address, options, problems, use) {
   await context.close();
 }
 
-/** In the page: the parts of the article that reach beyond the window. What scrolls by itself is a table. */
+/** Parts of the article that reach beyond the window, read in the page; tables scroll by themselves. */
 function overflows() {
   const wide = [];
   const width = document.documentElement.clientWidth;

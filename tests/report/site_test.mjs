@@ -11,7 +11,7 @@ import { check_looks, watch_page } from "./site_looks.mjs";
 const kFirstResults = 5,
   kFirstOfQuery = 3;
 
-// What they want; what they type into the search box; the pages that answer; what must be said there.
+// Wishes; words typed into the search box; the pages that answer; what must be said there.
 const kTasks = [
   [
     "cut my own 60 × 90 mm sheet",
@@ -85,7 +85,7 @@ const kTasks = [
   ["cite it", "cite", ["how-to/cite", "overview"], /10\.1098\/rspa\.2015\.0235/],
 ];
 
-// What an engineer types who never saw the program; the right pages.
+// Words of an engineer who never saw the program; the right pages.
 const kQueries = [
   ["Pareto", ["how-to/choose", "how-to/optimise"]],
   ["static margin", ["how-to/hinges", "how-to/card", "explanation/deployment"]],

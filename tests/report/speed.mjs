@@ -1,4 +1,4 @@
-// How soon a page shows its sheet, and how many pictures a second it draws, in headless Chromium:
+// Measures how soon a page shows its sheet, and how many pictures a second it draws, in Chromium:
 //   node speed.mjs REPORT.html...
 // On request; figures are in results/report.
 import { statSync } from "node:fs";

@@ -8,7 +8,7 @@ import { axis, by, check, data_of, eventually, floats, summary } from "./reading
 
 const kNear = 3; // of 255: lines are blended with what lies below
 
-/** How many pixels of the canvas have a colour of page.css, and the place of one in their middle. */
+/** The number of pixels that have a colour of page.css, and the place of one in their middle. */
 const pixels_of = (page, name) =>
   by(page, "folding-canvas").evaluate(
     (canvas, [variable, near]) => {

@@ -7,7 +7,7 @@ import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { open_browser } from "./browser.mjs";
 
-/** What the browser lays out: a CSS pixel is 1/96 inch. */
+/** The browser's layout: a CSS pixel is 1/96 inch. */
 const measured = () => {
   const mm = 25.4 / 96;
   const corner = document.documentElement.getBoundingClientRect();
@@ -52,7 +52,7 @@ const measured = () => {
 const near = (a, b) => Math.abs(a - b) < 0.01;
 const meet = (p, q) => near(p[0], q[0]) && near(p[1], q[1]);
 
-/** Whether each segment of one list is one of the other, in whatever order and direction. */
+/** Returns whether each segment of one list is one of the other, in whatever order and direction. */
 function same(ours, theirs) {
   const left = [...theirs];
   for (const [a, b] of ours) {
@@ -116,7 +116,7 @@ function check_lines(check, seen, fold, { to_sheet }) {
 
 /** A label at each vertex, and the diagonals' numbers of the file, each on its diagonal. */
 function check_labels(check, seen, fold, { to_sheet }) {
-  // What is not to be cut is there, and hidden.
+  // Layers that are not to be cut are there, and hidden.
   for (const id of ["springs", "labels"]) check(seen.hidden[id], `${id} are not hidden`);
   const label_at = new Map(seen.labels.map(({ words, at }) => [words, to_sheet(at)])),
     nowhere = [NaN, NaN];
@@ -144,7 +144,7 @@ function check_labels(check, seen, fold, { to_sheet }) {
   }
 }
 
-/** What is wrong with a drawing, in words. */
+/** The errors of a drawing, in words. */
 async function failures_of(page, svg_file, fold_file) {
   const fold = JSON.parse(readFileSync(fold_file, "utf8")),
     failures = [],

@@ -262,7 +262,7 @@ async function column_check(page) {
     assert.equal((await heads(page)).at(-1), second);
     await by(page, "all-columns").click();
     assert.deepEqual(await heads(page), all);
-    // Between two headings in view: a browser that scrolls with the button down drags what comes under the mouse.
+    // Both headings are in view: a browser that scrolls with the button down drags what comes under the mouse.
     await by(page, `head-${second}`).dragTo(by(page, `head-${first}`));
     assert.deepEqual((await heads(page)).slice(2, 4), [second, first]);
     await by(page, `head-${second}`).locator("button").focus();

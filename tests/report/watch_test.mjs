@@ -117,7 +117,7 @@ async function folding_check(page) {
     await by(page, "filter").fill(`draw = ${bare}`);
     await by(page, "grid").locator(".line").first().click();
     assert.equal(await by(page, "folding").isVisible(), false);
-    // Of another campaign, whose catalogue took the place of this one: nothing of that is shown.
+    // Another campaign, whose catalogue took the place of this one, is not shown.
     await page.route("**/sheet/*", (route) =>
       route.fulfill({ body: JSON.stringify({ detail: { draw: bare }, identity: "00000000" }) }),
     );
