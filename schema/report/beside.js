@@ -94,6 +94,8 @@ class Beside {
   #entries = new Map(); // of #histories, by box
   #held_state = make_state({ sample: 0, diagonal: null });
   #folding = null;
+  #held_detail = null;
+  #held_samples = 1;
 
   constructor(report, candidates, state, inspector) {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
@@ -107,6 +109,7 @@ class Beside {
     state.on("picked", () => this.show());
     state.on("computed", () => this.show());
     state.on("pilot_deg", () => this.#follow());
+    state.on("place", () => this.#follow_folding());
     state.on("diagonal", (d) => {
       for (const { chart } of this.#histories) chart.mark(d);
       this.#folding?.mark(d);
@@ -169,7 +172,10 @@ class Beside {
       this.#held_state,
       this.#inspector.camera,
     );
-    this.#folding.load(detail, decode_detail(detail, report));
+    if (detail === this.#held_detail) return;
+    const decoded = decode_detail(detail, report);
+    [this.#held_detail, this.#held_samples] = [detail, decoded.samples];
+    this.#folding.load(detail, decoded);
   }
 
   #show_histories(sheet) {
@@ -208,7 +214,13 @@ class Beside {
       state.set("sample", last_sample_up_to(decoded.pilot_deg, pilot_deg));
       chart.move();
     }
-    if (!by_id("held-card").hidden) this.#folding.pose(this.#held_state.get("sample"));
+    this.#follow_folding();
+  }
+
+  #follow_folding() {
+    if (by_id("held-card").hidden) return;
+    const place = this.#state.get("place");
+    this.#folding.pose(place === null ? null : Math.min(place, this.#held_samples - 1));
   }
 }
 

@@ -1,7 +1,8 @@
 // Draws the pilot angle of the sheet released at rest over time, and plays the folding at that
 // speed.
 import * as Plot from "@observablehq/plot";
-import { plot_with_room } from "./chart.js";
+import { nearest_sample, plot_with_room, deployment as ratio_of } from "./chart.js";
+import { stop_at } from "./data.js";
 import { by_id, degrees, h, number } from "./format.js";
 
 const kHeight = 250,
@@ -36,14 +37,6 @@ function angle_at({ time_s, pilot_deg }, time) {
   return pilot_deg[k - 1] + part * (pilot_deg[k] - pilot_deg[k - 1]);
 }
 
-function nearest_sample(pilot_deg, angle_deg) {
-  let best = 0;
-  pilot_deg.forEach((at, k) => {
-    if (Math.abs(at - angle_deg) < Math.abs(pilot_deg[best] - angle_deg)) best = k;
-  });
-  return best;
-}
-
 /** Plays the motion by the state's sample; stops when anything else moves it, or at the button. */
 function make_player(deployment, { state, decoded }, move) {
   let frame = 0,
@@ -66,10 +59,13 @@ function make_player(deployment, { state, decoded }, move) {
     const step = (now) => {
       if (ours !== null && (state.get("sample") !== ours || state.get("playing"))) return stop();
       const time = Math.min(end_s, Math.max(0, (now - begun) / 1000 / slower));
-      ours = nearest_sample(decoded.pilot_deg, Math.abs(angle_at(deployment, time)));
+      ours = nearest_sample(decoded, ratio_of(Math.abs(angle_at(deployment, time))));
       state.set("sample", ours);
       move(time);
-      if (time >= end_s) return stop();
+      if (time >= end_s) {
+        stop_at(state, decoded, ours);
+        return stop();
+      }
       frame = requestAnimationFrame(step);
     };
     frame = requestAnimationFrame(step);

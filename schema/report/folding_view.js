@@ -116,7 +116,7 @@ class FoldingView {
 
   load(detail, decoded) {
     const before = this.#radius;
-    [this.#detail, this.#decoded] = [detail, decoded];
+    [this.#detail, this.#decoded, this.#points] = [detail, decoded, null];
     this.#radius = radius_of(this.#flat());
     this.#force_share = share_of_force(this.#report, decoded);
     this.#paint.load(detail);
@@ -131,8 +131,8 @@ class FoldingView {
     });
     this.#pen.recolour();
     this.#repaint();
-    this.pose(this.#state.get("sample"));
     if (before !== this.#radius && this.#width) this.whole();
+    this.pose(null);
   }
 
   /**

@@ -43,7 +43,8 @@ export class Inspector {
   #views = null; // folding and crease pattern, shared by all draws
   #parts = [];
   #charts = new Map(); // box → { chart, redraw }
-  #decoded = null; // of the shown one
+  #shown = null; // the details of the sheet whose folding is shown
+  #decoded = null; // and its histories
 
   constructor(report, candidates, state) {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
@@ -51,9 +52,10 @@ export class Inspector {
     this.#pilot = make_pilot(by_id("pilot-bar"), state);
     state.on("sample", () => this.#parts.forEach((part) => part.move?.()));
     state.on("at", (at) => {
-      if (at === "" || !this.#decoded || Number(at) === state.get("pilot_deg")) return;
+      if (!this.#decoded || (at === "" && state.get("playing"))) return;
       state.set("playing", false);
-      state.set("sample", last_sample_up_to(this.#decoded.pilot_deg, Number(at)));
+      const angle_deg = this.#angle_of(this.#shown);
+      state.set("sample", last_sample_up_to(this.#decoded.pilot_deg, angle_deg));
     });
     state.on("place", (place) => {
       if (this.#decoded) this.#views.folding.pose(place);
@@ -124,7 +126,7 @@ export class Inspector {
     by_id("folding-card").hidden = !detail;
     by_id("no-details").hidden = Boolean(detail);
     this.#parts = [];
-    this.#decoded = null;
+    [this.#shown, this.#decoded] = [detail, null];
     if (detail) return this.#show_folding(detail);
     state.set("playing", false);
     state.set("pilot_deg", null);

@@ -1,6 +1,6 @@
 // Animates sampled draws on the chart of first faults: marks move from flat to the pilot angle of
 // their first fault. A page that is watched shows those that come in, every page replays its sample.
-import { marks_of, random_numbers, rows_since } from "./arrivals.js";
+import { has_angle, marks_of, random_numbers, rows_since } from "./arrivals.js";
 import { fault_bins } from "./faults.js";
 import { by_id, count, h, plural } from "./format.js";
 import { sum, weight } from "./shares.js";
@@ -221,7 +221,7 @@ class Passage {
       pause = by_id("passage-pause");
     const watched = Boolean(this.#report.watch);
     this.#svg.parentElement.dataset.replays = this.#replays;
-    replay.hidden = still.matches;
+    replay.hidden = still.matches || !this.#rows.some(has_angle);
     replay.textContent = this.#replays ? "■ End replay" : "▶ Replay";
     pause.hidden = still.matches || !(watched || this.#replays);
     pause.textContent = this.#paused ? "▶ Continue" : "❚❚ Pause";

@@ -143,8 +143,8 @@ class Pilot {
         const playing = !state.get("playing");
         this.#by_itself?.disconnect();
         if (!playing) return stop_at(state, this.#decoded, state.get("sample"));
-        state.set("at", "");
         state.set("playing", true);
+        state.set("at", "");
       };
     slider.addEventListener("input", () => {
       stop_at(state, this.#decoded, Number(slider.value));

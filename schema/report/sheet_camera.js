@@ -14,13 +14,10 @@ export class SheetCamera {
   camera = new PerspectiveCamera(kFov_deg, 1, 1, 1e6);
   #target = new Vector3();
   #moved = [];
+  #updates = false; // all controls: their changes are one
 
   constructor() {
     this.camera.up.set(0, 0, 1);
-  }
-
-  get aspect() {
-    return this.camera.aspect;
   }
 
   set aspect(aspect) {
@@ -38,7 +35,7 @@ export class SheetCamera {
     controls.enableZoom = false;
     canvas.addEventListener("focus", () => (controls.enableZoom = true));
     canvas.addEventListener("blur", () => (controls.enableZoom = false));
-    controls.addEventListener("change", () => this.#changed());
+    controls.addEventListener("change", () => !this.#updates && this.#changed());
     canvas.addEventListener("keydown", (event) => this.#key(event));
     this.#moved.push({ moved, controls });
   }
@@ -93,7 +90,9 @@ export class SheetCamera {
   }
 
   #update() {
+    this.#updates = true;
     for (const { controls } of this.#moved) controls.update();
+    this.#updates = false;
     this.#changed();
   }
 
