@@ -38,7 +38,8 @@ function shuffled(list, random) {
 }
 
 /** Returns whether the draws of a row have a place on the axis of pilot angles. */
-export const has_angle = ({ first_fault, fault_deg }) => first_fault === "none" || fault_deg !== null;
+export const has_angle = ({ first_fault, fault_deg }) =>
+  first_fault === "none" || fault_deg !== null;
 
 /**
  * Takes rows for marks, `most` at most, in random order by a fixed seed. Each represents the same

@@ -1,7 +1,7 @@
 // Compares the picked sheet with a held sheet. State "beside" is the held draw, or "start": the
 // draw from which an optimising search made the picked sheet.
 import { show_when_wide } from "./chart.js";
-import { decode_detail, decode_lengths, last_sample_up_to, values_of } from "./data.js";
+import { decode_detail, decode_lengths, detail_of, last_sample_up_to, values_of } from "./data.js";
 import { make_folding_view } from "./folding_view.js";
 import { by_id, h } from "./format.js";
 import { make_histories } from "./histories.js";
@@ -29,15 +29,14 @@ const kDescribe = new Set([
 
 /** The held sheet, { name, values, detail }; null if the picked one has no such start. */
 function held_sheet(report, candidates, held, picked) {
-  const detail_of = (draw) => report.details.find((entry) => entry.draw === draw);
   if (held !== kStart) {
     return {
       name: heading(report, held),
       values: values_of(report, candidates, held),
-      detail: detail_of(held),
+      detail: detail_of(report, held),
     };
   }
-  const ascent = detail_of(picked)?.ascent;
+  const ascent = detail_of(report, picked)?.ascent;
   if (!ascent?.start) return null;
   const name = `${heading(report, picked)}, start`;
   return {
@@ -91,7 +90,6 @@ class Beside {
   #state;
   #inspector;
   #histories = []; // { decoded, chart, state } of the held sheet, and of the picked one
-  #entries = new Map(); // of #histories, by box
   #held_state = make_state({ sample: 0, diagonal: null });
   #folding = null;
   #held_detail = null;
@@ -100,10 +98,8 @@ class Beside {
   constructor(report, candidates, state, inspector) {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
     this.#inspector = inspector;
-    by_id("hold").addEventListener("click", () => state.set("beside", state.get("picked")));
     const choice = by_id("hold-choice");
     choice.addEventListener("change", () => state.set("beside", choice.value));
-    by_id("hold-start").addEventListener("click", () => state.set("beside", kStart));
     by_id("release").addEventListener("click", () => state.set("beside", ""));
     state.on("beside", () => this.show());
     state.on("picked", () => this.show());
@@ -124,11 +120,7 @@ class Beside {
         held !== "" && held !== picked && picked !== null
           ? held_sheet(this.#report, this.#candidates, held, picked)
           : null;
-    by_id("hold").hidden = picked === null || held === picked || is_pattern(this.#report);
     by_id("beside-card").hidden = held === "";
-    by_id("hold-start").hidden =
-      held === kStart || !held_sheet(this.#report, this.#candidates, kStart, picked);
-    by_id("release").hidden = held === "";
     this.#show_choice(held, picked);
     by_id("beside-words").textContent =
       sheet || held === ""
@@ -144,16 +136,22 @@ class Beside {
     this.#follow();
   }
 
-  /** Offers all other sheets with details. */
+  /** Offers the start of the picked sheet, itself for what is picked next, and all with details. */
   #show_choice(held, picked) {
-    const others = this.#report.details.map(({ draw }) => draw).filter((draw) => draw !== picked),
-      choice = by_id("hold-choice");
-    choice.parentNode.hidden = others.length === 0 || is_pattern(this.#report);
+    const report = this.#report,
+      draws = new Set([picked, ...report.details.map(({ draw }) => draw), held]),
+      words = (draw) => heading(report, draw) + (draw === picked ? ", then pick another" : "");
+    const choice = by_id("hold-choice");
+    for (const none of [null, "", kStart]) draws.delete(none);
+    choice.parentNode.hidden = picked === null || is_pattern(report);
     choice.replaceChildren(
       h("option", { value: "" }, "–"),
-      ...others.map((draw) => h("option", { value: draw }, heading(this.#report, draw))),
+      held === kStart || held_sheet(report, this.#candidates, kStart, picked)
+        ? h("option", { value: kStart }, "its start")
+        : "",
+      ...[...draws].map((draw) => h("option", { value: draw }, words(draw))),
     );
-    choice.value = others.includes(held) ? held : "";
+    choice.value = held;
   }
 
   /** Shows the held sheet next to the picked one, by the same camera. */
@@ -180,22 +178,19 @@ class Beside {
 
   #show_histories(sheet) {
     const report = this.#report,
-      own = report.details.find((entry) => entry.draw === this.#state.get("picked"));
+      own = detail_of(report, this.#state.get("picked"));
     this.#histories = [];
     const show = (id, detail, name, state) => {
       const box = by_id(id).querySelector("div");
       by_id(id).hidden = !detail;
-      this.#entries.delete(box);
-      box.replaceChildren();
-      if (!detail) return;
+      if (!detail) return void box.replaceChildren();
       const decoded = decode_lengths(detail, report),
         along = { state, detail, decoded, end_deg: end_of_path(report) },
         entry = { decoded, state, chart: make_histories(h("p"), report, along) };
       this.#histories.push(entry);
       by_id(id).querySelector("figcaption").textContent =
         `Lengths of the diagonals of ${name.toLowerCase()}`;
-      this.#entries.set(box, entry);
-      show_when_wide(box, (width) => this.#entries.get(box)?.chart.draw(width) ?? h("span"));
+      show_when_wide(box, (width) => entry.chart.draw(width), "now");
     };
     show(
       "beside-own",

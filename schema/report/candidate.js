@@ -1,92 +1,15 @@
-// Shows the selected draw's metrics and verdict, and the commands that continue from it.
-import { copy_button, unbroken } from "./copying.js";
+// Shows the selected draw's metrics and verdict.
+import { command, report_command } from "./commands.js";
+import { copy_button } from "./copying.js";
 import { ends_of } from "./data.js";
 import { certified, count, dashed, degrees, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
 import { save_text } from "./save.js";
-import { is_pattern, kExports, noun, pattern_commands } from "./page_kind.js";
+import { is_pattern, noun } from "./page_kind.js";
 import { fault_words } from "./words.js";
 
-export function command(about, text, state, id) {
-  return h(
-    "div",
-    { class: "command" },
-    h("p", {}, about),
-    h(
-      "div",
-      { class: "row" },
-      h("code", { "data-testid": id }, unbroken(text)),
-      copy_button(text, state),
-    ),
-  );
-}
-
-function report_command({ commands }, draw) {
-  const { misalign, catalogue, choice, springs, output } = commands;
-  return `${misalign} report ${catalogue} --draw ${draw}${choice}${springs} --output ${output}`;
-}
-
-export function show_commands(box, report, draw, state) {
-  if (is_pattern(report)) {
-    box.replaceChildren(
-      ...pattern_commands(report).map(([about, text, id]) => command(about, text, state, id)),
-    );
-    return;
-  }
-  const { misalign, catalogue, springs } = report.commands;
-  const accepted =
-    report.candidates.columns.draw?.includes(draw) ||
-    report.details.some((d) => d.draw === draw && d.accepted);
-  box.replaceChildren(
-    ...[
-      command(
-        `Path of this ${noun(report)}, degree by degree:`,
-        `${misalign} replay ${catalogue} ${draw}`,
-        state,
-        "command-replay",
-      ),
-      ...Object.entries(accepted ? kExports : {}).map(([format, about]) =>
-        command(
-          about,
-          `${misalign} export ${catalogue} --draw ${draw} --format ${format}${springs} --output ${noun(report)}-${draw}`,
-          state,
-          `command-${format}`,
-        ),
-      ),
-      command(
-        "Springs on its diagonals:",
-        `${misalign} actuators ${catalogue} ${draw}${springs}`,
-        state,
-        "command-actuators",
-      ),
-      command(
-        "Card to print: requirements of the design, results, and the springs to buy:",
-        `${misalign} card ${catalogue} ${draw}${springs} --output card-${draw}.html`,
-        state,
-        "command-card",
-      ),
-      ...(accepted
-        ? [
-            command(
-              "Yield: share of copies with cutting errors up to 0.05 mm that deploy, which this report then shows (--vertices: the most sensitive vertices):",
-              `${misalign} tolerance ${catalogue} ${draw} --amplitude 0.05`,
-              state,
-              "command-tolerance",
-            ),
-          ]
-        : []),
-      command(
-        `This report, with this ${noun(report)} first:`,
-        report_command(report, draw),
-        state,
-        "command-again",
-      ),
-    ],
-  );
-}
-
 /** Offers a draw's missing details: a button where a program serves the page, else the command. */
-export function show_no_details(box, report, draw, state, compute) {
+export function show_no_details(box, report, draw, compute) {
   const lacks = `This page has the metrics of this ${noun(report)}, but not its folding.`;
   if (report.watch) {
     const words = h("p", { role: "status", "data-testid": "compute-says" }, lacks);
@@ -101,16 +24,10 @@ export function show_no_details(box, report, draw, state, compute) {
     return;
   }
   box.replaceChildren(
-    h(
-      "p",
-      {},
+    command(
       `${lacks} To add its crease pattern, folding, histories and actuation, write the report again:`,
-    ),
-    h(
-      "div",
-      { class: "row" },
-      h("code", { "data-testid": "command-report" }, report_command(report, draw)),
-      copy_button(report_command(report, draw), state),
+      report_command(report, draw),
+      "command-report",
     ),
   );
 }
@@ -227,7 +144,7 @@ export function show_certificate(box, report, draw) {
   box.replaceChildren(h("p", {}, `Certified to ${certified(certified_deg)} (${parts.join(", ")})`));
 }
 
-export function show_shifts(box, detail, state) {
+export function show_shifts(box, detail) {
   const entries = Object.entries(detail.displacements_mm).sort(
       ([a], [b]) => ends_of(a)[0] - ends_of(b)[0],
     ),
@@ -250,6 +167,6 @@ export function show_shifts(box, detail, state) {
         h("li", {}, h("b", {}, vertex), ` (${signed(x)}, ${signed(y)})`),
       ),
     ),
-    h("div", { class: "row" }, save, copy_button(json, state, "Copy as JSON")),
+    h("div", { class: "row" }, save, copy_button(json, "Copy as JSON")),
   );
 }

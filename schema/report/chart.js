@@ -39,14 +39,14 @@ export function when_wide(box, draw) {
 const charts = new WeakMap(); // by box
 
 /**
- * Shows draw(width) in the box instead of its earlier chart, once no pointer is over that; returns
- * a function that redraws.
+ * Shows draw(width) in the box instead of its earlier chart, now or once no pointer is over that
+ * ("left"); returns a function that redraws.
  */
-export function show_when_wide(box, draw) {
+export function show_when_wide(box, draw, when = "left") {
   const chart = charts.get(box);
   if (chart) {
     chart.draw = draw;
-    if (!box.matches(":hover")) chart.redraw();
+    if (when === "now" || !box.matches(":hover")) chart.redraw();
     else box.addEventListener("pointerleave", chart.redraw, { once: true });
     return chart.redraw;
   }

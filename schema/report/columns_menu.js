@@ -5,7 +5,7 @@ import { missing_columns, offer_of } from "./missing_columns.js";
 import { chosen_columns, columns_of, is_fixed, words_of } from "./table_columns.js";
 
 /** Buttons for the columns that the page lacks; each shows the command that adds its column. */
-function offers(report, candidates, state) {
+function offers(report, candidates) {
   const missing = missing_columns(candidates);
   if (missing.length === 0) return [];
   const place = h("div", { role: "status" });
@@ -16,7 +16,7 @@ function offers(report, candidates, state) {
         type: "button",
         title: about,
         "data-testid": `missing-${name}`,
-        onclick: () => place.replaceChildren(offer_of(report, name, state)),
+        onclick: () => place.replaceChildren(offer_of(report, name)),
       },
       label,
     );
@@ -63,7 +63,7 @@ export function make_columns_menu(report, candidates, state) {
       { class: "boxes" },
       all.map((column, k) => h("label", { title: column.about }, boxes[k], ` ${column.label}`)),
     ),
-    ...offers(report, candidates, state),
+    ...offers(report, candidates),
   );
   state.on("columns", show);
   show();

@@ -1,5 +1,5 @@
 // Copies texts to the clipboard.
-import { h } from "./format.js";
+import { by_id, h } from "./format.js";
 
 async function copy(text) {
   try {
@@ -15,15 +15,18 @@ async function copy(text) {
   }
 }
 
-export const copy_button = (text, state, words = "Copy") => {
+export const copy_button = (text, words = "Copy") => {
   const button = h("button", { type: "button", "data-testid": "copy" }, words);
   let timer = 0;
   button.addEventListener("click", async () => {
     await copy(text);
     button.textContent = "Copied";
-    state.set("said", "Copied");
+    by_id("said").textContent = "Copied";
     clearTimeout(timer);
-    timer = setTimeout(() => (button.textContent = words), 1200);
+    timer = setTimeout(() => {
+      button.textContent = words;
+      by_id("said").textContent = ""; // the next one is said, too
+    }, 1200);
   });
   return button;
 };

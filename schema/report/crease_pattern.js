@@ -240,7 +240,7 @@ class CreasePattern {
     return this.#wide ?? this.#box.closest(".card").classList.contains("wide");
   }
 
-  /** Lays the card over the whole width, the folding's below it, or both side by side. */
+  /** Lays the card over the whole width, or over half of it. */
   #set_wide(wide, asked = true) {
     if (asked) this.#wide = wide;
     this.#box.closest(".card").classList.toggle("wide", wide);

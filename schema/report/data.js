@@ -101,10 +101,13 @@ export function decode_detail(detail, report) {
   };
 }
 
+/** The details of a draw, or undefined. */
+export const detail_of = (report, draw) => report.details.find((entry) => entry.draw === draw);
+
 /** A draw's values by name: those of its details, and of its row. */
 export function values_of(report, candidates, draw) {
   const row = candidates.row_of.get(draw),
-    detail = report.details.find((entry) => entry.draw === draw),
+    detail = detail_of(report, draw),
     columns = row === undefined ? [] : Object.entries(candidates.columns);
   return {
     ...Object.fromEntries(columns.map(([name, column]) => [name, column[row]])),

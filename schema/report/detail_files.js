@@ -1,6 +1,7 @@
 // Saves the numbers and pictures of the selected draw's charts as files.
 import { actuation_rows } from "./actuation.js";
 import { label_of } from "./data.js";
+import { by_id } from "./format.js";
 import { history_rows } from "./histories.js";
 import { add_saving, single } from "./save.js";
 import { file_stem } from "./page_kind.js";
@@ -32,9 +33,8 @@ function folded_rows(decoded, sample) {
 /** Adds buttons to every card of the picked draw that has a picture. */
 export function save_details(report, detail, decoded, state, crease_drawing) {
   const stem = file_stem(report, detail.draw);
-  const box_of = (id) => document.getElementById(id),
-    card_of = (id) => box_of(id).closest(".card"),
-    plot_of = (id) => () => box_of(id).querySelector("svg.plot");
+  const card_of = (id) => by_id(id).closest(".card"),
+    plot_of = (id) => () => by_id(id).querySelector("svg.plot");
   add_saving(card_of("crease"), {
     name: `${stem}-crease-pattern`,
     csv: () => flat_rows(report, detail),

@@ -58,7 +58,7 @@ export function make_filter_field(report, candidates, table, state) {
     if (parsed.error !== undefined) {
       says.replaceChildren(
         parsed.error,
-        ...(parsed.offers ?? []).map((name) => offer_of(report, name, state)),
+        ...(parsed.offers ?? []).map((name) => offer_of(report, name)),
       );
       says.className = "error";
       return; // the table stays as it was

@@ -1,13 +1,5 @@
 // Saves the folding picture: as PNG up to 7,680 px wide, as glTF, and as a film of one deployment.
-import {
-  BufferGeometry,
-  Color,
-  Float32BufferAttribute,
-  Group,
-  Matrix4,
-  Mesh,
-  MeshStandardMaterial,
-} from "three";
+import { Group, Mesh, MeshStandardMaterial } from "three";
 import { GLTFExporter } from "three/addons/exporters/GLTFExporter.js";
 import { clamp, h } from "./format.js";
 import { download } from "./save.js";
@@ -18,53 +10,31 @@ const kWidths_px = [1280, 1920, 3840, 7680],
   kFrames_per_s = 30,
   kMetres_per_mm = 1e-3;
 
-/** A mesh without instances, its colours at its corners. */
-function plain_mesh(mesh) {
-  const count = mesh.isInstancedMesh ? mesh.count : 1,
-    whole = mesh.geometry.index ? mesh.geometry.toNonIndexed() : mesh.geometry,
-    positions = [],
-    normals = [],
-    colours = [],
-    matrix = new Matrix4(),
-    colour = new Color();
-  for (let i = 0; i < count; ++i) {
-    const part = whole.clone();
-    if (mesh.isInstancedMesh) {
-      mesh.getMatrixAt(i, matrix);
-      part.applyMatrix4(matrix);
-    }
-    const corners = part.attributes.position.count;
-    for (const value of part.attributes.position.array) positions.push(value);
-    for (const value of part.attributes.normal.array) normals.push(value);
-    if (part.attributes.color) for (const value of part.attributes.color.array) colours.push(value);
-    else {
-      if (mesh.instanceColor) mesh.getColorAt(i, colour);
-      else colour.copy(mesh.material.color);
-      for (let n = 0; n < corners; ++n) colours.push(colour.r, colour.g, colour.b);
-    }
-  }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new Float32BufferAttribute(positions, 3));
-  geometry.setAttribute("normal", new Float32BufferAttribute(normals, 3));
-  geometry.setAttribute("color", new Float32BufferAttribute(colours, 3));
-  const { opacity, transparent } = mesh.material;
-  return new Mesh(
-    geometry,
-    new MeshStandardMaterial({ vertexColors: true, roughness: 0.8, opacity, transparent }),
-  );
+/** Copies of a mesh without instances, by which few programs read glTF. */
+function plain_meshes(mesh) {
+  const { color, opacity, transparent, vertexColors, side } = mesh.material;
+  return Array.from({ length: mesh.isInstancedMesh ? mesh.count : 1 }, (_, i) => {
+    const look = { color, opacity, transparent, vertexColors, side, roughness: 0.8 },
+      copy = new Mesh(mesh.geometry, new MeshStandardMaterial(look));
+    if (!mesh.isInstancedMesh) return copy;
+    copy.matrixAutoUpdate = false;
+    mesh.getMatrixAt(i, copy.matrix);
+    if (mesh.instanceColor) mesh.getColorAt(i, copy.material.color);
+    return copy;
+  });
 }
 
 /** The sheet as binary glTF: in metres, y upwards. */
 async function gltf_of(solids) {
-  const sheet = new Group().add(...solids.map(plain_mesh));
+  const sheet = new Group().add(...solids.flatMap(plain_meshes));
   sheet.name = "sheet";
   sheet.scale.setScalar(kMetres_per_mm);
   sheet.rotation.x = -Math.PI / 2;
   return new GLTFExporter().parseAsync(sheet, { binary: true });
 }
 
-/** Records one deployment from `first` to flat, as long as it goes on, then shows `shown` again. */
-async function film_of(canvas, { first, shown, pose, goes_on, pause }) {
+/** Records one deployment from `first` to flat, as long as it goes on, then shows the sheet at rest again. */
+async function film_of(canvas, { first, pose, goes_on, pause }) {
   pause();
   const recorder = new MediaRecorder(canvas.captureStream(kFrames_per_s), {
     mimeType: "video/webm",
@@ -87,7 +57,7 @@ async function film_of(canvas, { first, shown, pose, goes_on, pause }) {
   });
   recorder.stop();
   await ended;
-  if (goes_on()) pose(shown);
+  if (goes_on()) pose(null);
   return new Blob(parts, { type: "video/webm" });
 }
 

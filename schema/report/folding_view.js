@@ -61,7 +61,7 @@ class FoldingView {
       "The folding sheet in space. Keys: arrows rotate, plus and minus zoom, 0 shows the whole sheet.",
   });
   #pen;
-  #camera;
+  camera;
   #decoded = null;
   #detail = null;
   #force_share = null; // see share_of_force
@@ -70,13 +70,13 @@ class FoldingView {
   #marked = null;
   #points = null;
   #moves = false;
-  #shown = 0; // the sample at which, or after which
+  #shown = 0; // sample at or before the shown place
   #width = 0;
   #is_seen = true;
 
   /** `camera`: of another picture, beside which this one is. */
   constructor(box, caption, report, state, camera = new SheetCamera()) {
-    [this.#report, this.#state, this.#box, this.#camera] = [report, state, box, camera];
+    [this.#report, this.#state, this.#box, this.camera] = [report, state, box, camera];
     this.#canvas.dataset.testid = `${box.id}-canvas`;
     box.append(this.#canvas);
     this.#paint = new PanelPaint(box, report.sheet, () => this.#repaint());
@@ -108,10 +108,6 @@ class FoldingView {
       this.#pen.recolour();
       this.#repaint();
     });
-  }
-
-  get camera() {
-    return this.#camera;
   }
 
   load(detail, decoded) {
@@ -173,12 +169,12 @@ class FoldingView {
     const share = (d) => this.#force_share(this.#shown, d),
       largest = () => Math.max(0, ...this.#report.diagonals.map((_, d) => share(d)));
     const force_share = (d) => (d === null ? largest() : share(d));
-    this.#pen.draw(this.#points, this.#camera.camera, force_share, this.#moves);
+    this.#pen.draw(this.#points, this.camera.camera, force_share, this.#moves);
     this.#labels.move((v) => this.#place(v));
   }
 
   whole() {
-    this.#camera.whole(this.#flat());
+    this.camera.whole(this.#flat());
   }
 
   #repaint() {
@@ -189,11 +185,11 @@ class FoldingView {
   }
 
   #buttons() {
-    const fit = () => this.#camera.fit(this.#points.subarray(0, this.#flat().length));
+    const fit = () => this.camera.fit(this.#points.subarray(0, this.#flat().length));
     return [
       ["Whole sheet", () => this.whole(), "Oblique view at the scale of the flat sheet"],
       ["Fit", fit, "View filled with the present pose"],
-      ["Top view", () => this.#camera.look(-90, 89.9, this.#flat()), "View of the crease pattern"],
+      ["Top view", () => this.camera.top(this.#flat()), "View of the crease pattern"],
     ].map(([words, onclick, title]) => h("button", { type: "button", title, onclick }, words));
   }
 
@@ -201,7 +197,7 @@ class FoldingView {
     const state = this.#state;
     return folding_files({
       pen: this.#pen,
-      camera: this.#camera.camera,
+      camera: this.camera.camera,
       canvas: this.#canvas,
       stem: () => this.#stem(),
       pose_stem: () => `${this.#stem()}-folded-${this.#decoded.pilot_deg[state.get("sample")]}deg`,
@@ -209,7 +205,6 @@ class FoldingView {
         const decoded = this.#decoded;
         return {
           first: first_sample(this.#detail, decoded),
-          shown: null,
           pose: (place) => this.pose(place),
           goes_on: () => this.#decoded === decoded,
           pause: () => state.set("playing", false),
@@ -245,7 +240,7 @@ class FoldingView {
   #solids() {
     const { sheet, actuators } = this.#report;
     return {
-      springs: kinds_of_springs(this.#report, this.#decoded),
+      springs: kinds_of_springs(this.#report, this.#decoded, (has_spring) => has_spring),
       holes: actuators.fill?.kind === "plate" ? sheet.holes.map(({ corners }) => corners) : [],
       balls: sheet.ball_joints,
       panel_mm: panel_size_mm(sheet),
@@ -266,7 +261,7 @@ class FoldingView {
   #place(v) {
     const points = this.#points,
       corner = new Vector3(points[3 * v], points[3 * v + 1], points[3 * v + 2]);
-    corner.project(this.#camera.camera);
+    corner.project(this.camera.camera);
     const { clientWidth, clientHeight } = this.#canvas;
     return [((corner.x + 1) / 2) * clientWidth, ((1 - corner.y) / 2) * clientHeight, corner.z];
   }
@@ -310,7 +305,7 @@ class FoldingView {
     this.#width = width;
     this.#canvas.style.height = `${height}px`;
     this.#pen.resize(width, height);
-    this.#camera.aspect = width / height;
+    this.camera.aspect = width / height;
     if (first && this.#decoded) this.whole();
     this.draw();
   }
@@ -322,16 +317,14 @@ class FoldingView {
       sheet.creases.filter((c) => c.assignment === kind).map(({ a, b }) => [a, b]);
     const thin = Math.max(0.45, Math.min(1, 8 / Math.sqrt(sheet.panels.length))); // for sheets of many panels
     this.#marked = { pairs: [[0, 0]], width: 6, colour: "pick", on_top: true, hidden: true };
-    const has_solids = this.#pen.has_solids,
-      without = [true, ...(has_solids ? [] : [false])];
-    const diagonals = without
-      .flatMap((is_without) => kinds_of_springs(this.#report, this.#decoded, is_without))
-      .map((part) => ({
-        ...part,
-        width: (has_solids ? 1.2 : 3) * thin,
-        dashed: part.pushes,
-        dash: (this.#radius / 34) * thin,
-      }));
+    const { has_solids } = this.#pen;
+    const is_line = (has_spring) => !(has_spring && has_solids);
+    const diagonals = kinds_of_springs(this.#report, this.#decoded, is_line).map((part) => ({
+      ...part,
+      width: (has_solids ? 1.2 : 3) * thin,
+      dashed: part.pushes,
+      dash: (this.#radius / 34) * thin,
+    }));
     return [
       { pairs: this.#target.pairs, width: 0.7, colour: "target" },
       ...(has_solids ? [] : [{ pairs: sheet.cuts, width: 1.4 * thin, colour: "edge" }]),

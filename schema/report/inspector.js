@@ -3,7 +3,6 @@ import { make_actuation, show_actuation_words } from "./actuation.js";
 import { show_ascent } from "./ascent.js";
 import {
   show_certificate,
-  show_commands,
   show_metrics,
   show_no_details,
   show_shifts,
@@ -11,9 +10,10 @@ import {
   verdict_words,
 } from "./candidate.js";
 import { show_when_wide } from "./chart.js";
+import { show_commands } from "./commands.js";
 import { show_contact } from "./contact.js";
 import { make_crease_pattern } from "./crease_pattern.js";
-import { decode_detail, last_sample_up_to, values_of } from "./data.js";
+import { decode_detail, detail_of, last_sample_up_to, values_of } from "./data.js";
 import { save_details } from "./detail_files.js";
 import { make_folding_view } from "./folding_view.js";
 import { by_id, count, degrees } from "./format.js";
@@ -23,7 +23,7 @@ import { make_deployment } from "./deployment.js";
 import { make_pilot } from "./pilot.js";
 import { make_stress } from "./stress.js";
 import { end_of_path, heading, is_pattern, population_words } from "./page_kind.js";
-import { show_next, show_sheet_facts } from "./sheet_facts.js";
+import { show_sheet_facts } from "./sheet_facts.js";
 
 const kFirstPilot_deg = 80; // a pose that shows the fold well
 const kReplaced = "This file now holds another campaign. Reload the page.";
@@ -32,6 +32,8 @@ function margin_words(values) {
   const name = values.miscut_margin_mm ? "miscut_margin_mm" : "slope_min_mm_per_deg";
   return with_unit(metric_of[name], values[name]);
 }
+
+const place_chart = (box, chart) => show_when_wide(box, (width) => chart.draw(width), "now");
 
 /** Shows one draw; makes its parts again for another draw. */
 export class Inspector {
@@ -42,7 +44,6 @@ export class Inspector {
   #pilot;
   #views = null; // folding and crease pattern, shared by all draws
   #parts = [];
-  #charts = new Map(); // box → { chart, redraw }
   #shown = null; // the details of the sheet whose folding is shown
   #decoded = null; // and its histories
 
@@ -76,14 +77,10 @@ export class Inspector {
     this.show_details(draw);
   }
 
-  #detail_of(draw) {
-    return this.#report.details.find((entry) => entry.draw === draw);
-  }
-
   /** Shows the histories, forces and facts of the sheet that show_sheet has shown. */
   show_details(draw) {
     const report = this.#report,
-      detail = this.#detail_of(draw),
+      detail = detail_of(report, draw),
       known = values_of(report, this.#candidates, draw);
     by_id("views").hidden = !detail;
     by_id("shifts-card").hidden = !detail;
@@ -97,13 +94,12 @@ export class Inspector {
     show_ascent(by_id("ascent"), detail);
     show_certificate(by_id("certificate"), report, draw);
     show_yields(by_id("yields"), report, draw);
-    show_commands(by_id("commands"), report, draw, this.#state);
   }
 
   /** Shows the folding, its verdict and first figures. */
   show_sheet(draw) {
     const report = this.#report,
-      detail = this.#detail_of(draw),
+      detail = detail_of(report, draw),
       known = values_of(report, this.#candidates, draw),
       state = this.#state,
       row = this.#candidates.row_of.get(draw);
@@ -117,11 +113,11 @@ export class Inspector {
         ? verdict_words(detail)
         : `Accepted. Deploys from ${degrees(known.deploys_from_deg)}, with a margin of ${margin_words(known)}.`) +
       population_words(report, draw);
-    const certified = report.certificates?.some((entry) => entry.draw === draw);
     show_sheet_facts(by_id("sheet-facts"), report, draw, known, detail);
-    show_next(by_id("sheet-next"), report, draw, state, {
-      has_certificate: certified,
+    show_commands(by_id("sheet-next"), by_id("commands"), report, draw, {
+      is_certified: report.certificates?.some((entry) => entry.draw === draw),
       is_accepted: detail ? detail.accepted !== false : row !== undefined,
+      deploys: known.deploys_from_deg > 0 && detail?.accepted !== false,
     });
     by_id("folding-card").hidden = !detail;
     by_id("no-details").hidden = Boolean(detail);
@@ -131,7 +127,7 @@ export class Inspector {
     state.set("playing", false);
     state.set("pilot_deg", null);
     this.#pilot.name(heading(report, draw));
-    show_no_details(by_id("no-details"), report, draw, state, (wanted) => this.#compute(wanted));
+    show_no_details(by_id("no-details"), report, draw, (wanted) => this.#compute(wanted));
   }
 
   /** Shows a draw that the program folds; answers with a sentence where that fails. */
@@ -152,17 +148,6 @@ export class Inspector {
     }
     if (this.#state.get("picked") === draw) this.show(draw);
     return null;
-  }
-
-  #place_chart(box, chart) {
-    const known = this.#charts.get(box);
-    if (known) {
-      known.chart = chart;
-      return known.redraw();
-    }
-    const entry = { chart, redraw: null };
-    this.#charts.set(box, entry);
-    entry.redraw = show_when_wide(box, (width) => entry.chart.draw(width));
   }
 
   #shared_views() {
@@ -219,18 +204,15 @@ export class Inspector {
     const list = make_diagonal_list(by_id("diagonals"), report, detail, decoded, state);
     const along = { state, detail, decoded, end_deg: this.#end_deg };
     const histories = make_histories(by_id("histories-caption"), report, along);
-    this.#place_chart(by_id("histories"), histories);
-    const actuation = make_actuation(report, along, ({ box, chart }) =>
-      this.#place_chart(box, chart),
-    );
-    for (const { box, chart } of actuation) this.#place_chart(box, chart);
+    place_chart(by_id("histories"), histories);
+    const actuation = make_actuation(report, along, ({ box, chart }) => place_chart(box, chart));
+    for (const { box, chart } of actuation) place_chart(box, chart);
     const deployment = make_deployment(report, along);
-    if (deployment) this.#place_chart(by_id("let-go"), deployment);
-    for (const { box, chart } of make_stress(report, detail, decoded))
-      this.#place_chart(box, chart);
+    if (deployment) place_chart(by_id("let-go"), deployment);
+    for (const { box, chart } of make_stress(report, detail, decoded)) place_chart(box, chart);
     show_contact(detail);
     show_actuation_words(by_id("actuation"), report, detail, decoded);
-    show_shifts(by_id("shifts"), detail, state);
+    show_shifts(by_id("shifts"), detail);
     save_details(report, detail, decoded, state, crease.drawing);
     this.#parts.push({ mark: (d) => crease.mark(d) }, list, histories, {
       move: () => actuation.forEach(({ chart }) => chart.move()),

@@ -250,7 +250,6 @@ async function main() {
     diagonal: null,
     order: null,
     playing: false,
-    said: "",
   });
   const inspector = new Inspector(report, candidates, state);
   if (first === null) show_nothing_to_inspect(report);
@@ -269,7 +268,6 @@ async function main() {
   }
   make_beside(report, candidates, state, inspector);
   state.on("picked", (draw) => inspector.show(draw));
-  state.on("said", (words) => (by_id("said").textContent = words));
   if (first !== null) {
     follow_the_address(candidates, table, state, first);
     inspector.move_by_itself();

@@ -12,7 +12,7 @@ function column_command({ commands }, name) {
 }
 
 /** Says that the page lacks a column, with the command that adds it. */
-export function offer_of(report, name, state) {
+export function offer_of(report, name) {
   const { label, about } = metric_of[name];
   const is_empty = name in report.candidates.columns;
   const sentence = is_empty
@@ -23,8 +23,6 @@ export function offer_of(report, name, state) {
     "div",
     { class: "command", "data-testid": `offer-${name}` },
     h("p", { title: about }, sentence),
-    is_empty
-      ? null
-      : h("div", { class: "row" }, h("code", {}, unbroken(text)), copy_button(text, state)),
+    is_empty ? null : h("div", { class: "row" }, h("code", {}, unbroken(text)), copy_button(text)),
   );
 }

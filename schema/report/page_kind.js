@@ -56,38 +56,3 @@ export function show_pattern(report) {
   skip.textContent = "Skip to the histories";
   document.title = `${name} · misalign`;
 }
-
-/** The formats of `misalign export`, and their contents. */
-export const kExports = {
-  json: "Pattern, verdict, metrics and springs as JSON:",
-  csv: "Histories of the diagonals as CSV:",
-  svg: "Crease pattern at scale 1:1 as SVG, in layers for a cutter:",
-  fold: "Crease pattern and folded states as FOLD, for Origami Simulator and others:",
-};
-
-/** Commands for a pattern file: [description, command, id of tests]. */
-export function pattern_commands({ commands, details }) {
-  const { misalign, catalogue, springs } = commands;
-  const verb = (name, more = "") => `${misalign} ${name} ${catalogue}${more}`,
-    exports = Object.entries(kExports).map(([format, about]) => [
-      about,
-      verb("export", ` --format ${format}${springs} --output exported`),
-      format === "fold" ? "command-folded" : `command-${format}`, // fold is also a verb
-    ]),
-    miscut = [
-      "Yield: share of copies with cutting errors up to 0.05 mm that deploy (--vertices: the most sensitive vertices):",
-      verb("tolerance", " --amplitude 0.05"),
-      "command-tolerance",
-    ];
-  return [
-    ["Path of this sheet, degree by degree:", verb("fold"), "command-fold"],
-    [
-      "Verification: its path by two solvers, its folded shapes by their coordinates:",
-      verb("verify"),
-      "command-verify",
-    ],
-    ...exports,
-    ["Springs on its diagonals:", verb("actuators", springs), "command-actuators"],
-    ...(details[0].verdict.deploys_from_deg > 0 ? [miscut] : []),
-  ];
-}

@@ -71,7 +71,7 @@ export class PanelPaint {
     h("li", {}, h("i"), h("span")),
   );
   #tip = h("div", { class: "tip", "data-testid": "panel-tip", hidden: true });
-  #button = h(
+  button = h(
     "button",
     {
       type: "button",
@@ -90,21 +90,17 @@ export class PanelPaint {
     box.append(this.#scale, this.#met_key, this.#tip);
   }
 
-  get button() {
-    return this.#button;
-  }
-
   load(detail) {
     this.#paint = paint_of(detail);
     this.#near = this.#paint?.pilot_deg === undefined;
     this.#contact = contact_panels(this.#sheet, detail.contact);
     this.#met = false;
-    this.#button.hidden = !this.#paint;
+    this.button.hidden = !this.#paint;
     if (this.#paint) {
       const { values, words, least, note, button } = this.#paint,
         [first, , last, under] = this.#scale.children;
       [first.textContent, last.textContent] = [least, words(Math.max(...values))];
-      [under.textContent, this.#button.textContent] = [note, button];
+      [under.textContent, this.button.textContent] = [note, button];
     }
     const corners = this.#contact?.panels.map((panel) => this.#sheet.panels[panel]);
     this.outline.pairs = corners ? edges_of(corners) : [];
@@ -173,7 +169,7 @@ export class PanelPaint {
   }
 
   #show_whether_on() {
-    this.#button.setAttribute("aria-pressed", String(this.#on));
+    this.button.setAttribute("aria-pressed", String(this.#on));
     this.#scale.hidden = !this.#shows_values();
   }
 }

@@ -4,41 +4,37 @@ import {
   BufferGeometry,
   Color,
   DoubleSide,
+  Matrix4,
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  Triangle,
+  Vector3,
 } from "three";
 import { colour } from "./theme.js";
 
 const kGap = 0.25; // half the gap at a crease, of the thickness
 
-/** The place k of a list of coordinates. */
-const at = (values, k) => [values[3 * k], values[3 * k + 1], values[3 * k + 2]];
-const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const cross = (a, b) => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const unit = (a) => {
-  const length = Math.hypot(...a) || 1;
-  return a.map((value) => value / length);
-};
-
-/** A panel's frame: its first corner, the direction of its first edge, and two across it. */
-function frame_of(corners, points) {
-  const origin = at(points, corners[0]),
-    x = unit(minus(at(points, corners[1]), origin));
-  const z = unit(cross(x, minus(at(points, corners[corners.length - 1]), origin)));
-  return { origin, x, y: cross(z, x), z };
-}
+/** Writes a panel's frame: its first corner, the direction of its first edge, and two across it. */
+const write_frame = (() => {
+  const [origin, x, y, z] = Array.from({ length: 4 }, () => new Vector3());
+  return (matrix, corners, points) => {
+    origin.fromArray(points, 3 * corners[0]);
+    x.fromArray(points, 3 * corners[1])
+      .sub(origin)
+      .normalize();
+    y.fromArray(points, 3 * corners.at(-1)).sub(origin);
+    z.crossVectors(x, y).normalize();
+    return matrix.makeBasis(x, y.crossVectors(z, x), z).setPosition(origin);
+  };
+})();
 
 /** Corners in the panel's own plane. */
 function outline_of(corners, points) {
-  const { origin, x, y } = frame_of(corners, points);
+  const inverse = write_frame(new Matrix4(), corners, points).invert();
   return corners.map((k) => {
-    const [a, b, c] = minus(at(points, k), origin);
-    return [a * x[0] + b * x[1] + c * x[2], a * y[0] + b * y[1] + c * y[2]];
+    const { x, y } = new Vector3().fromArray(points, 3 * k).applyMatrix4(inverse);
+    return [x, y];
   });
 }
 
@@ -63,7 +59,7 @@ function inset(outline, distance) {
 /** Triangles of one plate in its own frame: { corners, side }, side 1 above, -1 below, 0 at edges. */
 function plate_of(outline, thickness) {
   const half = thickness / 2,
-    ring = (distance, z) => inset(outline, distance).map(([x, y]) => [x, y, z]);
+    ring = (distance, z) => inset(outline, distance).map(([x, y]) => new Vector3(x, y, z));
   const middle = ring(kGap * thickness, 0),
     triangles = [];
   for (const side of [1, -1]) {
@@ -96,10 +92,9 @@ export class PanelSolids {
     this.#plates = corners.map((list) => {
       const triangles = plate_of(outline_of(list, points), thickness),
         places = triangles.flatMap((triangle) => triangle.corners),
-        normals = triangles.flatMap(({ corners: [a, b, c] }) => {
-          const normal = unit(cross(minus(b, a), minus(c, a)));
-          return [normal, normal, normal];
-        });
+        normals = triangles.map(({ corners: [a, b, c] }) =>
+          Triangle.getNormal(a, b, c, new Vector3()),
+        );
       const plate = { first, places, normals, sides: triangles.map(({ side }) => side) };
       first += places.length;
       return plate;
@@ -113,16 +108,17 @@ export class PanelSolids {
   }
 
   move(points) {
-    const { position, normal } = this.mesh.geometry.attributes;
+    const { position, normal } = this.mesh.geometry.attributes,
+      frame = new Matrix4(),
+      shown = new Vector3();
     this.#plates.forEach(({ first, places, normals }, panel) => {
-      const { origin, x, y, z } = frame_of(this.#corners[panel], points);
-      places.forEach(([a, b, c], n) => {
-        const [u, v, w] = normals[n],
-          k = 3 * (first + n);
-        for (let i = 0; i < 3; ++i) {
-          position.array[k + i] = origin[i] + a * x[i] + b * y[i] + c * z[i];
-          normal.array[k + i] = u * x[i] + v * y[i] + w * z[i];
-        }
+      write_frame(frame, this.#corners[panel], points);
+      places.forEach((place, n) => {
+        const k = 3 * (first + n);
+        shown.copy(place).applyMatrix4(frame).toArray(position.array, k);
+        if (n % 3 === 0) shown.copy(normals[n / 3]).transformDirection(frame);
+        else shown.fromArray(normal.array, k - 3);
+        shown.toArray(normal.array, k);
       });
     });
     position.needsUpdate = normal.needsUpdate = true;

@@ -26,54 +26,29 @@ export const csv_text = ({ heads, rows }) =>
 
 /**
  * Adds buttons that save a card's contents; replaces earlier ones. `csv()` returns heads and rows,
- * `svg()` a drawing in the document, `canvas()` a painted one; those left out have no button.
+ * `svg()` a drawing in the document; those left out have no button.
  */
-export function add_saving(card, { name, csv, svg, canvas }) {
-  const file = typeof name === "function" ? name : () => name;
-  const save_png = async () => {
-    const blob = svg
-      ? await png_of(standalone_svg(svg(), card.querySelectorAll(".legend li")))
-      : await new Promise((done) => canvas().toBlob(done, "image/png"));
-    download(blob, `${file()}.png`);
-  };
-  const kinds = {
-    CSV: csv && (() => save_text(csv_text(csv()), "text/csv", `${file()}.csv`)),
-    PNG: (svg || canvas) && save_png,
-    SVG:
-      svg &&
-      (() =>
-        save_text(
-          new XMLSerializer().serializeToString(
-            standalone_svg(svg(), card.querySelectorAll(".legend li")),
-          ),
-          "image/svg+xml",
-          `${file()}.svg`,
-        )),
-  };
-  const abouts = {
-    CSV: "Save data as CSV",
-    PNG: "Save picture as PNG",
-    SVG: "Save drawing as SVG",
+export function add_saving(card, { name, csv, svg }) {
+  const file = typeof name === "function" ? name : () => name,
+    drawing = () => standalone_svg(svg(), card.querySelectorAll(".legend li"));
+  const save_csv = () => save_text(csv_text(csv()), "text/csv", `${file()}.csv`),
+    save_png = async () => download(await png_of(drawing()), `${file()}.png`),
+    save_svg = () => {
+      const text = new XMLSerializer().serializeToString(drawing());
+      save_text(text, "image/svg+xml", `${file()}.svg`);
+    };
+  const button = (kind, title, onclick) => {
+    const id = `save-${kind.toLowerCase()}`;
+    return h("button", { type: "button", title, "data-testid": id, onclick }, kind);
   };
   card.querySelector(":scope > .saving")?.remove();
   card.prepend(
     h(
       "div",
       { class: "saving" },
-      Object.entries(kinds)
-        .filter(([, save]) => save)
-        .map(([kind, save]) =>
-          h(
-            "button",
-            {
-              type: "button",
-              title: abouts[kind],
-              "data-testid": `save-${kind.toLowerCase()}`,
-              onclick: save,
-            },
-            kind,
-          ),
-        ),
+      csv ? button("CSV", "Save data as CSV", save_csv) : null,
+      svg ? button("PNG", "Save picture as PNG", save_png) : null,
+      svg ? button("SVG", "Save drawing as SVG", save_svg) : null,
     ),
   );
 }

@@ -2,17 +2,16 @@
 // side have one.
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { clamp } from "./format.js";
 
 const kFov_deg = 30;
 const kFilled = 0.94; // share of the view that a fitted sheet takes
-const kOblique_deg = [-62, 38];
-
-const rad = (deg) => (deg * Math.PI) / 180;
+const kOblique = new Vector3(0.37, -0.696, 0.616); // towards the camera
+const kTop = new Vector3(0, -0.0017, 1); // x to the right
 
 export class SheetCamera {
   camera = new PerspectiveCamera(kFov_deg, 1, 1, 1e6);
   #target = new Vector3();
+  #whole_values = [];
   #moved = [];
   #updates = false; // all controls: their changes are one
 
@@ -36,23 +35,18 @@ export class SheetCamera {
     canvas.addEventListener("focus", () => (controls.enableZoom = true));
     canvas.addEventListener("blur", () => (controls.enableZoom = false));
     controls.addEventListener("change", () => !this.#updates && this.#changed());
-    canvas.addEventListener("keydown", (event) => this.#key(event));
+    canvas.addEventListener("keydown", (event) => this.#key(event, controls));
     this.#moved.push({ moved, controls });
   }
 
   /** Views all points from a direction, as near as they fit. */
-  look(azimuth_deg, elevation_deg, values) {
-    const [az, el] = [rad(azimuth_deg), rad(elevation_deg)],
-      camera = this.camera;
-    const towards = new Vector3(
-      Math.cos(el) * Math.cos(az),
-      Math.cos(el) * Math.sin(az),
-      Math.sin(el),
-    );
-    const right = new Vector3(-Math.sin(az), Math.cos(az), 0),
+  #look(direction, values) {
+    const camera = this.camera,
+      towards = direction.clone().normalize(),
+      right = camera.up.clone().cross(towards).normalize(),
       up = towards.clone().cross(right),
       point = new Vector3();
-    const slope = kFilled * Math.tan(rad(kFov_deg) / 2);
+    const slope = kFilled * Math.tan((kFov_deg * Math.PI) / 180 / 2);
     let distance = 1;
     for (let i = 0; i < values.length; i += 3) {
       point.set(values[i], values[i + 1], values[i + 2]);
@@ -73,16 +67,18 @@ export class SheetCamera {
   /** The oblique view at the scale of these points. */
   whole(values) {
     this.#whole_values = values;
-    this.look(...kOblique_deg, values);
+    this.#look(kOblique, values);
+  }
+
+  /** The view of the crease pattern. */
+  top(values) {
+    this.#look(kTop, values);
   }
 
   /** The present direction, as near as these points fit. */
   fit(values) {
-    const { azimuth, elevation } = this.#angles();
-    this.look(azimuth / rad(1), elevation / rad(1), values);
+    this.#look(this.camera.position.clone().sub(this.#target), values);
   }
-
-  #whole_values = [];
 
   #changed() {
     this.camera.updateMatrixWorld();
@@ -96,36 +92,15 @@ export class SheetCamera {
     this.#changed();
   }
 
-  #angles() {
-    const away = this.camera.position.clone().sub(this.#target),
-      distance = away.length();
-    return {
-      azimuth: Math.atan2(away.y, away.x),
-      elevation: Math.asin(away.z / distance),
-      distance,
-    };
-  }
-
-  #turn(azimuth, elevation, factor) {
-    const now = this.#angles(),
-      el = clamp(now.elevation + elevation, -1.5, 1.5),
-      az = now.azimuth + azimuth;
-    this.camera.position
-      .set(Math.cos(el) * Math.cos(az), Math.cos(el) * Math.sin(az), Math.sin(el))
-      .multiplyScalar(now.distance * factor)
-      .add(this.#target);
-    this.#update();
-  }
-
-  #key(event) {
+  #key(event, controls) {
     const action = {
-      ArrowLeft: () => this.#turn(-0.12, 0, 1),
-      ArrowRight: () => this.#turn(0.12, 0, 1),
-      ArrowUp: () => this.#turn(0, 0.1, 1),
-      ArrowDown: () => this.#turn(0, -0.1, 1),
-      "+": () => this.#turn(0, 0, 0.9),
-      "=": () => this.#turn(0, 0, 0.9),
-      "-": () => this.#turn(0, 0, 1 / 0.9),
+      ArrowLeft: () => controls.rotateLeft(0.12),
+      ArrowRight: () => controls.rotateLeft(-0.12),
+      ArrowUp: () => controls.rotateUp(0.1),
+      ArrowDown: () => controls.rotateUp(-0.1),
+      "+": () => controls.dollyIn(0.9),
+      "=": () => controls.dollyIn(0.9),
+      "-": () => controls.dollyOut(0.9),
       0: () => this.whole(this.#whole_values),
     }[event.key];
     if (!action || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -60,7 +60,10 @@ function stretch(matrix, points, [a, b], length) {
   matrix.makeBasis(x, z.clone().cross(x), along.divideScalar(length)).setPosition(from);
 }
 
-const distance = (points, [a, b]) =>
+/** A mesh that is drawn wherever it moves, and casts a shadow. */
+const moving = (mesh) => Object.assign(mesh, { frustumCulled: false, castShadow: true });
+
+export const distance = (points, [a, b]) =>
   Math.hypot(...[0, 1, 2].map((i) => points[3 * a + i] - points[3 * b + i]));
 
 /** The springs of one direction: { pairs, numbers, colour, pushes }. */
@@ -74,13 +77,8 @@ class Springs {
     const lengths = part.pairs.map((pair) => distance(flat, pair));
     this.#length = lengths.reduce((sum, length) => sum + length, 0) / lengths.length;
     const is_fine = part.pairs.length <= kMostCoils;
-    this.mesh = new InstancedMesh(
-      spring_body(this.#length, size, part.pushes, is_fine),
-      new MeshLambertMaterial(),
-      part.pairs.length,
-    );
-    this.mesh.frustumCulled = false;
-    this.mesh.castShadow = true;
+    const body = spring_body(this.#length, size, part.pushes, is_fine);
+    this.mesh = moving(new InstancedMesh(body, new MeshLambertMaterial(), part.pairs.length));
   }
 
   /** `force_share`: the share of the largest force of all springs, for each spring by its number. */
@@ -115,9 +113,7 @@ class Plates {
       transparent: true,
       opacity: 0.75,
     });
-    this.mesh = new Mesh(geometry, material);
-    this.mesh.frustumCulled = false;
-    this.mesh.castShadow = true;
+    this.mesh = moving(new Mesh(geometry, material));
   }
 
   move(points, force_share) {
@@ -148,9 +144,7 @@ class Balls {
   constructor(vertices, size) {
     this.#vertices = vertices;
     const geometry = new SphereGeometry(size, 12, 8);
-    this.mesh = new InstancedMesh(geometry, new MeshLambertMaterial(), vertices.length);
-    this.mesh.frustumCulled = false;
-    this.mesh.castShadow = true;
+    this.mesh = moving(new InstancedMesh(geometry, new MeshLambertMaterial(), vertices.length));
   }
 
   move(points) {

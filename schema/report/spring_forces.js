@@ -8,14 +8,14 @@ function has_spring({ actuators, diagonals }, { force_n }, d) {
 
 /**
  * Diagonals that lengthen and those that shorten as the sheet folds: { pairs, numbers, colour,
- * pushes }. `without`: those that have no spring, and not those that have one.
+ * pushes }. `is_wanted` is told whether a diagonal has a spring.
  */
-export function kinds_of_springs(report, decoded, without = false) {
+export function kinds_of_springs(report, decoded, is_wanted) {
   const { grows } = decoded;
   return [false, true].map((pushes) => {
     const numbers = report.diagonals
       .map((_, d) => d)
-      .filter((d) => grows[d] !== pushes && has_spring(report, decoded, d) !== without);
+      .filter((d) => grows[d] !== pushes && is_wanted(has_spring(report, decoded, d)));
     const pairs = numbers.map((d) => {
       const { from_vertex, to_vertex } = report.diagonals[d];
       return [from_vertex, to_vertex];

@@ -4,7 +4,7 @@ import { h } from "./format.js";
 
 export class VertexLabels {
   #box = h("div", { class: "vertex-names", "data-testid": "vertex-names", hidden: true });
-  #button = h(
+  button = h(
     "button",
     {
       type: "button",
@@ -21,10 +21,6 @@ export class VertexLabels {
   constructor(box, sheet, changed) {
     [this.#sheet, this.#changed] = [sheet, changed];
     box.append(this.#box);
-  }
-
-  get button() {
-    return this.#button;
   }
 
   /** `places`: of each vertex in the box, px. */
@@ -46,7 +42,7 @@ export class VertexLabels {
         ),
       );
     this.#box.hidden = !this.#box.hidden;
-    this.#button.setAttribute("aria-pressed", String(!this.#box.hidden));
+    this.button.setAttribute("aria-pressed", String(!this.#box.hidden));
     this.#changed();
   }
 }

@@ -15,7 +15,7 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { PanelSolids } from "./panel_solids.js";
-import { bodies_of } from "./spring_bodies.js";
+import { bodies_of, distance } from "./spring_bodies.js";
 import { colour } from "./theme.js";
 
 const kShadow_px = 1024;
@@ -59,10 +59,7 @@ function move_line({ part, mesh }, points) {
   buffer.needsUpdate = true;
   if (!part.dashed) return;
   const distances = mesh.geometry.attributes.instanceDistanceStart.data;
-  part.pairs.forEach(([a, b], i) => {
-    const length = Math.hypot(...[0, 1, 2].map((x) => points[3 * a + x] - points[3 * b + x]));
-    distances.array.set([0, length], 2 * i);
-  });
+  part.pairs.forEach((pair, i) => distances.array.set([0, distance(points, pair)], 2 * i));
   distances.needsUpdate = true;
 }
 
@@ -76,7 +73,6 @@ class WebglPen {
   #group = null; // of the sheet
   #panels = null;
   #bodies = [];
-  #tint = null;
   #lines = [];
   #drawn = null; // the points of the last picture
   // A moving sheet is coarser without a graphics card, and has no shadow; one at rest is finer.
@@ -119,14 +115,13 @@ class WebglPen {
     this.#drawn = null;
   }
 
-  tint(tint) {
-    this.#tint = tint;
-    this.#panels?.paint(tint?.colours, tint?.exact);
+  tint({ colours, exact }) {
+    this.#panels?.paint(colours, exact);
   }
 
+  /** Takes the colours of the present theme; `tint` those of the panels. */
   recolour() {
     if (!this.#group) return;
-    this.tint(this.#tint);
     for (const { part, mesh } of this.#lines) mesh.material.color.set(colour(part.colour));
     const [shade, opacity] = colour("cast").split(/\s+/);
     this.#ground.material.color = new Color(shade);

@@ -16,9 +16,9 @@ export async function beside_checks(page, { candidates: { columns, shown }, deta
     };
     assert.equal(await by(page, "beside").locator("tr").count(), 0);
     await pick(held);
-    await by(page, "hold").click();
+    await by(page, "hold-choice").selectOption(held);
     await page.waitForFunction(is_kept, held);
-    assert.equal(await by(page, "hold").isVisible(), false, "it is held already");
+    assert.equal(await by(page, "hold-choice").inputValue(), held);
     await page.evaluate(
       (draw) => (location.hash = `beside=${draw[0]}&draw=${draw[1]}`),
       [held, other],

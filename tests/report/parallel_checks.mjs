@@ -223,7 +223,7 @@ async function ascent_check(page, { details, candidates: { columns } }) {
     const { start_value, end_value, steps, start } = made.ascent,
       words = await by(page, "ascent").textContent();
     assert.ok(words.includes(`in ${steps} step`), words);
-    await by(page, "hold-start").click();
+    await by(page, "hold-choice").selectOption("start");
     const cells = (name) => by(page, "beside").locator(`tr[data-metric="${name}"] td`);
     const numbers = async (name) => (await cells(name).allTextContents()).map(Number.parseFloat);
     const near = (shown, value) => Math.abs(shown - value) <= 0.006 * Math.abs(value);

@@ -68,9 +68,9 @@ await question("How exactly must I cut it?", async () =>
 );
 await question("Is its motion proved?", async () => {
   const proof = data.certificates.find(({ draw }) => draw === best.draw);
-  const text = await seen(fact("certificate"));
+  const text = await seen(fact("certified"));
   if (proof) assert.ok(number_in(text) <= proof.certified_deg, text);
-  else assert.equal(text, "none yet");
+  else assert.equal(text, "–");
 });
 await question("Will hinge friction hold it?", async () =>
   near(await seen(fact("critical friction")), best.let_go.critical_friction_n_mm_per_mm),
@@ -117,7 +117,7 @@ await question("Why do draws fail?", async () => {
 });
 await question("How do I get drawings to cut?", async () => {
   await press(by(page, "sheet-next").getByTestId("copy").last());
-  assert.match(await seen(by(page, "next-svg")), new RegExp(`export .*${best.draw}.* svg`, "s"));
+  assert.match(await seen(by(page, "command-svg")), new RegExp(`export .*${best.draw}.* svg`, "s"));
 });
 await check("no errors, no requests", async () => assert.deepEqual(problems, []));
 await browser.close();
