@@ -1,13 +1,13 @@
 // Shows the overview of a plain search: its acceptance, and charts of the first faults.
 import { show_when_wide } from "./chart.js";
-import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
+import { fault_map, kMostBars, parts_of, places, where_chart } from "./fault_places.js";
 import { fault_bins, faults_chart, survival_chart, survival_of } from "./faults.js";
 import { beyond_tiles, how_far, live_tiles, show_tiles, shown_tiles, tile } from "./figures.js";
-import { by_id, count, degrees, h, percent, plural } from "./format.js";
+import { by_id, count, degrees, h, legend_entry, percent, plural } from "./format.js";
 import { make_passage } from "./passage.js";
 import { add_saving_once, single } from "./save.js";
-import { effective, sum, survival_points } from "./shares.js";
-import { fault_colour, fault_name, fault_order, fault_words } from "./words.js";
+import { effective, sum } from "./shares.js";
+import { fault_colour, fault_name, fault_words, faults_in } from "./words.js";
 
 function show_figures(report) {
   const { state, campaign, candidates } = report;
@@ -45,21 +45,15 @@ function show_figures(report) {
   ]);
 }
 
-/** The names and colours of faults. */
-export function fault_legend(faults) {
-  return h(
+/** The names and colours of the faults of rows. */
+export const fault_legend = (rows) =>
+  h(
     "ul",
     { class: "legend" },
-    faults.map((fault) =>
-      h(
-        "li",
-        { title: fault_words(fault) },
-        h("i", { style: `background: ${fault_colour(fault)}` }),
-        fault_name(fault),
-      ),
-    ),
+    faults_in(rows.map((row) => row.first_fault))
+      .filter((fault) => fault !== "none")
+      .map((fault) => legend_entry(fault_colour(fault), fault_name(fault), fault_words(fault))),
   );
-}
 
 export function first_faults_csv({ faults, campaign }) {
   return {
@@ -71,22 +65,25 @@ export function first_faults_csv({ faults, campaign }) {
   };
 }
 
-function survival_csv({ faults, campaign }) {
-  const points = survival_points(faults.rows, campaign.configuration);
-  return {
-    heads: ["pilot_deg", "share_without_fault", "low_95", "high_95"],
-    rows: points.map(({ angle, share, low, high }) => [angle, ...[share, low, high].map(single)]),
-  };
-}
+/** The survival of samples, as survival_of returns them; with several, each row names its one. */
+export const survival_csv = (samples) => ({
+  heads: [
+    ...(samples.length > 1 ? ["campaign"] : []),
+    ...["pilot_deg", "share_without_fault", "low_95", "high_95"],
+  ],
+  rows: samples.flatMap(({ points, name }) =>
+    points.map(({ angle, share, low, high }) => [
+      ...(samples.length > 1 ? [name] : []),
+      ...[angle, ...[share, low, high].map(single)],
+    ]),
+  ),
+});
 
 function places_csv({ faults, sheet }) {
   return {
     heads: ["where", "first_fault", "sampled", "share"],
-    rows: places(faults.rows, sheet).list.flatMap((entry) =>
-      [...entry.faults].map(([fault, { sampled, share }]) => [
-        ...[entry.where, fault, sampled],
-        single(share),
-      ]),
+    rows: parts_of(places(faults.rows, sheet).list).map(
+      ({ where, first_fault, sampled, share }) => [where, first_fault, sampled, single(share)],
     ),
   };
 }
@@ -97,13 +94,10 @@ function show_along_the_folding(report, total) {
     { name, configuration } = report.campaign;
   const none = sum(rows.filter((row) => row.first_fault === "none"));
   const nowhere = sum(rows.filter((row) => row.first_fault !== "none" && row.fault_deg === null));
-  const present = fault_order.filter(
-    (fault) => fault !== "none" && rows.some((row) => row.first_fault === fault),
-  );
   by_id("faults-caption").replaceChildren(
     `No fault up to ${degrees(configuration.path.end_deg)}: ${plural(none, "sampled draw")}.` +
       (nowhere ? ` Fault without an angle: ${plural(nowhere, "sampled draw")}.` : ""),
-    fault_legend(present),
+    fault_legend(rows),
   );
   const survival = survival_of(report);
   const passage = make_passage(report, (width) => faults_chart(rows, total, configuration, width));
@@ -111,7 +105,7 @@ function show_along_the_folding(report, total) {
   passage.show();
   show_when_wide(by_id("survival"), (width) => survival_chart([survival], width));
   add_saving_once(by_id("faults"), `${name}-first-faults`, () => first_faults_csv(report));
-  add_saving_once(by_id("survival"), `${name}-survival`, () => survival_csv(report));
+  add_saving_once(by_id("survival"), `${name}-survival`, () => survival_csv([survival_of(report)]));
 }
 
 /** The charts of first faults by diagonal and crease. */
@@ -125,7 +119,7 @@ function show_places(report) {
       (list.length > kMostBars
         ? `; the ${kMostBars} most frequent of ${list.length} places.`
         : "."),
-    fault_legend(fault_order.filter((fault) => list.some((entry) => entry.faults.has(fault)))),
+    fault_legend(parts_of(list)),
   );
   show_when_wide(by_id("where"), (width) => where_chart(list, width));
   if (!by_id("map").matches(":hover")) by_id("map").replaceChildren(fault_map(list, report));

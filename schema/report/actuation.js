@@ -1,8 +1,8 @@
 // Charts the springs' energy, their moment about the pilot crease and the mechanical advantage, and
 // says the conclusions.
 import * as Plot from "@observablehq/plot";
-import { folding_chart, deployment, path_of, range } from "./chart.js";
-import { degrees, fixed, h, number, percent, plural, power, powers } from "./format.js";
+import { deployment, folding_chart, kHalo, path_of, range } from "./chart.js";
+import { degrees, extent, fixed, h, number, percent, plural, power, powers } from "./format.js";
 import { single } from "./save.js";
 import { is_pattern } from "./page_kind.js";
 
@@ -16,13 +16,7 @@ const kHeadroom = 3, // factor above the largest value on a logarithmic scale, f
 const last_looked_at = (decoded) => Math.max(decoded.depth, 0.9 * (decoded.samples - 1));
 
 function domain_of(values, decoded) {
-  let least = 0,
-    most = 0;
-  for (let k = 0; k <= last_looked_at(decoded); ++k) {
-    if (!Number.isFinite(values[k])) continue;
-    least = Math.min(least, values[k]);
-    most = Math.max(most, values[k]);
-  }
+  const [least, most] = extent([0, ...values.slice(0, last_looked_at(decoded) + 1)]);
   const spare = (most - least) * 0.12 || 1;
   return [least < -kNoise * (most - least) ? least - spare : 0, most + spare];
 }
@@ -114,9 +108,7 @@ function weakest_marks(weakest, log) {
       text: () => "weakest",
       dy: log ? 4 : -12,
       dx: log ? -10 : 0,
-      fill: "var(--ink)",
-      stroke: "var(--card)",
-      strokeWidth: 4,
+      ...kHalo,
       textAnchor: log || weakest.pilot_deg < 90 ? "end" : "start",
     }),
   ];
@@ -124,7 +116,7 @@ function weakest_marks(weakest, log) {
 
 const at_flat = ({ diagonals }) => {
   const preloads_n = diagonals.map(({ preload_n }) => preload_n);
-  const [least_n, most_n] = [Math.min(...preloads_n), Math.max(...preloads_n)];
+  const [least_n, most_n] = extent(preloads_n);
   if (!most_n) return "relaxed when flat";
   const each = least_n === most_n ? `${number(most_n)} N` : `up to ${number(most_n)} N`;
   return `preload ${each}`;

@@ -1,6 +1,6 @@
 // Charts the number of candidates that deploy from each angle or beyond.
 import * as Plot from "@observablehq/plot";
-import { plot_with_room, show_when_wide } from "./chart.js";
+import { log_chart, show_when_wide } from "./chart.js";
 import { by_id, count, degrees, plural, power, powers } from "./format.js";
 import { add_saving_once } from "./save.js";
 
@@ -18,27 +18,16 @@ function angles_chart(points, { path, accept }, width) {
     from_deg = accept.deploys_from_deg,
     steps = [{ angle: from_deg, beyond: points[0].beyond }, ...points];
   const best = points.at(-1);
-  return plot_with_room({
-    width,
-    height: 240,
-    marginTop: 30, // the uppermost tick is at the very top, the title above it
-    marginLeft: 62,
-    marginRight: 24,
-    marginBottom: 42,
-    className: "plot",
+  return log_chart({
+    ...{ width, height: 240, marginRight: 24 },
     ariaLabel: "Candidates that deploy from each angle or beyond",
     ariaDescription: `${plural(points[0].beyond, "candidate")} from ${degrees(from_deg)} on, ${count(best.beyond)} from ${degrees(best.angle)}`,
     x: {
       label: "pilot angle (°)",
       domain: [from_deg, Math.max(path.end_deg, from_deg + path.sample_deg)],
-      labelAnchor: "center",
-      labelArrow: "none",
     },
     y: {
-      type: "log",
       label: "candidates with D at this angle or beyond (log scale)",
-      grid: true,
-      labelArrow: "none",
       domain: [0.7, most],
       ticks: powers(1, most),
       tickFormat: power,

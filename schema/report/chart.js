@@ -56,9 +56,22 @@ export function show_when_wide(box, draw, when = "left") {
   return made.redraw;
 }
 
-/** Plot.plot, whose labelled parts have a role: without one they may have no label. */
-export function plot_of(options) {
-  const plot = Plot.plot(options);
+/** Text that stands off the lines behind it. */
+export const kHalo = { fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4 };
+
+const kAxis_x = { labelAnchor: "center", labelArrow: "none" };
+
+/**
+ * Plot.plot in the page's style. Its labelled parts have a role: without one they may have no
+ * label.
+ */
+export function plot_of({ x, y, ...options }) {
+  const plot = Plot.plot({
+    className: "plot",
+    ...options,
+    x: { ...kAxis_x, ...x },
+    y: { labelArrow: "none", ...y },
+  });
   for (const part of plot.querySelectorAll("[aria-label]:not([role])"))
     part.setAttribute("role", part.localName === "g" ? "group" : "img");
   return plot;
@@ -73,6 +86,24 @@ export function plot_with_room(options) {
   const room = Math.ceil(widest) + kTick_px + along;
   return room > options.marginLeft ? plot_of({ ...options, marginLeft: room }) : plot;
 }
+
+/** plot_with_room for a logarithmic scale: its uppermost tick is at the very top. */
+export const log_chart = (options) =>
+  plot_with_room({
+    ...{ marginTop: 30, marginLeft: 62, marginBottom: 42 },
+    ...options,
+    y: { type: "log", grid: true, ...options.y },
+  });
+
+/** A chart over the time, from 0 to `end_s`. */
+export const time_chart = (width, { label, y, end_s, marks, ...options }) =>
+  plot_with_room({
+    ...{ width, height: 260, marginTop: 28, marginLeft: kLeft_px, marginRight: kRight_px },
+    ...{ marginBottom: 40, ariaLabel: label, ...options },
+    x: { label: "time (s)", grid: true, domain: [0, end_s] },
+    y: { grid: true, nice: true, ...y },
+    marks: [Plot.ruleY([0], { stroke: "var(--ink-soft)" }), ...marks],
+  });
 
 const kPilotTicks_deg = [0, 30, 60, 90, 120, 150, 180],
   kRatioTicks = Array.from({ length: 11 }, (_, i) => i / 10);
@@ -90,9 +121,7 @@ function word(angle_deg, words, line) {
     dy: 4 + 14 * line,
     dx: left ? -5 : 5,
     textAnchor: left ? "end" : "start",
-    fill: "var(--ink)",
-    stroke: "var(--card)",
-    strokeWidth: 4,
+    ...kHalo,
   });
 }
 
@@ -111,9 +140,8 @@ const word_beyond = (words, edge) =>
     dx: 11,
     rotate: -90,
     textAnchor: "middle",
-    fill: "var(--ink)",
+    ...kHalo,
     stroke: "var(--nothing)",
-    strokeWidth: 4,
   });
 
 /**
@@ -162,16 +190,14 @@ const folding_axes = (end_deg) => [
     kRatioTicks.filter((ratio) => ratio >= deployment(end_deg)),
     {
       label: "deployment ratio D* = (180° − pilot angle)/180°   (0 folded, 1 flat)",
-      labelAnchor: "center",
-      labelArrow: "none",
+      ...kAxis_x,
       tickFormat: (ratio) => ratio.toFixed(1),
     },
   ),
   Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), {
     anchor: "top",
+    ...kAxis_x,
     label: "pilot angle",
-    labelArrow: "none",
-    labelAnchor: "center",
     labelOffset: 34,
     tickFormat: (share) => degrees(Math.round(180 * (1 - share))),
   }),
@@ -237,10 +263,9 @@ export function folding_chart({
       marginRight: kRight_px,
       marginTop: 38,
       marginBottom: 40,
-      className: "plot",
       ariaLabel: label,
       x: { domain: [deployment(end_deg) - room, 1], label: null },
-      y: { grid: true, labelArrow: "none", ...y },
+      y: { grid: true, ...y },
       marks: [...limits.below, ...folding_axes(end_deg), ...marks, ...limits.above],
     });
     x = plot.scale("x");

@@ -1,7 +1,7 @@
 // Draws the pilot angle of the sheet released at rest over time, and plays the folding at that
 // speed.
 import * as Plot from "@observablehq/plot";
-import { nearest_sample, plot_with_room, deployment as ratio_of } from "./chart.js";
+import { nearest_sample, deployment as ratio_of, time_chart } from "./chart.js";
 import { stop_at } from "./data.js";
 import { by_id, degrees, h, number } from "./format.js";
 
@@ -97,20 +97,12 @@ export function make_deployment(report, folding) {
   };
   const points = Array.from(deployment.time_s, (time, k) => [time, deployment.pilot_deg[k]]);
   const draw = (width) => {
-    const plot = plot_with_room({
-      width,
-      height: kHeight,
-      marginLeft: 66,
-      marginRight: 14,
-      marginBottom: 40,
-      className: "plot",
-      ariaLabel: "pilot angle against time",
-      x: { label: "time (s)", labelAnchor: "center", labelArrow: "none", grid: true },
-      y: { label: "pilot angle (°)", labelArrow: "none", grid: true, nice: true },
-      marks: [
-        Plot.ruleY([0], { stroke: "var(--ink-soft)" }),
-        Plot.line(points, { stroke: "var(--accent)", strokeWidth: 2 }),
-      ],
+    const plot = time_chart(width, {
+      ...{ height: kHeight, marginTop: 20 },
+      label: "pilot angle against time",
+      y: { label: "pilot angle (°)" },
+      end_s: deployment.time_s.at(-1),
+      marks: [Plot.line(points, { stroke: "var(--accent)", strokeWidth: 2 })],
     });
     x = plot.scale("x");
     y = plot.scale("y");

@@ -5,7 +5,7 @@ import { ends_of } from "./data.js";
 import { dashed, h, percent, plural } from "./format.js";
 import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
 import { sum, weight } from "./shares.js";
-import { fault_colour, fault_name, fault_order } from "./words.js";
+import { fault_colour, fault_name, faults_in } from "./words.js";
 
 /** Returns whether a text names two vertices of the sheet: a catalogue may hold any text. */
 const is_place = (where, { vertices_mm }) =>
@@ -32,46 +32,44 @@ export function places(rows, sheet) {
   return { list, total: sum(named) };
 }
 
+/** The faults of each place: [{ where, first_fault, sampled, share }…]. */
+export const parts_of = (list) =>
+  list.flatMap(({ where, faults }) =>
+    [...faults].map(([first_fault, part]) => ({ where, first_fault, ...part })),
+  );
+
 export const kMostBars = 20;
 
 export function where_chart(list, width) {
   const shown = list.slice(0, kMostBars);
-  const parts = shown.flatMap(({ where, faults }) =>
-    [...faults].map(([fault, { sampled, share }]) => ({ where, fault, part: share, sampled })),
-  );
-  const present = fault_order.filter((fault) => parts.some((part) => part.fault === fault));
+  const parts = parts_of(shown),
+    present = faults_in(parts.map((part) => part.first_fault));
   return plot_of({
     width,
     height: 44 + 23 * shown.length,
     marginLeft: 74,
     marginRight: 44,
     marginBottom: 38,
-    className: "plot",
     ariaLabel: "Shares of the first faults by diagonal or crease",
     x: {
       label: "share of located first faults (%)",
       percent: true,
-      labelAnchor: "center",
-      labelArrow: "none",
       grid: true,
     },
     y: { label: null, domain: shown.map((entry) => entry.where), tickFormat: dashed, tickSize: 0 },
-    color: {
-      domain: present,
-      range: present.map(fault_colour),
-    },
+    color: { domain: present, range: present.map(fault_colour) },
     marks: [
       Plot.barX(
         parts,
         Plot.stackX({
           y: "where",
-          x: "part",
-          fill: "fault",
+          x: "share",
+          fill: "first_fault",
           order: present,
           insetTop: 1,
           insetBottom: 1,
           title: (d) =>
-            `${dashed(d.where)}: ${fault_name(d.fault)}\n${plural(d.sampled, "sampled draw")} (${percent(d.part)})`,
+            `${dashed(d.where)}: ${fault_name(d.first_fault)}\n${plural(d.sampled, "sampled draw")} (${percent(d.share)})`,
           tip: true,
         }),
       ),

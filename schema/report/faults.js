@@ -1,9 +1,9 @@
 // Charts the pilot angles of the first faults of the fault sample.
 import * as Plot from "@observablehq/plot";
-import { plot_with_room } from "./chart.js";
+import { log_chart, plot_with_room } from "./chart.js";
 import { count, degrees, percent, plural, powers } from "./format.js";
 import { effective, sum, survival_points, weight } from "./shares.js";
-import { fault_colour, fault_name, fault_order } from "./words.js";
+import { fault_colour, fault_name, fault_order, faults_in } from "./words.js";
 
 /** Histogram of the first faults by pilot angle: a bin holds (from, to]. */
 export function fault_bins(rows, { path }) {
@@ -41,26 +41,23 @@ const threshold_marks = (deg, words, colour = "var(--ink)") => [
 
 /** `most`: the end of the scale of shares, where several charts have one. */
 export function faults_chart(rows, total, { path, accept }, width, most) {
-  const bins = fault_bins(rows, { path });
-  const present = fault_order.filter((fault) => bins.some((bin) => bin.first_fault === fault));
+  const bins = fault_bins(rows, { path }),
+    present = faults_in(bins.map((bin) => bin.first_fault));
   return plot_with_room({
     width,
     height: 280,
     marginLeft: 52,
     marginBottom: 42,
-    className: "plot",
     ariaLabel: "First faults by pilot angle, stacked by kind",
     x: {
       label: "pilot angle of the first fault (°)",
       domain: [0, path.end_deg],
-      labelAnchor: "center",
-      labelArrow: "none",
     },
     y: {
-      ...{ label: "sampled draws (%)", grid: true, labelArrow: "none", percent: true },
+      ...{ label: "sampled draws (%)", grid: true, percent: true },
       ...(most ? { domain: [0, 100 * most] } : {}),
     },
-    color: { domain: present, range: present.map(fault_colour), legend: false },
+    color: { domain: present, range: present.map(fault_colour) },
     marks: [
       Plot.rectY(
         bins,
@@ -157,25 +154,15 @@ export function survival_of({ campaign, state, faults }) {
 
 export function survival_chart(samples, width) {
   const least = Math.min(...samples.map((sample) => sample.least));
-  return plot_with_room({
-    width,
-    height: 280,
-    marginTop: 30, // the uppermost tick is at the very top, the title above it
-    marginLeft: 62,
-    marginBottom: 42,
-    className: "plot",
+  return log_chart({
+    ...{ width, height: 280 },
     ariaLabel: "Survival by pilot angle",
     x: {
       label: "pilot angle (°)",
       domain: [0, Math.max(...samples.map(({ end_deg }) => end_deg))],
-      labelAnchor: "center",
-      labelArrow: "none",
     },
     y: {
-      type: "log",
       label: "share without a fault (%, log scale)",
-      grid: true,
-      labelArrow: "none",
       domain: [least, 1],
       clamp: true,
       ticks: powers(least, 1),

@@ -57,6 +57,23 @@ export const dashed = (name) => name.replace("-", "–");
 
 export const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
 
+/** The least and the largest value, of any number; null left out. */
+export function extent(values) {
+  let [least, most] = [Infinity, -Infinity];
+  for (const value of values) {
+    if (!Number.isFinite(value)) continue;
+    least = Math.min(least, value);
+    most = Math.max(most, value);
+  }
+  return [least, most];
+}
+
+/** Returns whether two of the values differ; null left out. */
+export function differ(values) {
+  const [least, most] = extent(values);
+  return least < most;
+}
+
 export const by_id = (id) => document.getElementById(id);
 
 /** Keys with modifiers belong to the browser: Alt with an arrow goes back. */
@@ -76,3 +93,30 @@ export function h(tag, attributes = {}, ...children) {
   node.append(...children.flat().filter((child) => child !== null && child !== undefined));
   return node;
 }
+
+/** A table of rows; a head is [words, title], and one without words an empty cell. */
+export const table = (attributes, heads, rows) =>
+  h(
+    "table",
+    attributes,
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        heads.map(([words, title]) =>
+          words ? h("th", { scope: "col", title }, words) : h("td"),
+        ),
+      ),
+    ),
+    h("tbody", {}, rows),
+  );
+
+/** The cell of one of two values. */
+export const compared = (value, is_better) =>
+  h("td", is_better ? { class: "better", title: "The better of the two" } : {}, value);
+
+/** An entry of a legend. */
+export const legend_entry = (colour, words, title) =>
+  h("li", { title }, h("i", { style: `background: ${colour}` }), words);

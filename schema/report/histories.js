@@ -2,7 +2,7 @@
 // and lists the diagonals.
 import * as Plot from "@observablehq/plot";
 import { folding_chart, nearest_sample, path_of, range } from "./chart.js";
-import { fixed, h, signed_percent } from "./format.js";
+import { extent, fixed, h, signed_percent, table } from "./format.js";
 import { single } from "./save.js";
 
 const kHeight = 400;
@@ -27,14 +27,10 @@ const kNumbered = 32, // more diagonals than that have no numbers at their lines
 
 /** The domain of the relative lengths, with the stroke limits that are near. */
 function range_of(decoded, diagonals, limit) {
-  let least = 1,
-    most = 1;
-  for (const k of range(0, decoded.samples - 1)) {
-    for (let d = 0; d < diagonals.length; ++d) {
-      least = Math.min(least, decoded.relative(k, d));
-      most = Math.max(most, decoded.relative(k, d));
-    }
-  }
+  const lengths = range(0, decoded.samples - 1).flatMap((k) =>
+    diagonals.map((_, d) => decoded.relative(k, d)),
+  );
+  const [least, most] = extent([1, ...lengths]);
   const spare = (most - least) * 0.06 || 0.01,
     near = 0.3 * (most - least);
   const limits = (limit ? [1 - limit, 1 + limit] : []).filter(
@@ -155,12 +151,12 @@ export function history_rows(report, decoded) {
 
 const kHeads = [
   ["no.", "number in drawings, catalogue and exports"],
-  ["diagonal", ""],
+  ["diagonal"],
   ["±", "change of length as the sheet folds"],
   ["now", "elongation at the slider’s pilot angle"],
   ["at D", "elongation at D"],
   ["force", "spring force at the slider’s pilot angle, N; positive: tension"],
-  ["", ""],
+  [""],
 ];
 
 function diagonal_row(diagonal, d, detail, decoded, state) {
@@ -210,23 +206,10 @@ export function make_diagonal_list(box, report, detail, decoded, state) {
     diagonal_row(diagonal, d, detail, decoded, state),
   );
   box.replaceChildren(
-    h(
-      "table",
+    table(
       { class: "list" },
-      h(
-        "thead",
-        {},
-        h(
-          "tr",
-          {},
-          ...kHeads.map(([words, about]) => h(words ? "th" : "td", { title: about }, words)),
-        ),
-      ),
-      h(
-        "tbody",
-        {},
-        rows.map(({ row }) => row),
-      ),
+      kHeads,
+      rows.map(({ row }) => row),
     ),
   );
   return {

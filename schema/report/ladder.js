@@ -1,7 +1,7 @@
 // Shows the overview of a splitting search: its figures, and its levels as a chart and a table.
 import { show_when_wide } from "./chart.js";
 import { beyond_tiles, how_far, live_tiles, show_tiles, shown_tiles, tile } from "./figures.js";
-import { by_id, count, degrees, fixed, h, number, percent } from "./format.js";
+import { by_id, count, degrees, fixed, h, number, percent, table } from "./format.js";
 import { ladder_chart } from "./ladder_chart.js";
 import { add_saving_once, single } from "./save.js";
 
@@ -125,23 +125,10 @@ function table_of(levels) {
     kColumns.map(({ text }, k) =>
       h(k === 0 ? "th" : "td", k === 0 ? { scope: "row" } : {}, text(level, level === last)),
     );
-  return h(
-    "table",
+  return table(
     { class: "levels" },
-    h(
-      "thead",
-      {},
-      h(
-        "tr",
-        {},
-        kColumns.map(({ head, about }) => h("th", { scope: "col", title: about }, head)),
-      ),
-    ),
-    h(
-      "tbody",
-      {},
-      levels.map((level) => h("tr", { "data-level": level.level }, cells(level))),
-    ),
+    kColumns.map(({ head, about }) => [head, about]),
+    levels.map((level) => h("tr", { "data-level": level.level }, cells(level))),
   );
 }
 

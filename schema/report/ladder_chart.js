@@ -1,6 +1,6 @@
 // Charts the share of draws that deploy from each level of a splitting search.
 import * as Plot from "@observablehq/plot";
-import { plot_with_room } from "./chart.js";
+import { log_chart } from "./chart.js";
 import { clamp, count, degrees, number, plural, power, powers } from "./format.js";
 
 const kMostTicks = 9,
@@ -63,26 +63,17 @@ function description(points) {
 export function ladder_chart(points, [least_deg, most_deg], populations, width) {
   const { domain, ticks } = decades(points),
     spare_deg = 0.06 * (most_deg - least_deg) || 1;
-  return plot_with_room({
+  return log_chart({
     width,
     height: clamp(kRow_px * (points.length + 2), ...kHeight_px),
-    marginTop: 30, // the uppermost tick is at the very top, the title above it
-    marginLeft: 62,
-    marginBottom: 42,
-    className: "plot",
     ariaLabel: "Share of draws that deploy from each level",
     ariaDescription: description(points),
     x: {
       label: "level: deploys from (°)",
       domain: [least_deg - spare_deg, most_deg + spare_deg],
-      labelAnchor: "center",
-      labelArrow: "none",
     },
     y: {
-      type: "log",
       label: "share of draws (log scale)",
-      grid: true,
-      labelArrow: "none",
       domain,
       ticks,
       tickFormat: power,

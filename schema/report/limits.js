@@ -1,7 +1,7 @@
 // Sliders for the angle of use and the hinges' friction, each of which writes a condition into the
 // filter. They begin at the values of the campaign's design.
 import { bounds_in, with_bounds } from "./conditions.js";
-import { by_id, h, number } from "./format.js";
+import { by_id, differ, extent, h, number } from "./format.js";
 import { metric_of, with_unit } from "./metrics.js";
 
 const kLimits = [
@@ -14,12 +14,10 @@ const kLimits = [
 ];
 const kSteps = 200;
 
-const known_in = (values) => values?.filter((value) => value !== null) ?? [];
-
 /** The limits of which candidates differ, each with the design's value or null. */
 const limits_of = (report, candidates) =>
   kLimits
-    .filter(({ name }) => new Set(known_in(candidates.columns[name])).size > 1)
+    .filter(({ name }) => differ(candidates.columns[name] ?? []))
     .map((limit) => {
       const { design } = report.campaign.configuration;
       return { ...limit, designed: (design && limit.of_design(design)) ?? null };
@@ -32,8 +30,7 @@ export const filter_of_design = (report, candidates) =>
     .reduce((filter, { name, designed }) => with_bounds(filter, name, { least: designed }), "");
 
 function slider({ name, says, designed }, values, state) {
-  const known = known_in(values);
-  const [least, most] = [Math.min(...known), Math.max(...known)],
+  const [least, most] = extent(values),
     step = (most - least) / kSteps;
   const out = h("output", {});
   const input = h("input", {

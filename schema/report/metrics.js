@@ -30,97 +30,64 @@ const kStored = words.metrics.map(
   }),
 );
 
-// Metrics that the program does not store.
+/** A metric that the program does not store. */
+const added = (name, label, about, more) => ({
+  ...{ name, label, about, unit: "", better: "more", may_be_unknown: true },
+  text: (v) => number(v),
+  ...more,
+});
+const kShare = { unit: "%", axis: 100, text: share };
+
 const kYields = [
-  {
-    name: "yield",
-    usual: true,
-    label: "yield",
-    unit: "%",
-    axis: 100,
-    better: "more",
-    may_be_unknown: true,
-    text: share,
-    about:
-      "Share of miscut copies that deploy from the threshold, by `misalign tolerance`; at the amplitude that most candidates were studied with.",
-  },
-  {
-    name: "yield_low",
-    label: "yield low",
-    unit: "%",
-    axis: 100,
-    better: "more",
-    may_be_unknown: true,
-    text: share,
-    about: "Lower end of the yield's 95 % interval.",
-  },
-  {
-    name: "yield_amplitude_mm",
-    label: "cutting error ±",
-    unit: "mm",
-    better: "more",
-    may_be_unknown: true,
-    text: (v) => number(v, 2),
-    about: "Largest cutting error of the copies' vertices, in x and in y.",
-  },
+  added(
+    "yield",
+    "yield",
+    "Share of miscut copies that deploy from the threshold, by `misalign tolerance`; at the amplitude that most candidates were studied with.",
+    { ...kShare, usual: true },
+  ),
+  added("yield_low", "yield low", "Lower end of the yield's 95 % interval.", kShare),
+  added(
+    "yield_amplitude_mm",
+    "cutting error ±",
+    "Largest cutting error of the copies' vertices, in x and in y.",
+    { unit: "mm", text: (v) => number(v, 2) },
+  ),
 ];
 const kCertified = [
-  {
-    name: "certified_deg",
-    usual: true,
-    label: "certified",
-    unit: "deg",
-    better: "more",
-    may_be_unknown: true,
-    text: certified,
-    about:
-      "Certified angle of `misalign certify`: up to it the sheet provably folds in one way and every diagonal is monotone, also between samples.",
-  },
+  added(
+    "certified_deg",
+    "certified",
+    "Certified angle of `misalign certify`: up to it the sheet provably folds in one way and every diagonal is monotone, also between samples.",
+    { unit: "deg", text: certified, usual: true },
+  ),
 ];
 // Values of an optimising search, in the unit of its objective.
 const kEnds = [
-  {
-    name: "start_value",
-    usual: true,
-    label: "objective at start",
-    unit: "",
-    better: "more",
-    may_be_unknown: true,
-    text: (v) => number(v),
-    about: "The campaign’s objective (search.maximise) of the draw, before its ascent.",
-  },
-  {
-    name: "end_value",
-    usual: true,
-    label: "objective",
-    unit: "",
-    better: "more",
-    may_be_unknown: true,
-    text: (v) => number(v),
-    about:
-      "The campaign’s objective (search.maximise) of this sheet: N mm/mm for friction, mm for a margin against miscuts.",
-  },
+  added(
+    "start_value",
+    "objective at start",
+    "The campaign’s objective (search.maximise) of the draw, before its ascent.",
+    { usual: true },
+  ),
+  added(
+    "end_value",
+    "objective",
+    "The campaign’s objective (search.maximise) of this sheet: N mm/mm for friction, mm for a margin against miscuts.",
+    { usual: true },
+  ),
 ];
 const kEnergy = [
-  {
-    name: "energy_n_mm",
-    label: "energy",
-    unit: "N mm",
-    better: "more",
-    text: (v) => number(v),
-    about:
-      "Strain energy at D of springs with the report’s stiffness k on all diagonals, relaxed when flat: k/2 times stretch². Not a column of the catalogue.",
-  },
+  added(
+    "energy_n_mm",
+    "energy",
+    "Strain energy at D of springs with the report’s stiffness k on all diagonals, relaxed when flat: k/2 times stretch². Not a column of the catalogue.",
+    { unit: "N mm", may_be_unknown: false },
+  ),
 ];
 // Columns that options such as `--deploy` add.
 const kOfStudies = words.columns_of_studies
   .filter(({ name }) => name !== "energy_n_mm") // the page computes it
-  .map(({ meaning, ...rest }) => ({
-    ...rest,
-    may_be_unknown: true,
-    text: (v) => number(v),
-    about: meaning,
-  }));
+  .map(({ name, label, meaning, ...rest }) => added(name, label, meaning, rest));
 /** Names of columns that a page has only on request. */
 export const of_studies = new Set(kOfStudies.map(({ name }) => name));
 const kAfter = {

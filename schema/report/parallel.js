@@ -3,7 +3,7 @@
 import * as Plot from "@observablehq/plot";
 import { when_wide } from "./chart.js";
 import { as_sql, bounds_in, with_bounds } from "./conditions.js";
-import { by_id, clamp, h, plural } from "./format.js";
+import { by_id, clamp, differ, extent, h, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
 import { kMostLines, paint_rows } from "./parallel_rows.js";
 import { colour, on_theme } from "./theme.js";
@@ -19,26 +19,19 @@ const kHeight = 300,
   kAxis_px = 80; // least distance of axes
 
 /** The chosen columns, or the usual ones, in which candidates differ. */
-export function axes_of(candidates, chosen, most = kMostAxes) {
+function axes_of(candidates, chosen, most = kMostAxes) {
   const wanted = chosen
     ? chosen.split(",")
     : metrics.filter(({ usual }) => usual).map(({ name }) => name);
   return metrics
-    .filter(({ name }) => wanted.includes(name) && candidates.columns[name])
-    .filter(
-      ({ name }) => new Set(candidates.columns[name].filter((value) => value !== null)).size > 1,
-    )
+    .filter(({ name }) => wanted.includes(name) && differ(candidates.columns[name] ?? []))
     .sort((a, b) => wanted.indexOf(a.name) - wanted.indexOf(b.name))
     .slice(0, most);
 }
 
 /** Maps values to pixels; on a logarithmic scale over more than three decades. */
 function scale_of(values) {
-  const known = values.filter((value) => value !== null);
-  const [least, most] = known.reduce(
-    ([a, b], v) => [Math.min(a, v), Math.max(b, v)],
-    [Infinity, -Infinity],
-  );
+  const [least, most] = extent(values);
   const type = least > 0 && most / least > 1000 ? "log" : "linear";
   const { apply, invert } = Plot.scale({
     y: { type, domain: [least, most], range: [kHeight - kBottom, kTop] },

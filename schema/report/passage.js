@@ -4,7 +4,7 @@ import { has_angle, marks_of, random_numbers, rows_since } from "./arrivals.js";
 import { fault_bins } from "./faults.js";
 import { by_id, count, h, plural } from "./format.js";
 import { sum, weight } from "./shares.js";
-import { fault_colour, fault_name, fault_order } from "./words.js";
+import { fault_colour, fault_name, faults_in } from "./words.js";
 
 const kWhole_ms = 2700, // from flat to 180 degrees
   kArrivals_ms = 900, // starts of the marks of one answer
@@ -22,8 +22,7 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** "35 sampled draws, which represent 35,840 draws: 34 diagonal reverses, 1 fold limit". */
 function words_of(rows) {
-  const faults = fault_order.filter((fault) => rows.some((row) => row.first_fault === fault));
-  const parts = faults.map(
+  const parts = faults_in(rows.map((row) => row.first_fault)).map(
     (fault) =>
       `${count(sum(rows.filter((row) => row.first_fault === fault)))} ${fault_name(fault)}`,
   );
@@ -162,7 +161,7 @@ class Passage {
       moves_ms = (to_deg / 180) * kWhole_ms,
       lasts_ms = (until_ms ?? start_ms + moves_ms + kRest_ms) - start_ms;
     const mark = h("svg:circle", { class: "mark", r: kRadius_px, "data-fault": row.first_fault });
-    const animation = this.#animate(
+    this.#animate(
       mark,
       keyframes({
         ...{ from_px: x(0), to_px: x(to_deg), y_px, moves_ms, lasts_ms },
@@ -171,7 +170,6 @@ class Passage {
       }),
       { delay: start_ms, duration: lasts_ms },
     );
-    animation.id = `${to_deg}`;
     if (!row.accepted) return;
     const at_deg = Math.min(accept.deploys_from_deg, to_deg),
       place = `translate(${x(at_deg)}px, ${y_px}px)`;
@@ -192,7 +190,6 @@ class Passage {
       node.remove();
       if (this.#replays && this.#svg.childElementCount === 0) this.#clear();
     };
-    return animation;
   }
 
   #clear() {

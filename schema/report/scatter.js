@@ -122,7 +122,6 @@ class Scatter {
       width: this.#width,
       height: kHeight,
       ...kMargins,
-      className: "plot",
       ariaHidden: "true",
       x: across,
       y: up,

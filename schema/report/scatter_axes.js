@@ -1,16 +1,10 @@
 // The axes of the scatter plot: their metrics, scales, and steps along them.
-import { powers, power } from "./format.js";
+import { extent, power, powers } from "./format.js";
 import { axis_title, metrics } from "./metrics.js";
 
 /** An axis of a domain, or of all values; logarithmic for positive ones over three decades. */
 export function scale_of(metric, values, domain) {
-  let least = Infinity,
-    most = -Infinity;
-  for (const value of values) {
-    if (value === null) continue;
-    least = Math.min(least, value);
-    most = Math.max(most, value);
-  }
+  let [least, most] = extent(values);
   if (least > most) [least, most] = [0, 1];
   const log = least > 0 && most / least > 1000;
   const spare = log ? 0 : (most - least) * 0.03 || Math.abs(most) * 0.05 || 0.5;
@@ -24,7 +18,6 @@ export function scale_of(metric, values, domain) {
     ...(ticks.length > 1 ? { ticks, tickFormat: power } : {}),
     label: axis_title(metric) + (log ? ", log scale" : ""),
     labelAnchor: "center",
-    labelArrow: "none",
     grid: true,
   };
 }

@@ -1,5 +1,5 @@
 // The columns of the candidates' table: choice, widths, and the order of rows.
-import { count } from "./format.js";
+import { count, extent } from "./format.js";
 import { metrics } from "./metrics.js";
 import { text_width } from "./text_size.js";
 
@@ -71,12 +71,8 @@ export function width_of(column, { columns: values, count: rows }) {
     texts.push(`●\u00a0\u00a0${"0".repeat(longest)}`);
   } else {
     const list = values[column.name].filter((value) => value !== null);
-    const ends = list.reduce(
-      ([a, b], v) => [Math.min(a, v), Math.max(b, v)],
-      [Infinity, -Infinity],
-    );
     const step = Math.max(1, Math.floor(list.length / kLooked));
-    for (const value of [...(list.length ? ends : []), ...list.filter((_, i) => i % step === 0)])
+    for (const value of [...(list.length ? extent(list) : []), ...list.filter((_, i) => i % step === 0)])
       texts.push(shown(column, value));
   }
   const heading = Math.max(...column.label.split(" ").map((word) => text_width(word, 12.5))) + 12;
