@@ -8,16 +8,13 @@ Table 1's certificate ends at 156.155°, where a diagonal reverses, a fifth of a
 """
 
 import base64
-import json
 import struct
-import subprocess
 
 import matplotlib.pyplot as plt
 import misalign
 
 plt.style.use(misalign.style)
-said = json.loads(subprocess.run(["misalign", "certify", "search/patterns/table1.json", "--to", "180", "--json"],
-                                 capture_output=True, check=True).stdout)["certificate"]
+said = misalign.read("search/patterns/table1.json").certify(from_deg=180)
 proof = base64.b64decode(said["proof"])
 _, creases, balls, intervals = struct.unpack_from("<4I", proof)
 HEAD, SIZE = 32, 16 + 4 * creases + 12 * balls      # each: where it ends, its box, and the state in its middle

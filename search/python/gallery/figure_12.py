@@ -10,6 +10,5 @@ import matplotlib.pyplot as plt
 import misalign
 
 plt.style.use(misalign.style)
-figure, axes = plt.subplots(figsize=(6.3, 5.6))
-misalign.read("search/patterns/table1.json").plot(axes=axes, magnified=50)
+misalign.read("search/patterns/table1.json").plot(magnified=50).figure.set_size_inches(6.3, 5.6)
 plt.show()

@@ -27,7 +27,6 @@ has_ccx = shutil.which("ccx") is not None
 figure = plt.figure(figsize=(6.3, 4.4 if has_ccx else 2.2))
 rows = figure.subfigures(2 if has_ccx else 1, squeeze=False)[:, 0]
 
-
 colours = plt.cm.ScalarMappable(plt.Normalize(0, slow["largest_stress_mpa"]))
 upper = rows[0].subplots(1, 3, subplot_kw={"projection": "3d"})
 for axes, near_deg in zip(upper, (36, 20, 10)):

@@ -11,9 +11,8 @@ import misalign
 
 plt.style.use(misalign.style)
 table1 = misalign.read("search/patterns/table1.json")
-figure = plt.figure(figsize=(6.3, 4))
-for place, angle_deg in enumerate((10, 40, 70, 100, 130, 156)):
-    axes = figure.add_subplot(2, 3, place + 1, projection="3d")
+figure, grid = plt.subplots(2, 3, figsize=(6.3, 4), subplot_kw={"projection": "3d"})
+for axes, angle_deg in zip(grid.flat, (10, 40, 70, 100, 130, 156)):
     table1.plot(angle_deg, axes)
     axes.set_title(f"{angle_deg}°")
 plt.show()

@@ -6,18 +6,12 @@ Springs on all diagonals of Table 1 push strongly where the sheet is folded, and
 moment about the pilot crease is proportional to the cube of the angle.
 """
 
-import json
-import subprocess
-
 import matplotlib.pyplot as plt
 import misalign
-import numpy as np
 
 plt.style.use(misalign.style)
-springs = json.loads(subprocess.run(["misalign", "actuators", "search/patterns/table1.json", "--json"],
-                                    capture_output=True, check=True).stdout)
-history = springs["history"]
-pilot_deg, moment_n_mm = np.array(history["pilot_deg"], float), np.array(history["moment_n_mm"], float)
+history = misalign.read("search/patterns/table1.json").actuators()["history"]
+pilot_deg, moment_n_mm = history["pilot_deg"], history["moment_n_mm"]
 
 figure, axes = plt.subplots()
 way = pilot_deg > 0

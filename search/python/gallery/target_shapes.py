@@ -14,8 +14,6 @@ import matplotlib.pyplot as plt
 import misalign
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
-from scipy.optimize import least_squares
-from scipy.spatial.transform import Rotation
 
 plt.style.use(misalign.style)
 R, WAVE = 960, 480 / (2 * np.pi)
@@ -32,37 +30,25 @@ heights = {
 
 
 def shaped(height):
-    """The sheet whose target is a grid of these heights, at its shape."""
+    """The sheet whose target is a grid of these heights, and the JSON of `misalign shape`."""
     grid = {"surface": "grid", "spacing_mm": 40, "heights_mm": height(*np.meshgrid(at, at)).tolist()}
-    said = subprocess.run(["misalign", "shape", FILE, "--target", json.dumps(grid), "--from", "93", "--json"], check=True,
-                          capture_output=True, text=True).stdout
+    said = json.loads(subprocess.run(["misalign", "shape", FILE, "--target", json.dumps(grid), "--from", "93", "--json"],
+                                     check=True, capture_output=True).stdout)
     with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
-        json.dump(json.loads(said)["pattern"], file)
+        json.dump(said["pattern"], file)
         file.flush()
-        return misalign.read(file.name)
+        return misalign.read(file.name), said
 
 
-def placed(points_mm, sides, height):
-    """Vertices in the target's frame, and their distances: a fit of pose and half depth. Distances are along normals."""
-    middle_mm = points_mm.mean(axis=0)
-    axes = np.linalg.svd(points_mm - middle_mm)[2]
-    normal = axes[2] * np.sign(axes[2, 2])
-    x = np.eye(3)[0] - normal[0] * normal
-    x /= np.linalg.norm(x)
-    points_mm = (points_mm - middle_mm) @ np.array([x, np.cross(normal, x), normal]).T
-
-    def away(pose):
-        moved = Rotation.from_rotvec(pose[:3]).apply(points_mm) + pose[3:6]
-        foot = moved[:, :2].copy()
-        for _ in range(30):  # to the nearest point of the tangent plane, and again
-            z, step = height(*foot.T), 1e-3
-            slope = np.array([height(foot[:, 0] + dx, foot[:, 1] + dy) - z for dx, dy in ((step, 0), (0, step))]).T / step
-            along = (((moved[:, :2] - foot) * slope).sum(axis=1) - (moved[:, 2] - z)) / (1 + (slope**2).sum(axis=1))
-            foot = moved[:, :2] - along[:, np.newaxis] * slope
-        return -along * np.sqrt(1 + (slope**2).sum(axis=1)) - sides * pose[6], moved
-
-    pose = least_squares(lambda pose: away(pose)[0], [0, 0, 0, 0, 0, 0, 25], x_scale=[1e-2] * 3 + [1] * 4, xtol=1e-12).x
-    return away(pose)[1], abs(away(pose)[0])
+def distances_mm(points_mm, height):
+    """Distances of points above the surface, along its normals."""
+    foot = points_mm[:, :2].copy()
+    for _ in range(30):  # to the nearest point of the tangent plane, and again
+        z, step = height(*foot.T), 1e-3
+        slope = np.array([height(foot[:, 0] + dx, foot[:, 1] + dy) - z for dx, dy in ((step, 0), (0, step))]).T / step
+        along = (((points_mm[:, :2] - foot) * slope).sum(axis=1) - (points_mm[:, 2] - z)) / (1 + (slope**2).sum(axis=1))
+        foot = points_mm[:, :2] - along[:, np.newaxis] * slope
+    return -along * np.sqrt(1 + (slope**2).sum(axis=1))
 
 
 # Heights of the folded base's vertices in half depths: a rim that cuts panels has some beyond the two levels.
@@ -70,12 +56,12 @@ sides = np.tile([1.0, -1] * 3 + [1], (7, 1))
 sides[1::2, 0] = sides[0::2, -1] = 2
 x, y = np.meshgrid(np.linspace(-230, 230, 24), np.linspace(-230, 230, 24))
 
-figure = plt.figure(figsize=(6.3, 3.8))
-colours = plt.cm.ScalarMappable(plt.Normalize(0, 30), plt.rcParams["image.cmap"])
-for place, (name, height) in enumerate(heights.items()):
-    sheet = shaped(height)
-    points_mm, away_mm = placed(sheet.fold([90]).vertices_mm[0], sides.ravel(), height)
-    axes = figure.add_subplot(2, 3, place + 1, projection="3d")
+figure, grid = plt.subplots(2, 3, figsize=(6.3, 3.8), subplot_kw={"projection": "3d"})
+colours = plt.cm.ScalarMappable(plt.Normalize(0, 30))
+for axes, (name, height) in zip(grid.flat, heights.items()):
+    sheet, said = shaped(height)
+    points_mm = sheet.fold([90]).vertices_mm[0] @ np.transpose(said["pose"]["turn"]) + said["pose"]["move_mm"]
+    away_mm = abs(distances_mm(points_mm, height) - sides.ravel() * said["half_depth_mm"])
     axes.plot_surface(x, y, height(x, y), color="#88aadd", alpha=0.25, linewidth=0)
     axes.add_collection3d(Poly3DCollection(points_mm[sheet.panels], edgecolor="#444444", linewidth=0.5, alpha=0.9,
                                            facecolor=colours.to_rgba(1000 * away_mm[sheet.panels].mean(axis=1))))
@@ -84,5 +70,5 @@ for place, (name, height) in enumerate(heights.items()):
     axes.view_init(elev=20, azim=-60)
     axes.axis("off")
     axes.set_title(f"{name}: up to {1000 * away_mm.max():.0f} µm", y=0.95)
-figure.colorbar(colours, ax=figure.axes, shrink=0.6, label="distance of a panel's vertices (µm)")
+figure.colorbar(colours, ax=grid, shrink=0.6, label="distance of a panel's vertices (µm)")
 plt.show()

@@ -73,8 +73,8 @@ def lengths(folding: Folding, axes: Any) -> Any:
 def flat_sheet(pattern: Pattern, axes: Any, magnified: float) -> Any:
     """Draws the crease pattern, with shifts as arrows."""
     flat_mm = pattern.vertices_mm + pattern.shifts_mm
-    known = pattern.fold().length_mm
-    lengthens = known[-1] > np.linalg.norm(np.diff(flat_mm[pattern.diagonals], axis=1)[:, 0], axis=1)
+    folding = pattern.fold()
+    lengthens = folding.length_mm[-1] > folding.flat_mm
     with _axes(axes) as axes:
         for number, facet in enumerate(pattern.facets):
             axes.fill(*flat_mm[facet].T, facecolor=HOLE if number in pattern.holes else "white", edgecolor=EDGE, linewidth=0.5)
@@ -197,8 +197,7 @@ def axis_label(column: str) -> str:
 def candidates(catalogue: Catalogue, x: str, y: str, colour: str, where: str | None, limit: int | None, axes: Any) -> Any:
     """Draws candidates as points."""
     pyplot()
-    columns = set(catalogue.candidates(limit=1).columns)
-    table = catalogue.candidates(where, limit=limit, columns=[name for name in dict.fromkeys((x, y, colour)) if name not in columns])
+    table = catalogue.candidates(where, limit=limit, columns=dict.fromkeys((x, y, colour)))
     with _axes(axes) as axes:
         points = axes.scatter(table[x].astype(float), table[y].astype(float), c=table[colour].astype(float), s=8)
         axes.set(xlabel=axis_label(x), ylabel=axis_label(y))

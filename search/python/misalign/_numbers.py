@@ -34,7 +34,7 @@ def number(name: str, value: Any, least: float = -math.inf, most: float = math.i
     return found
 
 
-def whole(name: str, value: Any, least: int, most: float = math.inf) -> int:
+def whole(name: str, value: Any, least: int, most: int) -> int:
     """Returns the value of a parameter, if it is a whole number within these bounds, and of an integer type."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)):
         raise _refuse(name, value, "is no whole number; give one")
