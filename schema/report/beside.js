@@ -3,7 +3,7 @@
 import { show_when_wide } from "./chart.js";
 import { decode_detail, decode_lengths, detail_of, last_sample_up_to, values_of } from "./data.js";
 import { make_folding_view } from "./folding_view.js";
-import { by_id, h } from "./format.js";
+import { by_id, compared, h, table } from "./format.js";
 import { make_histories } from "./histories.js";
 import { metrics, with_unit } from "./metrics.js";
 import { end_of_path, heading, is_pattern } from "./page_kind.js";
@@ -50,11 +50,7 @@ function comparison(report, candidates, held, picked) {
   const theirs = held.values;
   const ours = values_of(report, candidates, picked);
   const cell = (metric, values, is_better) =>
-    h(
-      "td",
-      is_better ? { class: "better", title: "The better of the two" } : {},
-      with_unit(metric, values[metric.name]),
-    );
+    compared(with_unit(metric, values[metric.name]), is_better);
   const lines = metrics
     .filter(({ name }) => theirs[name] !== undefined && ours[name] !== undefined)
     .map((metric) => {
@@ -68,19 +64,10 @@ function comparison(report, candidates, held, picked) {
       );
     });
   const heads = ["Metric", heading(report, picked), held.name];
-  return h(
-    "table",
+  return table(
     { class: "beside" },
-    h(
-      "thead",
-      {},
-      h(
-        "tr",
-        {},
-        heads.map((text) => h("th", { scope: "col" }, text)),
-      ),
-    ),
-    h("tbody", {}, lines),
+    heads.map((text) => [text]),
+    lines,
   );
 }
 

@@ -18,7 +18,7 @@ export function report_command({ commands }, draw) {
   return `${misalign} report ${catalogue} --draw ${draw}${choice}${springs} --output ${output}`;
 }
 
-/** What usually comes next: [description, command without its program, id of tests]. */
+/** The usual next steps: [description, command without its program, id of tests]. */
 function next_of(report, draw, { is_accepted, is_certified }) {
   const { springs } = report.commands,
     { whose, exported } = words_of(report, draw);

@@ -105,9 +105,7 @@ export const table = (attributes, heads, rows) =>
       h(
         "tr",
         {},
-        heads.map(([words, title]) =>
-          words ? h("th", { scope: "col", title }, words) : h("td"),
-        ),
+        heads.map(([words, title]) => (words ? h("th", { scope: "col", title }, words) : h("td"))),
       ),
     ),
     h("tbody", {}, rows),

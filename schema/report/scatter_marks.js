@@ -1,6 +1,6 @@
 // The marks of the scatter plot: points, or hexagons coloured by count where there are many.
 import { count_scale, legend_counts } from "./count_scale.js";
-import { count as count_words, h, plural } from "./format.js";
+import { count as count_words, h, legend_entry, plural } from "./format.js";
 import { corners_of, hexagons_of } from "./hexagons.js";
 import { colour } from "./theme.js";
 
@@ -44,9 +44,7 @@ export function marks_of(xs, ys, rows) {
 export function legend_of(most) {
   if (most === null) return [];
   const fill_of = count_scale(most);
-  return legend_counts(most).map((count) =>
-    h("li", {}, h("i", { style: `background: ${fill_of(count)}` }), count_words(count)),
-  );
+  return legend_counts(most).map((count) => legend_entry(fill_of(count), count_words(count)));
 }
 
 /** Describes the plot: numbers of candidates, and whether the filter leaves some out. */

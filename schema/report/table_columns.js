@@ -72,7 +72,10 @@ export function width_of(column, { columns: values, count: rows }) {
   } else {
     const list = values[column.name].filter((value) => value !== null);
     const step = Math.max(1, Math.floor(list.length / kLooked));
-    for (const value of [...(list.length ? extent(list) : []), ...list.filter((_, i) => i % step === 0)])
+    for (const value of [
+      ...(list.length ? extent(list) : []),
+      ...list.filter((_, i) => i % step === 0),
+    ])
       texts.push(shown(column, value));
   }
   const heading = Math.max(...column.label.split(" ").map((word) => text_width(word, 12.5))) + 12;

@@ -1,14 +1,24 @@
 // Compares the page's campaign with another: key figures, survival, first faults, and D of
 // candidates.
 import * as Plot from "@observablehq/plot";
-import { fault_legend, first_faults_csv } from "./acceptance.js";
+import { fault_legend, first_faults_csv, survival_csv } from "./acceptance.js";
 import { at_least } from "./angles.js";
-import { plot_with_room, show_when_wide } from "./chart.js";
+import { log_chart, show_when_wide } from "./chart.js";
 import { fault_bins, faults_chart, survival_chart, survival_of } from "./faults.js";
-import { by_id, count, degrees, h, number, percent, plural, powers } from "./format.js";
+import {
+  by_id,
+  compared,
+  count,
+  degrees,
+  h,
+  legend_entry,
+  number,
+  percent,
+  plural,
+  powers,
+} from "./format.js";
 import { add_saving_once, single } from "./save.js";
 import { difference_of, sum } from "./shares.js";
-import { fault_order } from "./words.js";
 
 const kColours = ["var(--first)", "var(--second)"];
 const kMostKeys = 14,
@@ -134,9 +144,7 @@ function figures_table(both, names, is_resolved) {
       "tr",
       {},
       h("th", { scope: "row" }, label),
-      values.map((value, k) =>
-        h("td", k === better ? { class: "better", title: "The better of the two" } : {}, value),
-      ),
+      values.map((value, k) => compared(value, k === better)),
     );
   const keys = differing_keys(both),
     shown = keys.slice(0, kMostKeys);
@@ -188,20 +196,16 @@ function reach_chart(sides, names, width) {
     most = 10 ** Math.ceil(Math.log10(Math.max(...all.map(({ share }) => share))) - 1e-9),
     first_deg = Math.min(...all.map(({ angle }) => angle));
   const along = { x: "angle", y: "share", curve: "step-before" };
-  return plot_with_room({
-    ...{ width, height: 280, marginTop: 30, marginLeft: 62, marginRight: 24, marginBottom: 42 },
-    className: "plot",
+  return log_chart({
+    ...{ width, height: 280, marginRight: 24 },
     ariaLabel: "Candidates per draw by the angle from which they deploy",
     x: {
-      ...{ label: "pilot angle (°)", labelAnchor: "center", labelArrow: "none" },
+      label: "pilot angle (°)",
       domain: [first_deg, Math.max(first_deg + 1, ...all.map(({ angle }) => angle))],
     },
     y: {
-      ...{
-        type: "log",
-        label: "candidates per draw (%, log scale)",
-      },
-      ...{ grid: true, labelArrow: "none", domain: [least, Math.max(most, 10 * least)] },
+      label: "candidates per draw (%, log scale)",
+      domain: [least, Math.max(most, 10 * least)],
       ...{ ticks: powers(least, most), tickFormat: (share) => percent(share, 1) },
     },
     marks: [
@@ -243,13 +247,10 @@ function show_first_faults(both, names, stem) {
   const most = Math.max(...tops.values());
   both.forEach((side, k) => {
     const { rows } = side.faults,
-      box = by_id(`faults-${k}`),
-      present = fault_order.filter(
-        (fault) => fault !== "none" && rows.some((row) => row.first_fault === fault),
-      );
+      box = by_id(`faults-${k}`);
     by_id(`faults-${k}-caption`).replaceChildren(
       `${names[k]}: ${plural(sum(rows), "sampled draw")}.`,
-      fault_legend(present),
+      fault_legend(rows),
     );
     show_card(
       box,
@@ -271,15 +272,7 @@ function show_survival(both, names, stem) {
     by_id("survivals"),
     both.every(({ faults }) => faults.rows.length > 0),
     (width) => survival_chart(samples, width),
-    () => ({
-      heads: ["campaign", "pilot_deg", "share_without_fault", "low_95", "high_95"],
-      rows: samples.flatMap(({ points, name }) =>
-        points.map(({ angle, share, low, high }) => [
-          ...[name, angle],
-          ...[share, low, high].map(single),
-        ]),
-      ),
-    }),
+    () => survival_csv(samples),
     `${stem}-survival`,
   );
 }
@@ -310,9 +303,7 @@ export function show_two_campaigns(report) {
   const { words, is_resolved } = difference_words(both, names);
   by_id("two-campaigns-words").textContent = words;
   for (const legend of document.querySelectorAll("#two-campaigns .sides"))
-    legend.replaceChildren(
-      ...names.map((name, k) => h("li", {}, h("i", { style: `background: ${kColours[k]}` }), name)),
-    );
+    legend.replaceChildren(...names.map((name, k) => legend_entry(kColours[k], name)));
   by_id("two-campaigns-table").replaceChildren(figures_table(both, names, is_resolved));
   show_survival(both, names, stem);
   show_first_faults(both, names, stem);
