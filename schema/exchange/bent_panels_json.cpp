@@ -9,21 +9,16 @@ namespace misalign::schema {
 namespace {
 
 Json bent_angles_json(const solver::BentPanels& study) {
-  const Eigen::MatrixXd stress_mpa = study.panel_stress_mpa();
-  Json angles = Json::array();
-  for (std::size_t k = 0; k < study.angles.size(); ++k) {
-    const solver::BentAngle& angle = study.angles[k];
-    const auto panels_mpa = stress_mpa.col(static_cast<Eigen::Index>(k));
-    angles.push_back(
-        {{"pilot_deg", angle.pilot_deg},
-         {"energy_n_mm", angle.rigid_n_mm},
-         {"bent_energy_n_mm", angle.bent.n_mm},
-         {"largest_saddle_mm", angle.largest_saddle_mm},
-         {"largest_stress_mpa", angle.largest_stress_mpa},
-         {"panel_stress_mpa", std::vector<double>(panels_mpa.begin(), panels_mpa.end())},
-         {"is_sure", angle.is_sure}});
-  }
-  return angles;
+  return json_list(study.angles, [](const solver::BentAngle& angle) {
+    const Eigen::VectorXd& panels_mpa = angle.panel_stress_mpa;
+    return Json{{"pilot_deg", angle.pilot_deg},
+                {"energy_n_mm", angle.rigid_n_mm},
+                {"bent_energy_n_mm", angle.bent.n_mm},
+                {"largest_saddle_mm", angle.largest_saddle_mm},
+                {"largest_stress_mpa", angle.largest_stress_mpa},
+                {"panel_stress_mpa", std::vector<double>(panels_mpa.begin(), panels_mpa.end())},
+                {"is_sure", angle.is_sure}};
+  });
 }
 
 Json margins_json(const solver::BentFriction& friction) {

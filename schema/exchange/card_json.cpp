@@ -109,18 +109,18 @@ std::string Card::verdict() const {
          (passes() ? "" : " if a stop, latch or frame holds it flat");
 }
 
-std::vector<std::string> Card::remedy_texts(std::string_view key) const {
-  std::vector<std::string> texts;
-  if (!remedies) return texts;
-  for (const Remedy& remedy : *remedies) {
-    if (remedy.key != key) continue;
-    std::string text = fmt::format("{} ({})", remedy.what, remedy.typed);
-    for (const Remedy::Price& price : remedy.prices) {
-      text += fmt::format("; {}: {}, then {}", price.what, price.before, price.after);
-    }
-    texts.push_back(text + (remedy.meets_all ? "; then all requirements are met" : ""));
+std::vector<Remedy> Card::remedies_of(std::string_view key) const {
+  std::vector<Remedy> found = remedies.value_or(std::vector<Remedy>{});
+  std::erase_if(found, [&](const Remedy& remedy) { return remedy.key != key; });
+  return found;
+}
+
+std::string Remedy::effects() const {
+  std::string text;
+  for (const Price& price : prices) {
+    text += fmt::format("; {}: {}, then {}", price.what, price.before, price.after);
   }
-  return texts;
+  return text + (meets_all ? "; then all requirements are met" : "");
 }
 
 std::vector<Remedy::Price> prices_of(const Card& before, const Card& after,

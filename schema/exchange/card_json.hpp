@@ -48,6 +48,8 @@ struct Remedy {
   std::vector<Price> prices;  ///< values that get worse
   bool meets_all = false;     ///< true: no requirement is left that fails
   Json pattern;               ///< the pattern file with the change
+  /// "; Panel mass: 1 kg, then 1.1 kg; then all requirements are met", or less of it.
+  std::string effects() const;
 };
 
 struct Card {
@@ -64,9 +66,8 @@ struct Card {
   /// Returns whether a stop, latch or frame at flat is all that it lacks.
   bool passes_if_held() const;
   std::string verdict() const;  ///< a sentence without its full stop
-  /// "panels of 2.2 mm ("thickness_mm": 2.2); Panel mass 1 kg, then 1.1 kg" for each remedy of a
-  /// requirement.
-  std::vector<std::string> remedy_texts(std::string_view key) const;
+  /// The remedies of a requirement.
+  std::vector<Remedy> remedies_of(std::string_view key) const;
 };
 
 /// Returns at most two values of a changed sheet that are worse than before, the worst first:

@@ -24,8 +24,8 @@ void SvgPicture::line(const Vector2d& from, const Vector2d& to, const char* styl
 
 void SvgPicture::dot(const Vector2d& at, double radius) {
   see(at);
-  shapes_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" style=\"fill:#c60\"/>",
-                         at.x(), -at.y(), radius);
+  shapes_ +=
+      fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>", at.x(), -at.y(), radius);
 }
 
 void SvgPicture::text(const Vector2d& at, const std::string& words, double size) {

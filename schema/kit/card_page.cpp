@@ -33,9 +33,8 @@ std::string verdict_banner(const Card& card) {
       card.passes() ? "Passes"
       : held        ? "Passes if held at flat"
                     : "Does not pass",
-      fmt::format(
-          "<p>Used between {:.10g}° and flat: {}{}.</p>", card.from_deg, xml_text(card.verdict()),
-          failed.empty() || held ? "" : xml_text(fmt::format(": {}", fmt::join(failed, "; ")))));
+      fmt::format("Used between {:.10g}° and flat: {}{}.", card.from_deg, card.verdict(),
+                  failed.empty() || held ? "" : fmt::format(": {}", fmt::join(failed, "; "))));
 }
 
 std::string requirements(const Card& card) {
@@ -60,25 +59,16 @@ std::string requirements(const Card& card) {
          "one, and values on its green side meet it.</p>\n";
 }
 
-std::string remedy_item(const Remedy& remedy) {
-  std::vector<std::string> prices;
-  for (const Remedy::Price& price : remedy.prices) {
-    prices.push_back(fmt::format("{}: {}, then {}", price.what, price.before, price.after));
-  }
-  return fmt::format(
-      "<li>{}: <code>{}</code>{}<span class=\"quiet\">{}{}</span></li>\n", xml_text(remedy.what),
-      xml_text(remedy.typed), remedy.meets_all ? "; then all requirements are met" : "",
-      prices.empty() ? "" : "; ", xml_text(fmt::format("{}", fmt::join(prices, "; "))));
-}
-
 std::string remedies(const Card& card) {
   if (!card.remedies) return "";
   std::string text = "<h2>Remedies</h2>\n";
   for (const CardLine& line : card.lines) {
     if (line.passes()) continue;
     std::string items;
-    for (const Remedy& remedy : *card.remedies) {
-      if (remedy.key == line.key) items += remedy_item(remedy);
+    for (const Remedy& remedy : card.remedies_of(line.key)) {
+      items +=
+          fmt::format("<li>{}: <code>{}</code><span class=\"quiet\">{}</span></li>\n",
+                      xml_text(remedy.what), xml_text(remedy.typed), xml_text(remedy.effects()));
     }
     text += fmt::format("<p>{}: {}</p>\n", quantity_of(line),
                         items.empty() ? "no single change that was tried meets this requirement."

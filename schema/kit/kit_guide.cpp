@@ -62,15 +62,14 @@ std::string layer_table(const GuideInput& input) {
 std::string kit_guide(const GuideInput& input) {
   std::string text = page_begin(input.title, PageStyle::guide);
   if (!input.kit.warning.empty()) {
-    text += page_banner(BannerKind::caution, "Springs contradict the verdict",
-                        "<p class=\"warning\">" + xml_text(input.kit.warning) + "</p>");
+    text += page_banner(BannerKind::caution, "Springs contradict the verdict", input.kit.warning);
   }
   const std::optional<double>& wanted_deg = input.design.from_deg;
   if (wanted_deg && !input.options.from_deg) {
     text += page_banner(
         BannerKind::caution, "Beyond the deployment angle",
-        fmt::format("<p>The angle of use, {:.10g}°, lies beyond D = {:.10g}°, from which the sheet "
-                    "deploys: all values end at D.</p>",
+        fmt::format("The angle of use, {:.10g}°, lies beyond D = {:.10g}°, from which the sheet "
+                    "deploys: all values end at D.",
                     *wanted_deg, input.sheet.deploys_from_deg()));
   }
   const KitFittings& fittings = input.kit.fittings;

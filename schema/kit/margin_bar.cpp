@@ -13,28 +13,14 @@ namespace {
 // Room beyond the farthest number, and the difference that rounding makes, over the range.
 constexpr double kBeyond = 0.1, kRounding = 1e-9;
 
-// Places on a bar that has zero, the value and the limit, in percent.
-class BarScale {
- public:
-  explicit BarScale(const CardLine& line) {
-    const auto [least, most] = std::minmax({0.0, *line.wanted, *line.found});
-    const double range = most > least ? most - least : 1;
-    least_ = least < 0 ? least - kBeyond * range : 0;
-    most_ = most + kBeyond * range;
-  }
-  double operator()(double value) const { return 100 * (value - least_) / (most_ - least_); }
-
- private:
-  double least_, most_;
-};
-
 bool has_numbers(const CardLine& line) {
   return line.wanted && line.found && std::isfinite(*line.wanted) && std::isfinite(*line.found);
 }
 
-std::string rectangle(const char* name, double from, double to) {
-  return fmt::format("<rect class=\"{}\" x=\"{:.2f}%\" width=\"{:.2f}%\" height=\"100%\"/>", name,
-                     std::min(from, to), std::abs(to - from));
+std::string rectangle(const char* name, double from, double to,
+                      const char* down = "height=\"100%\"") {
+  return fmt::format("<rect class=\"{}\" x=\"{:.2f}%\" width=\"{:.2f}%\" {}/>", name,
+                     std::min(from, to), std::abs(to - from), down);
 }
 
 }  // namespace
@@ -55,7 +41,10 @@ std::string left_text(const CardLine& line) {
 
 std::string margin_bar(const CardLine& line) {
   if (!has_numbers(line)) return "";
-  const BarScale at(line);
+  const auto [least, most] = std::minmax({0.0, *line.wanted, *line.found});
+  const double range = most > least ? most - least : 1,
+               first = least < 0 ? least - kBeyond * range : 0, last = most + kBeyond * range;
+  const auto at = [&](double value) { return 100 * (value - first) / (last - first); };
   const double limit = at(*line.wanted);
   return fmt::format(
       "<svg class=\"bar\" role=\"img\" aria-label=\"{}\">{}{}{}"
@@ -65,10 +54,7 @@ std::string margin_bar(const CardLine& line) {
       rectangle("range", 0, 100),
       line.bound == CardLine::Bound::at_least ? rectangle("met", limit, 100)
                                               : rectangle("met", 0, limit),
-      fmt::format("<rect class=\"value\" x=\"{0:.2f}%\" y=\"25%\" width=\"{1:.2f}%\" "
-                  "height=\"50%\"/>",
-                  std::min(at(0), at(*line.found)), std::abs(at(*line.found) - at(0))),
-      limit, limit);
+      rectangle("value", at(0), at(*line.found), "y=\"25%\" height=\"50%\""), limit, limit);
 }
 
 }  // namespace misalign::schema

@@ -124,8 +124,8 @@ std::string page_banner(BannerKind kind, const std::string& heading, const std::
   const char* const name = kind == BannerKind::passes  ? "passes"
                            : kind == BannerKind::fails ? "fails"
                                                        : "caution";
-  return fmt::format("<div class=\"verdict {}\"><strong>{}</strong>{}</div>\n", name,
-                     xml_text(heading), paragraph);
+  return fmt::format("<div class=\"verdict {}\"><strong>{}</strong><p>{}</p></div>\n", name,
+                     xml_text(heading), xml_text(paragraph));
 }
 
 std::string table_row(const std::vector<std::string>& cells, std::size_t numbers,

@@ -18,7 +18,7 @@ inline constexpr const char* kPageEnd = "</main></body></html>\n";
 
 /// The message of a banner, which its sign and its colour repeat.
 enum class BannerKind { passes, caution, fails };
-/// A banner of a heading and a paragraph, which is HTML.
+/// A banner of a heading and a paragraph.
 std::string page_banner(BannerKind kind, const std::string& heading, const std::string& paragraph);
 
 /// A table's row; cells from `numbers` on are aligned to the right.

@@ -15,7 +15,7 @@ constexpr const char* kColours = R"css(
 --ground:#12161d;--card:#1a2029;--ink:#e8ecf2;--ink-soft:#a3aebd;--line:#364150;--grid:#28313d;
 --accent:#6cb8f0;--accent-ink:#0b1a27;--pick:#ffa04d;--warn:#ffb27a;
 --mountain:#ff7c66;--valley:#68b5f2;--edge:#c7d0dc;--grows:#35cfa0;
---panel-front:#d8c9a2;--panel-back:#5d74a3;--panel:#222a35;--panel-edge:#2c3542;--row-fill:40%,28%}}
+--panel-front:#d8c9a2;--panel-back:#5d74a3;--panel:#222a35;--row-fill:40%,28%}}
 )css";
 
 constexpr const char* kStyle = R"css(
@@ -31,7 +31,7 @@ code{font:.87em/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",mon
 table{border-collapse:collapse;margin:.5em 0;font-variant-numeric:tabular-nums}
 th,td{padding:.3em .75em;text-align:left;vertical-align:top}
 th{color:var(--ink-soft);font-weight:500;line-height:1.25;vertical-align:bottom}
-td,tbody th{border-top:1px solid var(--line)}
+td{border-top:1px solid var(--line)}
 th:first-child,td:first-child{padding-left:0}
 th:last-child,td:last-child{padding-right:0}
 td.n,th.n{text-align:right}
@@ -44,8 +44,8 @@ figure svg{display:block;max-width:100%;max-height:60mm;overflow:visible}
 figure.half svg{max-height:75mm}figure.wide svg{max-height:105mm}
 figure svg *{stroke-width:1px;stroke-linejoin:round;vector-effect:non-scaling-stroke}
 figure svg polyline{stroke-width:1.6px}
-figure svg circle{fill:var(--pick)!important;stroke:var(--card)}
-figure svg text{fill:var(--ink);stroke:none}
+figure svg circle{fill:var(--pick);stroke:var(--card)}
+figure svg text{fill:var(--ink)}
 .lines{display:contents}
 .lines text{paint-order:stroke;stroke:var(--panel)!important;stroke-width:3px!important}
 .swatch{display:inline-block;width:1.2em;height:.8em;border:1px solid var(--ink-soft);print-color-adjust:exact}

@@ -21,12 +21,15 @@ std::string card_text(const schema::Card& card) {
   }
   std::string remedies;
   for (const schema::CardLine& line : card.lines) {
-    const std::vector<std::string> texts = card.remedy_texts(line.key);
     if (line.passes() || !card.remedies) continue;
-    remedies += fmt::format("\n{}: {}\n", line.what,
-                            texts.empty() ? "no single change that was tried meets this requirement"
-                                          : "met with one of these changes");
-    for (const std::string& text : texts) remedies += fmt::format("  {}\n", text);
+    const std::vector<schema::Remedy> changes = card.remedies_of(line.key);
+    remedies +=
+        fmt::format("\n{}: {}\n", line.what,
+                    changes.empty() ? "no single change that was tried meets this requirement"
+                                    : "met with one of these changes");
+    for (const schema::Remedy& change : changes) {
+      remedies += fmt::format("  {} ({}){}\n", change.what, change.typed, change.effects());
+    }
   }
   return fmt::format("{}, used between {:.10g}° and flat: {}\n\n{}{}\n{}", card.name, card.from_deg,
                      card.verdict(), schema::aligned(asked, {false, false, true, true, true}),

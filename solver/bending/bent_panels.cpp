@@ -216,16 +216,6 @@ const BentAngle& BentPanels::most_bent() const {
   });
 }
 
-Eigen::MatrixXd BentPanels::panel_stress_mpa() const {
-  const VectorXd stress_mpa_per_mm = way->panels().stress_mpa_per_mm();
-  Eigen::MatrixXd stress_mpa(stress_mpa_per_mm.size(), static_cast<Eigen::Index>(angles.size()));
-  for (Eigen::Index k = 0; k < stress_mpa.cols(); ++k) {
-    const VectorXd& saddles_mm = angles[static_cast<std::size_t>(k)].bent.saddles_mm;
-    stress_mpa.col(k) = saddles_mm.cwiseAbs().cwiseProduct(stress_mpa_per_mm);
-  }
-  return stress_mpa;
-}
-
 int BentPanels::unsure() const {
   return static_cast<int>(std::count_if(angles.begin(), angles.end(),
                                         [](const auto& angle) { return !angle.is_sure; }));
@@ -269,7 +259,8 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& de
   for (BentAngle& angle : angles) {
     const VectorXd saddles_mm = angle.bent.saddles_mm.cwiseAbs();
     angle.largest_saddle_mm = saddles_mm.maxCoeff();
-    angle.largest_stress_mpa = saddles_mm.cwiseProduct(stress_mpa_per_mm).maxCoeff();
+    angle.panel_stress_mpa = saddles_mm.cwiseProduct(stress_mpa_per_mm);
+    angle.largest_stress_mpa = angle.panel_stress_mpa.maxCoeff();
   }
   const EnergyCurve curve = way.curve(filling, angles);
   const OtherMomentsAt others = other_moments(rigid);

@@ -37,7 +37,9 @@ struct BentAngle {
   BentState bent;
   bool is_sure;  ///< true if linear, or followed by Newton's method
   double largest_saddle_mm = 0;
-  double largest_stress_mpa = 0;  ///< farther than kCornerWidths from the corners of a panel
+  /// The largest stress in each panel, farther than kCornerWidths from its corners.
+  Eigen::VectorXd panel_stress_mpa{};
+  double largest_stress_mpa = 0;
 };
 
 /// The method chosen, from bending at the start, and the effect of Newton's method there.
@@ -119,9 +121,7 @@ struct BentPanels {
   BentFriction friction;
   std::shared_ptr<const BentWay> way;  ///< never null
   const BentAngle& most_bent() const;  ///< the angle of the largest stress
-  /// The stress behind largest_stress_mpa in each panel (rows) at each angle (columns).
-  Eigen::MatrixXd panel_stress_mpa() const;
-  int unsure() const;  ///< angles where Newton's method did not converge
+  int unsure() const;                  ///< angles where Newton's method did not converge
 };
 /// Faults: those of the angles in `deploy`, a filling without energy, an angle `to_deg` that does
 /// not lie below the start. Reasons: path_lost; panels_not_stable at one of the angles.

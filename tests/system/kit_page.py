@@ -17,7 +17,7 @@ class Page:
                        for table in re.findall(r"<table[^>]*>(.*?)</table>", self.text, re.S)]
         self.unit = INCH if "Shifts of vertices (in)" in self.text or "between flat" in self.text and \
             re.search(r"Springs between [^<]*\(in\)", self.text) else 1.0
-        self.warnings = re.findall(r'<p class="warning">(.*?)</p>', self.text)
+        self.warnings = re.findall(r'<strong>Springs contradict the verdict</strong><p>(.*?)</p>', self.text)
 
     def length(self, words):
         return float(words) * self.unit
