@@ -19,14 +19,6 @@ import { webgl_pen } from "./webgl_pen.js";
 const kReach_px = 9,
   kUsualThickness = 0.0125; // of a panel's shorter side
 
-function has_webgl() {
-  try {
-    return Boolean(document.createElement("canvas").getContext("webgl2"));
-  } catch {
-    return false;
-  }
-}
-
 const kTones = "Light: the side that the crease pattern shows. ";
 const kHelp = "Drag to rotate, then the wheel zooms. Keys: arrows, + and −, 0.";
 
@@ -78,11 +70,15 @@ class FoldingView {
   constructor(box, caption, report, state, camera = new SheetCamera()) {
     [this.#report, this.#state, this.#box, this.camera] = [report, state, box, camera];
     this.#canvas.dataset.testid = `${box.id}-canvas`;
+    try {
+      this.#pen = webgl_pen(this.#canvas);
+    } catch {
+      this.#canvas = this.#canvas.cloneNode(); // nothing else is drawn on one of a lost context
+      this.#pen = painter_pen(this.#canvas);
+    }
     box.append(this.#canvas);
     this.#paint = new PanelPaint(box, report.sheet, () => this.#repaint());
     this.#labels = new VertexLabels(box, report.sheet, () => this.draw());
-    const webgl = has_webgl();
-    this.#pen = webgl ? webgl_pen(this.#canvas) : painter_pen(this.#canvas);
     box.append(
       h(
         "div",
@@ -96,7 +92,9 @@ class FoldingView {
     this.#caption = caption;
     this.#help =
       kHelp +
-      (webgl ? "" : " This browser has no WebGL: a simpler drawing, panels from back to front.");
+      (this.#pen.has_solids
+        ? ""
+        : " This browser has no WebGL: a simpler drawing, panels from back to front.");
     camera.attach(this.#canvas, () => this.draw());
     this.#listen();
     new ResizeObserver(([entry]) => this.#resize(Math.floor(entry.contentRect.width))).observe(box);
@@ -104,10 +102,12 @@ class FoldingView {
       this.#is_seen = entry.isIntersecting;
       this.draw();
     }).observe(this.#canvas);
-    on_theme(() => {
+    const draw_anew = () => {
       this.#pen.recolour();
       this.#repaint();
-    });
+    };
+    on_theme(draw_anew);
+    this.#canvas.addEventListener("webglcontextrestored", draw_anew);
   }
 
   load(detail, decoded) {
