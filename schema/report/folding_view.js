@@ -65,6 +65,7 @@ class FoldingView {
   #shown = 0; // sample at or before the shown place
   #width = 0;
   #is_seen = true;
+  #is_recorded = false;
 
   /** `camera`: of another picture, beside which this one is. */
   constructor(box, caption, report, state, camera = new SheetCamera()) {
@@ -164,7 +165,7 @@ class FoldingView {
   }
 
   draw() {
-    if (!this.#points || !this.#is_seen) return;
+    if (!this.#points || !(this.#is_seen || this.#is_recorded)) return;
     if (pictures.count++ === 0) performance.mark("first-picture");
     const share = (d) => this.#force_share(this.#shown, d),
       largest = () => Math.max(0, ...this.#report.diagonals.map((_, d) => share(d)));
@@ -199,6 +200,10 @@ class FoldingView {
       pen: this.#pen,
       camera: this.camera.camera,
       canvas: this.#canvas,
+      record: (on) => {
+        this.#is_recorded = on;
+        this.draw();
+      },
       stem: () => this.#stem(),
       pose_stem: () => `${this.#stem()}-folded-${this.#decoded.pilot_deg[state.get("sample")]}deg`,
       range: () => {
