@@ -23,7 +23,7 @@ import {
   survival_check,
 } from "./keeping_checks.mjs";
 import { limits_checks } from "./limits_checks.mjs";
-import { motion_check } from "./motion_check.mjs";
+import { motion_check, real_time_check } from "./motion_check.mjs";
 import { looks_checks } from "./looks_checks.mjs";
 import {
   carried_check,
@@ -175,6 +175,7 @@ await together([
       if (keeping) {
         await design_check(browser, keeping);
         await motion_check(browser, keeping);
+        await real_time_check(browser, keeping);
         await no_context_check(browser, keeping);
       }
       if (values.odd) await odd_texts(browser, values.odd);
