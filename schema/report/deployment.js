@@ -49,10 +49,15 @@ function make_player(deployment, { state, decoded }, move) {
     playing = false;
     label();
   };
+  const rest = () => {
+    stop();
+    stop_at(state, decoded, state.get("sample"));
+  };
   const start = () => {
     const slower = by_id("let-go-slowly").checked ? kSlower : 1,
       begun = performance.now();
     state.set("playing", false);
+    state.set("at", "");
     playing = true;
     label();
     let ours = null;
@@ -62,15 +67,12 @@ function make_player(deployment, { state, decoded }, move) {
       ours = nearest_sample(decoded, ratio_of(Math.abs(angle_at(deployment, time))));
       state.set("sample", ours);
       move(time);
-      if (time >= end_s) {
-        stop_at(state, decoded, ours);
-        return stop();
-      }
+      if (time >= end_s) return rest();
       frame = requestAnimationFrame(step);
     };
     frame = requestAnimationFrame(step);
   };
-  button.onclick = () => (playing ? stop() : start());
+  button.onclick = () => (playing ? rest() : start());
   label();
   return stop;
 }

@@ -3,6 +3,7 @@ import { Group, Mesh, MeshStandardMaterial } from "three";
 import { GLTFExporter } from "three/addons/exporters/GLTFExporter.js";
 import { clamp, h } from "./format.js";
 import { download } from "./save.js";
+import { colour } from "./theme.js";
 
 const kWidths_px = [1280, 1920, 3840, 7680],
   kFilm_s = 6,
@@ -33,9 +34,24 @@ async function gltf_of(solids) {
   return new GLTFExporter().parseAsync(sheet, { binary: true });
 }
 
+/** A canvas of constant even size that shows another one on the ground of its card. */
+function film_canvas(shown) {
+  const ratio = Math.min(2, devicePixelRatio || 1),
+    even = (size) => 2 * Math.round((size * ratio) / 2),
+    canvas = h("canvas", { width: even(shown.clientWidth), height: even(shown.clientHeight) }),
+    pen = canvas.getContext("2d", { alpha: false });
+  const copy = () => {
+    pen.fillStyle = colour("card");
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+    pen.drawImage(shown, 0, 0, canvas.width, canvas.height);
+  };
+  return { canvas, copy };
+}
+
 /** Records one deployment from `first` to flat, as long as it goes on, then shows the sheet at rest again. */
-async function film_of(canvas, { first, pose, goes_on, pause }) {
+async function film_of(shown, { first, pose, goes_on, pause }) {
   pause();
+  const { canvas, copy } = film_canvas(shown);
   const recorder = new MediaRecorder(canvas.captureStream(kFrames_per_s), {
     mimeType: "video/webm",
     videoBitsPerSecond: 8e6,
@@ -49,7 +65,10 @@ async function film_of(canvas, { first, pose, goes_on, pause }) {
     const step = (now) => {
       const time_s = (now - begun) / 1000,
         part = clamp((time_s - kRest_s) / kFilm_s, 0, 1);
-      if (goes_on()) pose(first * (1 - part));
+      if (goes_on()) {
+        pose(first * (1 - part));
+        copy();
+      }
       if (time_s > kFilm_s + 2 * kRest_s || !goes_on()) done();
       else requestAnimationFrame(step);
     };
@@ -62,8 +81,8 @@ async function film_of(canvas, { first, pose, goes_on, pause }) {
 }
 
 /**
- * The menu of files. `view` has pen, camera, canvas, stem() and pose_stem() (of the names), and
- * range() (see film_of).
+ * The menu of files. `view` has pen, camera, canvas, stem() and pose_stem() (of the names),
+ * range() (see film_of), and record(on), during which it is drawn out of sight, too.
  */
 export function folding_files(view) {
   const width = h(
@@ -83,9 +102,11 @@ export function folding_files(view) {
           const { target } = event;
           target.disabled = true;
           says.textContent = words === "Film" ? "recording …" : "";
+          view.record(true);
           try {
             await save();
           } finally {
+            view.record(false);
             says.textContent = "";
             target.disabled = false;
           }

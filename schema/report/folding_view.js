@@ -19,14 +19,6 @@ import { webgl_pen } from "./webgl_pen.js";
 const kReach_px = 9,
   kUsualThickness = 0.0125; // of a panel's shorter side
 
-function has_webgl() {
-  try {
-    return Boolean(document.createElement("canvas").getContext("webgl2"));
-  } catch {
-    return false;
-  }
-}
-
 const kTones = "Light: the side that the crease pattern shows. ";
 const kHelp = "Drag to rotate, then the wheel zooms. Keys: arrows, + and −, 0.";
 
@@ -73,16 +65,21 @@ class FoldingView {
   #shown = 0; // sample at or before the shown place
   #width = 0;
   #is_seen = true;
+  #is_recorded = false;
 
   /** `camera`: of another picture, beside which this one is. */
   constructor(box, caption, report, state, camera = new SheetCamera()) {
     [this.#report, this.#state, this.#box, this.camera] = [report, state, box, camera];
     this.#canvas.dataset.testid = `${box.id}-canvas`;
+    try {
+      this.#pen = webgl_pen(this.#canvas);
+    } catch {
+      this.#canvas = this.#canvas.cloneNode(); // nothing else is drawn on one of a lost context
+      this.#pen = painter_pen(this.#canvas);
+    }
     box.append(this.#canvas);
     this.#paint = new PanelPaint(box, report.sheet, () => this.#repaint());
     this.#labels = new VertexLabels(box, report.sheet, () => this.draw());
-    const webgl = has_webgl();
-    this.#pen = webgl ? webgl_pen(this.#canvas) : painter_pen(this.#canvas);
     box.append(
       h(
         "div",
@@ -96,7 +93,9 @@ class FoldingView {
     this.#caption = caption;
     this.#help =
       kHelp +
-      (webgl ? "" : " This browser has no WebGL: a simpler drawing, panels from back to front.");
+      (this.#pen.has_solids
+        ? ""
+        : " This browser has no WebGL: a simpler drawing, panels from back to front.");
     camera.attach(this.#canvas, () => this.draw());
     this.#listen();
     new ResizeObserver(([entry]) => this.#resize(Math.floor(entry.contentRect.width))).observe(box);
@@ -104,10 +103,12 @@ class FoldingView {
       this.#is_seen = entry.isIntersecting;
       this.draw();
     }).observe(this.#canvas);
-    on_theme(() => {
+    const draw_anew = () => {
       this.#pen.recolour();
       this.#repaint();
-    });
+    };
+    on_theme(draw_anew);
+    this.#canvas.addEventListener("webglcontextrestored", draw_anew);
   }
 
   load(detail, decoded) {
@@ -164,7 +165,7 @@ class FoldingView {
   }
 
   draw() {
-    if (!this.#points || !this.#is_seen) return;
+    if (!this.#points || !(this.#is_seen || this.#is_recorded)) return;
     if (pictures.count++ === 0) performance.mark("first-picture");
     const share = (d) => this.#force_share(this.#shown, d),
       largest = () => Math.max(0, ...this.#report.diagonals.map((_, d) => share(d)));
@@ -199,6 +200,10 @@ class FoldingView {
       pen: this.#pen,
       camera: this.camera.camera,
       canvas: this.#canvas,
+      record: (on) => {
+        this.#is_recorded = on;
+        this.draw();
+      },
       stem: () => this.#stem(),
       pose_stem: () => `${this.#stem()}-folded-${this.#decoded.pilot_deg[state.get("sample")]}deg`,
       range: () => {

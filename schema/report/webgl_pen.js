@@ -20,13 +20,15 @@ import { colour } from "./theme.js";
 
 const kShadow_px = 1024;
 
+let software = null; // not yet known
+
 /** Returns whether WebGL is drawn without a graphics card. */
-function is_software(canvas) {
-  const gl = canvas.getContext("webgl2"),
+function is_software() {
+  if (software !== null) return software;
+  const gl = document.createElement("canvas").getContext("webgl2"),
     info = gl?.getExtension("WEBGL_debug_renderer_info");
-  return /swiftshader|llvmpipe|software/i.test(
-    info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "",
-  );
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+  return (software = /swiftshader|llvmpipe|software/i.test(name));
 }
 
 function line_mesh({ pairs, width, dashed, dash, on_top }) {
@@ -76,17 +78,17 @@ class WebglPen {
   #lines = [];
   #drawn = null; // the points of the last picture
   // A moving sheet is coarser without a graphics card, and has no shadow; one at rest is finer.
-  #is_software = is_software(document.createElement("canvas"));
+  #is_software = is_software();
   #moves = false;
   #size = [1, 1];
 
   constructor(canvas) {
-    this.#renderer = new WebGLRenderer({
-      canvas,
+    const context = canvas.getContext("webgl2", {
       antialias: !this.#is_software,
-      alpha: true,
       preserveDrawingBuffer: true,
     });
+    if (!context || context.isContextLost()) throw new Error("no WebGL");
+    this.#renderer = new WebGLRenderer({ canvas, context });
     this.#renderer.shadowMap.enabled = true;
     this.#renderer.shadowMap.type = PCFShadowMap;
     this.#renderer.shadowMap.autoUpdate = false;
@@ -196,4 +198,5 @@ class WebglPen {
   }
 }
 
+/** Throws where the canvas can have no context of WebGL. */
 export const webgl_pen = (canvas) => new WebglPen(canvas);

@@ -23,7 +23,7 @@ import {
   survival_check,
 } from "./keeping_checks.mjs";
 import { limits_checks } from "./limits_checks.mjs";
-import { motion_check } from "./motion_check.mjs";
+import { motion_check, real_time_check } from "./motion_check.mjs";
 import { looks_checks } from "./looks_checks.mjs";
 import {
   carried_check,
@@ -35,6 +35,7 @@ import { parallel_checks } from "./parallel_checks.mjs";
 import { by, check, data_of, say, state, summary, together } from "./reading.mjs";
 import { scatter_checks } from "./scatter_checks.mjs";
 import { table_checks } from "./table_checks.mjs";
+import { context_check, no_context_check } from "./webgl_checks.mjs";
 
 const { positionals: reports, values } = parseArgs({
   allowPositionals: true,
@@ -87,6 +88,7 @@ async function report_checks(browser, report) {
     await address_checks(page, data);
     await section_checks(page, data);
     await saving_checks(page, data);
+    await context_check(page);
   }
   await looks_checks(page, shown);
   await check("no errors, no requests", async () => assert.deepEqual(problems, []));
@@ -173,6 +175,8 @@ await together([
       if (keeping) {
         await design_check(browser, keeping);
         await motion_check(browser, keeping);
+        await real_time_check(browser, keeping);
+        await no_context_check(browser, keeping);
       }
       if (values.odd) await odd_texts(browser, values.odd);
       if (keeping) await without_webgl(keeping);

@@ -1,12 +1,15 @@
 // Twelve questions of a reader, each answered by at most two clicks from the top of a report:
-//   node questions_test.mjs REPORT.html
-// An answer is on the screen, and is what the data inside the page say.
+//   node questions_test.mjs REPORT.html FRICTION.html STRESS.html
+// of reports, one with the column of critical friction, one whose first sheet has stresses. An
+// answer is on the screen, and is what the data inside the page say.
 import assert from "node:assert/strict";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 import { open_browser, open_page } from "./browser.mjs";
-import { by, check, data_of, say, state, summary } from "./reading.mjs";
+import { by, check, data_of, median, pixels_of, say, state, summary } from "./reading.mjs";
 
 const kMostClicks = 2;
-const [report] = process.argv.slice(2);
+const [report, of_friction, of_stress] = process.argv.slice(2);
 const data = data_of(report);
 const { columns } = data.candidates;
 const [best] = data.details;
@@ -24,6 +27,10 @@ const choose = async (place, value) => {
   ++clicks;
   await place.selectOption(value);
 };
+const move = async (slider, place) => {
+  ++clicks;
+  await slider.fill(String(place));
+};
 const section = (name) => press(page.locator(`.top nav a[href="#${name}"]`));
 
 /** The text at a place, which must be seen without scrolling. */
@@ -38,9 +45,9 @@ async function seen(place) {
   return place.innerText();
 }
 
-async function question(words, answer) {
-  await page.evaluate(() => (location.hash = ""));
-  await page.reload();
+async function question(words, answer, asked = report) {
+  await page.goto("about:blank"); // the page's address must not be kept
+  await page.goto(pathToFileURL(resolve(asked)).href);
   await page.waitForFunction(() => window.misalign !== undefined);
   clicks = 0;
   await check(words, async () => {
@@ -72,8 +79,43 @@ await question("Is its motion proved?", async () => {
   if (proof) assert.ok(number_in(text) <= proof.certified_deg, text);
   else assert.equal(text, "–");
 });
-await question("Will hinge friction hold it?", async () =>
-  near(await seen(fact("critical friction")), best.let_go.critical_friction_n_mm_per_mm),
+await question(
+  "Which sheet is best for my friction?",
+  async () => {
+    const { draw, critical_friction_n_mm_per_mm: critical } =
+        data_of(of_friction).candidates.columns,
+      limit = by(page, "limit-critical_friction_n_mm_per_mm"),
+      [least, most] = [Math.min(...critical), Math.max(...critical)],
+      mine = median(critical);
+    await section("candidates");
+    await move(limit, Math.ceil((200 * (mine - least)) / (most - least)));
+    const shown = number_in(await seen(limit.locator("xpath=following-sibling::output")));
+    assert.ok(shown > 0.98 * mine && shown < mine + (most - least) / 100, `${shown} for ${mine}`);
+    assert.ok(critical[0] < shown, "the best of all would do");
+    const line = page.locator(".line").first();
+    await seen(line);
+    assert.equal(
+      await line.getAttribute("data-draw"),
+      draw[critical.findIndex((value) => value >= shown)], // the best come first
+    );
+  },
+  of_friction,
+);
+await question(
+  "Where is it stressed?",
+  async () => {
+    const { sheet, details } = data_of(of_stress),
+      { panels_mpa } = details[0].stress,
+      hardest = panels_mpa.indexOf(Math.max(...panels_mpa));
+    await press(page.getByText("Top view", { exact: true }).first());
+    const { count, x, y } = await pixels_of(page, "stress-most");
+    assert.ok(count > 300, `${count} pixels of the largest stress`);
+    await by(page, "folding-canvas").hover({ position: { x, y } });
+    const words = await seen(by(page, "panel-tip"));
+    assert.ok(words.startsWith(`panel [${sheet.panel_places[hardest].join(", ")}]: `), words);
+    near(words.split(": ")[1], panels_mpa[hardest]);
+  },
+  of_stress,
 );
 await question("Which sheet has the smallest stroke?", async () => {
   const least = Math.min(...columns.stroke_max);
@@ -92,12 +134,6 @@ await question("What makes the third better than the fifth?", async () => {
   texts.forEach((text, k) => near(text, 100 * values[k]));
   assert.ok(await by(page, "held-folding").isVisible());
   assert.ok(await by(page, "beside-own-histories").locator("svg").first().isVisible());
-});
-await question("Which vertex is which?", async () => {
-  await press(by(page, "vertex-names-button").first());
-  const names = by(page, "vertex-names").first().locator("span");
-  assert.equal(await names.count(), data.sheet.vertices_mm.length);
-  await seen(names.first());
 });
 await question("How fast does it deploy?", async () => {
   await section("inspect");

@@ -4,38 +4,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { open_browser, open_page } from "./browser.mjs";
-import { axis, by, check, data_of, eventually, floats, summary } from "./reading.mjs";
-
-const kNear = 3; // of 255: lines are blended with what lies below
-
-/** The number of pixels that have a colour of page.css, and the place of one in their middle. */
-const pixels_of = (page, name) =>
-  by(page, "folding-canvas").evaluate(
-    (canvas, [variable, near]) => {
-      const copy = Object.assign(document.createElement("canvas"), {
-        width: canvas.width,
-        height: canvas.height,
-      });
-      const pen = copy.getContext("2d", { willReadFrequently: true });
-      pen.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(variable).trim();
-      pen.fillRect(0, 0, 1, 1);
-      const wanted = [...pen.getImageData(0, 0, 1, 1).data];
-      pen.clearRect(0, 0, 1, 1);
-      pen.drawImage(canvas, 0, 0);
-      const { data } = pen.getImageData(0, 0, copy.width, copy.height),
-        found = [];
-      for (let i = 0; i < data.length; i += 4)
-        if (wanted.every((value, k) => Math.abs(data[i + k] - value) <= near)) found.push(i / 4);
-      const middle = found[Math.floor(found.length / 2)] ?? 0,
-        shrink = canvas.clientWidth / canvas.width;
-      return {
-        count: found.length,
-        x: (middle % copy.width) * shrink,
-        y: Math.floor(middle / copy.width) * shrink,
-      };
-    },
-    [`--${name}`, kNear],
-  );
+import { axis, by, check, data_of, eventually, floats, pixels_of, summary } from "./reading.mjs";
 
 async function light_up(page, scheme) {
   await page.emulateMedia({ colorScheme: scheme });

@@ -225,6 +225,9 @@ sed 's/"deploys_from_deg": [0-9]*/"by": "energy", &/' "$source_dir/search/campai
 node "$web/energy_test.mjs" energy.html || fail "the page of a campaign by energy in a browser"
 # Questions of a reader, answered in two clicks.
 "$program" report many.db --best 6 --by miscut_margin_mm --output questions.html > /dev/null || fail "report questions"
-node "$web/questions_test.mjs" questions.html || fail "a reader's questions in a browser"
+"$program" report few.db --column critical_friction_n_mm_per_mm --details 1 --output friction.html > /dev/null || fail "report friction"
+"$program" report "$source_dir/search/patterns/table1.json" --stress "$source_dir/tests/fixtures/table1-stress.json" \
+  --output stressed.html > /dev/null || fail "report stressed"
+node "$web/questions_test.mjs" questions.html friction.html stressed.html || fail "a reader's questions in a browser"
 node "$web/page_test.mjs" few.html none.html many.html ladder.html driven.html --odd odd.html || fail "the pages in a browser"
 finish
