@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { by, check } from "./reading.mjs";
 
-/** Of a film's first and last frame: the colour of a corner, and the number of pixels that differ. */
+/** The colour of a corner in a film's first frame, and the pixels that differ in its last one. */
 async function frames_of(page, bytes) {
   const card = await page
     .locator(".card")
