@@ -106,7 +106,8 @@ export const time_chart = (width, { label, y, end_s, marks, ...options }) =>
   });
 
 const kPilotTicks_deg = [0, 30, 60, 90, 120, 150, 180],
-  kRatioTicks = Array.from({ length: 11 }, (_, i) => i / 10);
+  kRatioTicks = Array.from({ length: 11 }, (_, i) => i / 10),
+  kNarrow_px = 460; // where the axes' titles are shorter
 export const deployment = (pilot_deg) => (180 - pilot_deg) / 180;
 
 const band = (from_deg, to_deg, fill) =>
@@ -185,11 +186,13 @@ function limit_marks(detail, end_deg, room, letter) {
   };
 }
 
-const folding_axes = (end_deg) => [
+const folding_axes = (end_deg, is_narrow) => [
   Plot.axisX(
-    kRatioTicks.filter((ratio) => ratio >= deployment(end_deg)),
+    kRatioTicks.filter((ratio, i) => ratio >= deployment(end_deg) && !(is_narrow && i % 2)),
     {
-      label: "deployment ratio D* = (180° − pilot angle)/180°   (0 folded, 1 flat)",
+      label: is_narrow
+        ? "deployment ratio D* (0 folded, 1 flat)"
+        : "deployment ratio D* = (180° − pilot angle)/180°   (0 folded, 1 flat)",
       ...kAxis_x,
       tickFormat: (ratio) => ratio.toFixed(1),
     },
@@ -197,7 +200,7 @@ const folding_axes = (end_deg) => [
   Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), {
     anchor: "top",
     ...kAxis_x,
-    label: "pilot angle",
+    label: is_narrow ? null : "pilot angle", // beside the values at the slider's angle
     labelOffset: 34,
     tickFormat: (share) => degrees(Math.round(180 * (1 - share))),
   }),
@@ -266,7 +269,12 @@ export function folding_chart({
       ariaLabel: label,
       x: { domain: [deployment(end_deg) - room, 1], label: null },
       y: { grid: true, ...y },
-      marks: [...limits.below, ...folding_axes(end_deg), ...marks, ...limits.above],
+      marks: [
+        ...limits.below,
+        ...folding_axes(end_deg, width < kNarrow_px),
+        ...marks,
+        ...limits.above,
+      ],
     });
     x = plot.scale("x");
     lines(plot, x, plot.scale("y"));

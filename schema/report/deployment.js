@@ -100,7 +100,7 @@ export function make_deployment(report, folding) {
   const points = Array.from(deployment.time_s, (time, k) => [time, deployment.pilot_deg[k]]);
   const draw = (width) => {
     const plot = time_chart(width, {
-      ...{ height: kHeight, marginTop: 20 },
+      height: kHeight,
       label: "pilot angle against time",
       y: { label: "pilot angle (°)" },
       end_s: deployment.time_s.at(-1),
