@@ -81,6 +81,7 @@ const kColours = { 1: "panel-front", "-1": "panel-back", 0: "panel-rim" };
 export class PanelSolids {
   #corners;
   #plates; // { first, places, normals, sides } of each panel
+  #face_vertices; // their number, without those of the rims
   #lit = new MeshLambertMaterial({ vertexColors: true });
   #plain = new MeshBasicMaterial({ vertexColors: true, side: DoubleSide }); // not shaded
   mesh;
@@ -102,6 +103,15 @@ export class PanelSolids {
     const geometry = new BufferGeometry();
     for (const name of ["position", "normal", "color"])
       geometry.setAttribute(name, new BufferAttribute(new Float32Array(3 * first), 3));
+    const vertices_of = (is_rim) =>
+      this.#plates.flatMap((plate) =>
+        plate.sides.flatMap((side, i) =>
+          (side === 0) === is_rim ? [0, 1, 2].map((n) => plate.first + 3 * i + n) : [],
+        ),
+      );
+    const faces = vertices_of(false);
+    this.#face_vertices = faces.length;
+    geometry.setIndex([...faces, ...vertices_of(true)]);
     this.mesh = new Mesh(geometry, this.#lit);
     this.mesh.frustumCulled = false;
     this.mesh.castShadow = this.mesh.receiveShadow = true;
@@ -122,6 +132,11 @@ export class PanelSolids {
       });
     });
     position.needsUpdate = normal.needsUpdate = true;
+  }
+
+  /** Draws the plates' rims, or only their faces. */
+  show_rims(are_shown) {
+    this.mesh.geometry.setDrawRange(0, are_shown ? Infinity : this.#face_vertices);
   }
 
   /** Colours each panel; null: the colours of its sides. Exact colours are not shaded. */

@@ -139,6 +139,7 @@ class Plates {
 /** Ball joints, which do not change. */
 class Balls {
   #vertices;
+  is_small = true;
   mesh;
 
   constructor(vertices, size) {

@@ -18,7 +18,8 @@ import { PanelSolids } from "./panel_solids.js";
 import { bodies_of, distance } from "./spring_bodies.js";
 import { colour } from "./theme.js";
 
-const kShadow_px = 1024;
+const kShadow_px = 1024,
+  kMostPanels = 100; // larger sheets are coarser yet while they move
 
 let software = null; // not yet known
 
@@ -80,6 +81,7 @@ class WebglPen {
   // A moving sheet is coarser without a graphics card, and has no shadow; one at rest is finer.
   #is_software = is_software();
   #moves = false;
+  #is_large = false;
   #size = [1, 1];
 
   constructor(canvas) {
@@ -104,6 +106,7 @@ class WebglPen {
     this.#unload();
     this.#panels = new PanelSolids(panels, flat, solids.thickness_mm);
     this.#bodies = bodies_of(solids, flat);
+    this.#is_large = panels.length > kMostPanels;
     this.#lines = parts
       .filter((part) => part.pairs.length > 0)
       .map((part) => ({ part, mesh: line_mesh(part) }));
@@ -114,7 +117,7 @@ class WebglPen {
     );
     this.#scene.add(this.#group);
     this.#light(radius, ground_mm, solids.thickness_mm);
-    this.#drawn = null;
+    this.#set_pace(false);
   }
 
   tint({ colours, exact }) {
@@ -133,8 +136,9 @@ class WebglPen {
 
   resize(width, height) {
     this.#size = [width, height];
-    const finest = this.#is_software && !this.#moves ? 2 : devicePixelRatio || 1;
-    this.#renderer.setPixelRatio(this.#is_software && this.#moves ? 1 : Math.min(2, finest));
+    const finest = this.#is_software ? 2 : devicePixelRatio || 1,
+      coarse = this.#is_large ? 0.6 : 1;
+    this.#renderer.setPixelRatio(this.#moves ? coarse : Math.min(2, finest));
     this.#renderer.setSize(width, height, false);
   }
 
@@ -171,6 +175,9 @@ class WebglPen {
   #set_pace(moves) {
     this.#moves = moves;
     this.#lamp.castShadow = this.#ground.visible = !moves;
+    this.#panels.show_rims(!moves);
+    for (const { mesh, is_small } of this.#bodies)
+      mesh.visible = !(moves && is_small && this.#is_large);
     this.resize(...this.#size);
     this.#drawn = null;
   }
