@@ -25,29 +25,6 @@ export function open_browser(more = [], options = {}) {
   });
 }
 
-const kStalled_ms = 120000,
-  kAsked_ms = 10000,
-  kStalled = 75; // exit code, for in_browser of tests/system/lib.sh
-
-/** Ends the program as soon as a page has shown no frame for long: headless Chromium rarely stalls. */
-function end_if_it_stalls(page) {
-  let since_ms = performance.now(),
-    is_asked = false;
-  const timer = setInterval(async () => {
-    if (performance.now() - since_ms > kStalled_ms) {
-      console.error(`no frame of ${page.url()} for ${kStalled_ms / 1000} s`);
-      process.exit(kStalled);
-    }
-    if (is_asked) return;
-    is_asked = true;
-    await page.evaluate(() => new Promise(requestAnimationFrame)).catch(() => {}); // it navigates
-    since_ms = performance.now();
-    is_asked = false;
-  }, kAsked_ms);
-  timer.unref();
-  page.on("close", () => clearInterval(timer));
-}
-
 /** The page, and a list that fills with everything a reader should not meet: errors, requests. */
 export async function open_page(browser, report, options = {}) {
   // Smooth scrolling is off: what is measured must not move on before the mouse gets there.
@@ -61,7 +38,6 @@ export async function open_page(browser, report, options = {}) {
   await context.setOffline(true);
   const page = await context.newPage();
   page.setDefaultTimeout(kPatience_ms);
-  end_if_it_stalls(page);
   page.on("pageerror", (error) => problems.push(`error: ${error.message}`));
   page.on("console", (message) => {
     if (
