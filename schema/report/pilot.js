@@ -3,7 +3,8 @@ import { first_sample, stop_at } from "./data.js";
 import { clamp, degrees, fixed, h } from "./format.js";
 
 const kSweep_s = 7,
-  kApart_px = 12; // gap between words of marks
+  kApart_px = 12, // gap between words of marks
+  kKinds = ["flat", "depth", "limit", "used", "contact"]; // of marks: words of later ones are moved
 
 const mark = (place, words, kind, onclick) =>
   h(
@@ -93,20 +94,23 @@ class Pilot {
       part.hidden = !has_folding;
   }
 
-  /** Moves the words of the angle of use, and of the first contact, right of those that they overlap. */
+  /** Moves words apart: right of those that they overlap, or left of them at the end of the bar. */
   #part_words() {
-    const moved = [".used b", ".contact b"],
-      frames = [...this.#marks.querySelectorAll(".mark:not(.used, .contact) b")].map((words) =>
-        words.getBoundingClientRect(),
-      );
-    for (const words of moved.flatMap((which) => [...this.#marks.querySelectorAll(which)])) {
-      words.style.left = "0";
+    const { right } = this.#marks.getBoundingClientRect(),
+      frames = [];
+    for (const words of kKinds.flatMap((kind) => [...this.#marks.querySelectorAll(`.${kind} b`)])) {
+      words.style.removeProperty("left");
       const { left, width } = words.getBoundingClientRect();
-      let at = left;
-      for (const frame of frames.sort((a, b) => a.left - b.left))
-        if (at < frame.right + kApart_px && at + width + kApart_px > frame.left)
-          at = frame.right + kApart_px;
-      words.style.left = `${at - left}px`;
+      const overlapped = (at) =>
+        frames.find((f) => at < f.right + kApart_px && at + width + kApart_px > f.left);
+      let at = left,
+        frame;
+      while ((frame = overlapped(at))) at = frame.right + kApart_px;
+      if (at > left && at + width > right) {
+        at = left;
+        while ((frame = overlapped(at))) at = frame.left - kApart_px - width;
+      }
+      if (at !== left) words.style.left = `${at - left}px`;
       frames.push(words.getBoundingClientRect());
     }
   }

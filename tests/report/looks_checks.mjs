@@ -52,19 +52,51 @@ async function print_check(page, shown) {
   );
 }
 
+const kWidths_px = [800, 390];
+
 async function narrow_check(page) {
   await check("a narrow window needs no sideways scrolling", async () => {
-    await page.setViewportSize({ width: 800, height: 900 });
-    await eventually(
-      page,
-      { test: () => innerWidth === 800 && document.documentElement.scrollWidth <= innerWidth },
-      "wider than the window",
-    );
+    for (const width of kWidths_px) {
+      await page.setViewportSize({ width, height: 900 });
+      await eventually(
+        page,
+        {
+          test: (wide) => innerWidth === wide && document.documentElement.scrollWidth <= innerWidth,
+          with: width,
+        },
+        `wider than ${width} px`,
+      );
+    }
   });
 }
 
-export async function looks_checks(page, shown) {
+/** Those of every sheet with details, in a window of any width. */
+async function marks_check(page) {
+  await check("words of the slider's marks do not overlap", async () => {
+    const draws = await page
+      .getByTestId("detailed")
+      .locator("option:enabled")
+      .evaluateAll((all) => all.map((o) => o.value));
+    for (const width of [...kWidths_px, 1400]) {
+      await page.setViewportSize({ width, height: 900 });
+      for (const draw of draws) {
+        await by(page, "detailed").selectOption(draw);
+        const boxes = await page
+          .locator(".marks b")
+          .evaluateAll((all) => all.map((words) => words.getBoundingClientRect().toJSON()));
+        boxes.sort((a, b) => a.left - b.left);
+        boxes
+          .slice(1)
+          .forEach(({ left }, i) => assert.ok(left >= boxes[i].right, `draw ${draw}, ${width} px`));
+      }
+    }
+    return `${draws.length} sheets`;
+  });
+}
+
+export async function looks_checks(page, shown, has_details) {
   await theme_check(page);
   await print_check(page, shown);
   await narrow_check(page);
+  if (has_details) await marks_check(page);
 }

@@ -20,15 +20,6 @@ finish() {
   exit $((failures > 0))
 }
 
-# in_browser TEST.mjs ...: once more where Chromium stalled, in 2 of some 20 runs of all pages: it answers no more.
-in_browser() {
-  timeout -k 10 700 node "$@"
-  code=$?
-  [[ $code =~ ^(124|137)$ ]] || return $code
-  echo "the browser stalled; once more"
-  node "$@"
-}
-
 # "${ranks[@]}" N "$program" ...: under mpirun. No function: in the background $! must be mpirun itself.
 ranks=(mpirun --oversubscribe --bind-to none -n)
 

@@ -114,7 +114,7 @@ refuse 2 "excludes" --best 2 --diverse 2
 node "$web/shares_test.mjs" "$source_dir/schema/report/shares.js" many.html rows.json || fail "shares by weight"
 
 node "$web/arrivals_test.mjs" "$source_dir/schema/report/arrivals.js" || fail "what came in between two states of a sample"
-in_browser "$web/passage_test.mjs" many.html || fail "marks on the chart of first faults"
+node "$web/passage_test.mjs" many.html || fail "marks on the chart of first faults"
 
 # A pattern file is one sheet: no campaign, nothing to choose.
 "$program" report "$source_dir/search/patterns/table1.json" --stroke-limit 0.03 --output table1.html > names || fail "report table1"
@@ -133,7 +133,7 @@ done
 "$program" report plain.json --output plain.json > /dev/null 2> err
 [ $? = 2 ] || fail "report over the pattern itself: $(cat err)"
 "$program" report "$source_dir/search/patterns/table1.json" --from 120 --output used.html > /dev/null || fail "report from 120 deg"
-in_browser "$web/pattern_test.mjs" table1.html plain.html used.html || fail "the pages of patterns in a browser"
+node "$web/pattern_test.mjs" table1.html plain.html used.html || fail "the pages of patterns in a browser"
 
 # One campaign beside another; which file is read, and which are refused.
 "$program" report many.db --beside none.db --rows 700 --details 1 --output two.html > /dev/null || fail "report --beside"
@@ -150,7 +150,7 @@ sed 's/"seed": 1/"seed": 2/' many.json > again.json
 "$program" search again.json --draws 16000 --catalogue again.db --progress none > /dev/null || fail "search again"
 "$program" report many.db --beside again.db --rows 700 --details 1 --output again.html > /dev/null || fail "report beside again"
 for page in two again; do
-  in_browser "$web/two_campaigns_test.mjs" $page.html || fail "two campaigns in a browser: $page"
+  node "$web/two_campaigns_test.mjs" $page.html || fail "two campaigns in a browser: $page"
 done
 refuse 3 "few.json: is no catalogue" --beside few.json
 refuse 3 "there is no such file" --beside nowhere.db
@@ -209,7 +209,7 @@ done
 refuse 2 "ladder.db: a splitting search has no fault sample to compare; leave out --beside" --beside ladder.db
 "$program" report ladder.db --beside few.db --output refused.html > /dev/null 2> err
 [ $? = 2 ] && grep -q "ladder.db: a splitting search" err || fail "report of a splitting search beside another: $(cat err)"
-in_browser "$web/ladder_test.mjs" ladder three never lucky steep begun waits less endless || fail "the pages of splitting searches in a browser"
+node "$web/ladder_test.mjs" ladder three never lucky steep begun waits less endless || fail "the pages of splitting searches in a browser"
 
 # Draws that were made better.
 sed 's/"seed": 1/"seed": 1, "search": { "method": "optimise", "from_deg": 36 }/' "$source_dir/search/campaigns/miura-4x4.json" > driven.json
@@ -222,13 +222,13 @@ sed 's/"seed": 1/"seed": 1, "search": { "method": "optimise", "from_deg": 36 }/'
 sed 's/"deploys_from_deg": [0-9]*/"by": "energy", &/' "$source_dir/search/campaigns/miura-4x4.json" > energy.json
 "$program" search energy.json --draws 200 --catalogue energy.db --progress none > /dev/null || fail "search energy"
 "$program" report energy.db --details 1 --output energy.html > /dev/null || fail "report energy"
-in_browser "$web/energy_test.mjs" energy.html || fail "the page of a campaign by energy in a browser"
+node "$web/energy_test.mjs" energy.html || fail "the page of a campaign by energy in a browser"
 # Questions of a reader, answered in two clicks.
 "$program" report many.db --best 6 --by miscut_margin_mm --output questions.html > /dev/null || fail "report questions"
 "$program" report few.db --column critical_friction_n_mm_per_mm --details 1 --output friction.html > /dev/null || fail "report friction"
 "$program" report "$source_dir/search/patterns/table1.json" --stress "$source_dir/tests/fixtures/table1-stress.json" \
   --output stressed.html > /dev/null || fail "report stressed"
-in_browser "$web/questions_test.mjs" questions.html friction.html stressed.html || fail "a reader's questions in a browser"
-in_browser "$web/page_test.mjs" few.html none.html many.html ladder.html driven.html --odd odd.html ||
+node "$web/questions_test.mjs" questions.html friction.html stressed.html || fail "a reader's questions in a browser"
+node "$web/page_test.mjs" few.html none.html many.html ladder.html driven.html --odd odd.html ||
   fail "the pages in a browser"
 finish

@@ -102,5 +102,5 @@ if command -v ccx > /dev/null; then
 else
   echo "SKIPPED: ccx (calculix-ccx) is not installed"
 fi
-in_browser "$web/stress_test.mjs" table1.html few.html near.html || fail "the pages in a browser"
+node "$web/stress_test.mjs" table1.html few.html near.html || fail "the pages in a browser"
 finish
