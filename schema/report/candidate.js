@@ -26,7 +26,7 @@ export function show_no_details(box, report, draw, compute) {
   box.replaceChildren(
     command(
       `${lacks} To add its crease pattern, folding, histories and actuation, write the report again:`,
-      report_command(report, draw),
+      report_command(report, `--draw ${draw}`),
       "command-report",
     ),
   );

@@ -3,19 +3,21 @@ import { copy_button, unbroken } from "./copying.js";
 import { h } from "./format.js";
 import { is_pattern, noun } from "./page_kind.js";
 
-export function command(about, text, id) {
+/** A command under its description, whose `title` is shown under the pointer. */
+export function command(about, text, id, title) {
   const code = h("code", { "data-testid": id }, unbroken(text));
   return h(
     "div",
     { class: "command" },
-    h("p", {}, about),
+    h("p", { title }, about),
     h("div", { class: "row" }, code, copy_button(text)),
   );
 }
 
-export function report_command({ commands }, draw) {
+/** The command of this page, with one more option. */
+export function report_command({ commands }, option) {
   const { misalign, catalogue, choice, springs, output } = commands;
-  return `${misalign} report ${catalogue} --draw ${draw}${choice}${springs} --output ${output}`;
+  return `${misalign} report ${catalogue} ${option}${choice}${springs} --output ${output}`;
 }
 
 /** The usual next steps: [description, command without its program, id of tests]. */
@@ -90,7 +92,7 @@ export function show_commands(next, further, report, draw, sheet) {
       : [
           command(
             `This report, with this ${noun(report)} first:`,
-            report_command(report, draw),
+            report_command(report, `--draw ${draw}`),
             "command-again",
           ),
         ]),

@@ -158,6 +158,7 @@ class WebglPen {
 
   /** A canvas with the picture at another size, whose shape the camera has; then as before. */
   async picture(width, height, camera, save) {
+    this.#set_pace(false);
     this.#renderer.setPixelRatio(width / this.#size[0]); // lines keep their share of the picture
     this.#renderer.setSize(this.#size[0], height / (width / this.#size[0]), false);
     this.#renderer.render(this.#scene, camera);
@@ -169,6 +170,7 @@ class WebglPen {
 
   /** The meshes of panels and bodies as they are now. */
   get solids() {
+    this.#set_pace(false);
     return [this.#panels.mesh, ...this.#bodies.map(({ mesh }) => mesh)];
   }
 
@@ -179,6 +181,7 @@ class WebglPen {
     for (const { mesh, is_small } of this.#bodies)
       mesh.visible = !(moves && is_small && this.#is_large);
     this.resize(...this.#size);
+    this.#renderer.shadowMap.needsUpdate = true;
     this.#drawn = null;
   }
 

@@ -7,7 +7,7 @@ async function missing_check(page, { candidates: { columns }, commands }) {
   await unfiltered(page, "a column that the page lacks comes with its command", async () => {
     const { misalign, catalogue, choice, springs, output } = commands;
     const command = (name) =>
-      `${misalign} report ${catalogue}${choice} --column ${name}${springs} --output ${output}`;
+      `${misalign} report ${catalogue} --column ${name}${choice}${springs} --output ${output}`;
     await page.getByText("Choose columns").click();
     const names = await page
       .locator('#columns-menu [data-testid^="missing-"]')

@@ -94,9 +94,9 @@ async function marks_check(page) {
   });
 }
 
-export async function looks_checks(page, shown, has_details) {
+export async function looks_checks(page, shown, has_marks) {
   await theme_check(page);
   await print_check(page, shown);
   await narrow_check(page);
-  if (has_details) await marks_check(page);
+  if (has_marks) await marks_check(page);
 }
