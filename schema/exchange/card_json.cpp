@@ -27,7 +27,7 @@ std::string with_unit(const std::string& number, const std::string& unit) {
 // The ratio of a value to that of before: margins, and the inverse of masses.
 double left_of(const CardLine& before, const CardLine& after) {
   if (before.margin() && after.margin()) return (1 + *after.margin()) / (1 + *before.margin());
-  const bool is_heavier = std::string_view(after.key) == "mass_g" && before.found && after.found &&
+  const bool is_heavier = after.key == "mass_g" && before.found && after.found &&
                           *after.found > kNamedMass * *before.found;
   return is_heavier ? kNamedLoss * *before.found / *after.found : 1;
 }
@@ -81,8 +81,8 @@ std::string CardLine::found_text() const {
 }
 
 const CardLine* line_of(const std::vector<CardLine>& lines, std::string_view key) {
-  const auto line = std::ranges::find_if(
-      lines, [&](const CardLine& other) { return std::string_view(other.key) == key; });
+  const auto line =
+      std::ranges::find_if(lines, [&](const CardLine& other) { return other.key == key; });
   return line == lines.end() ? nullptr : &*line;
 }
 
@@ -97,7 +97,7 @@ int Card::passed() const {
 
 bool Card::passes_if_held() const {
   return !passes() && std::ranges::all_of(lines, [](const CardLine& line) {
-    return !line.is_asked() || line.passes() || std::string_view(line.key) == kUnstableAtFlat;
+    return !line.is_asked() || line.passes() || line.key == kUnstableAtFlat;
   });
 }
 

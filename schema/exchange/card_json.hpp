@@ -15,7 +15,7 @@ inline constexpr char kUnstableAtFlat[] = "unstable_modes_at_flat";
 
 /// A requirement, or a fact without one.
 struct CardLine {
-  const char* key;  ///< its name in JSON
+  std::string_view key;  ///< its name in JSON
   std::string what, unit;
   std::optional<double> wanted, found;
   enum class Bound { at_least, at_most } bound = Bound::at_least;

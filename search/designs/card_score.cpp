@@ -52,7 +52,7 @@ CardScore score_of(const std::vector<CardLine>& lines) {
         failing.what = line.what;
       }
     } else if (const auto reserve = reserve_of(line); reserve && *reserve < met.value) {
-      met = {std::max(0.0, *reserve), line.key, line.what};
+      met = {std::max(0.0, *reserve), std::string(line.key), line.what};
     }
   }
   return failing.value < 0 ? failing : met;

@@ -38,8 +38,8 @@ std::string fault_of_sheet(const Json& fill) {
 }
 
 std::string diagonal_label(int d) {
-  const solver::Diagonal& its =
-      solver::build_mechanism(sheet()).diagonals[static_cast<std::size_t>(d)];
+  const solver::Mechanism mechanism = solver::build_mechanism(sheet());
+  const solver::Diagonal& its = mechanism.diagonals[static_cast<std::size_t>(d)];
   return solver::line_label(its.from, its.to);
 }
 
