@@ -13,7 +13,7 @@ from pathlib import Path
 import words
 
 ROOMS = {"solver": "pattern kinematics fill linear continuation verdict model judging records lanes sheet target studies contact motion bending play fitting optimise shape certificate reference",
-         "schema": "files surface pattern campaign records catalogue exchange nesting kit print report",
+         "schema": "files surface pattern campaign records catalogue memory exchange nesting kit print report",
          "search": "terminal draws splitting sheets ranks checks report watch verbs python"}  # in the order of dependence
 PLACES = [(top, room) for top, rooms in ROOMS.items() for room in rooms.split()]
 MOST_LINES, MOST_NOUNS, MOST_LINES_OF_FUNCTION = 350, 20, 70

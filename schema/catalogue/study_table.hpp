@@ -28,6 +28,7 @@ struct StudyColumn {
   bool less_is_better = false;
   bool in_report = false;  ///< true if `report --STUDY` adds it; --column adds any
   bool usual = false;      ///< an axis of the report, as MetricEntry::usual
+  int version = 1;         ///< raised with another computation: no older number is used then
 };
 
 struct StudyEntry {

@@ -91,7 +91,8 @@ def columns_page(words):
                 "## Metrics of candidates\n\nColumns of the view `candidates` and of the report's table.\n", entries(words["metrics"]),
                 "## Functions of a draw\n\nWhat a study says, with the design of the campaign, for `query`, every `--where` and `--by`, `report --column` "
                 "and Python: `NAME(draw)`, `NAME(draw, from_deg)` from another angle of use, or `NAME` alone. `D` is "
-                "`deploys_from_deg`.\n",
+                "`deploys_from_deg`. Numbers are remembered in `CATALOGUE.studies`, by function, its version, the campaign with its "
+                "design, angle, draw and shifts: `verify` computes a sample again, and the file may be deleted at any time.\n",
                 entries(words["columns_of_studies"]),
                 "## Views\n", *views, "## Tables\n", "The views are made of these.\n", *tables)
 

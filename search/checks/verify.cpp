@@ -1,32 +1,22 @@
 #include "search/checks/verify.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <random>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/certificate_table.hpp"
-#include "schema/files/features.hpp"
 #include "search/checks/draws_again.hpp"
+#include "search/checks/spread.hpp"
+#include "search/sheets/on_threads.hpp"
 #include "search/sheets/whole_program.hpp"
-#include "search/terminal/count_text.hpp"
 #include "search/terminal/long_work.hpp"
+#include "search/terminal/usable_threads.hpp"
 
 namespace misalign::search {
 namespace {
 
 using schema::Json;
-
-// Returns `wanted` of all items, spread evenly.
-template <class Item>
-std::vector<Item> spread(const std::vector<Item>& all, std::optional<std::uint64_t> wanted) {
-  const std::uint64_t chosen = std::min<std::uint64_t>(wanted.value_or(all.size()), all.size());
-  std::vector<Item> some;
-  for (std::uint64_t k = 0; k < chosen; ++k) some.push_back(all[k * all.size() / chosen]);
-  return some;
-}
 
 // Returns `wanted` units with equal probability (selection sampling, Knuth's algorithm S).
 std::vector<schema::DrawRange> at_random(const std::vector<schema::DrawRange>& all,
@@ -41,9 +31,13 @@ std::vector<schema::DrawRange> at_random(const std::vector<schema::DrawRange>& a
 
 class Verifier {
  public:
-  Verifier(SQLite::Database& database, const schema::Campaign& campaign,
+  Verifier(SQLite::Database& database, const std::string& path, const schema::Campaign& campaign,
            const VerifyOptions& options, Verification& verification)
-      : database_(database), campaign_(campaign), options_(options), v_(verification) {}
+      : database_(database),
+        path_(path),
+        campaign_(campaign),
+        options_(options),
+        v_(verification) {}
 
   // Checks the ledger and chooses rows, within one moment.
   void look() {
@@ -72,16 +66,8 @@ class Verifier {
   // already.
   void compute() {
     if (!is_of_its_campaign_) return;
+    check_candidates();
     const CandidateCheck check(campaign_);
-    for (const std::uint64_t draw : candidates_) {
-      show_work("candidates computed again", v_.checked.size(), candidates_.size());
-      const Json row = schema::read_candidate(database_, draw);
-      CandidateReport report = check.check(row, schema::metrics_version_of(database_, draw));
-      if (campaign_.search.has_ends()) {
-        check.check_ascent(row, schema::read_ascent(database_, draw), report);
-      }
-      add(report, draw);
-    }
     // A sample of ends is checked with their units.
     if (campaign_.search.shape) fault_samples_.clear();
     for (const std::uint64_t draw : fault_samples_) {
@@ -91,6 +77,7 @@ class Verifier {
         ++v_.fault_samples.checked;
       }
     }
+    v_.memory = check_memory(database_, campaign_, path_, options_.sample, v_.findings);
     if (units_.empty()) return;
     const solver::InstructionSet widest = solver::available_instruction_sets().back();
     if (campaign_.search.splitting) {
@@ -113,6 +100,33 @@ class Verifier {
   }
 
  private:
+  void check_candidates() {
+    std::vector<CandidateReport> reports(candidates_.size());
+    std::uint64_t done = 0;
+    on_threads(
+        static_cast<std::size_t>(usable_threads()), candidates_.size(),
+        [&](std::size_t) {
+          return [&, check = std::make_shared<CandidateCheck>(campaign_)](std::size_t k) {
+            return report_on(candidates_[k], *check);
+          };
+        },
+        [&](std::size_t k, const CandidateReport& report) {
+          show_work("candidates computed again", ++done, candidates_.size());
+          reports[k] = report;
+          return true;
+        });
+    for (std::size_t k = 0; k < reports.size(); ++k) add(reports[k], candidates_[k]);
+  }
+
+  CandidateReport report_on(std::uint64_t draw, const CandidateCheck& check) {
+    const Json row = schema::read_candidate(database_, draw);
+    CandidateReport report = check.check(row, schema::metrics_version_of(database_, draw));
+    if (campaign_.search.has_ends()) {
+      check.check_ascent(row, schema::read_ascent(database_, draw), report);
+    }
+    return report;
+  }
+
   void add(const CandidateReport& report, std::uint64_t draw) {
     v_.checked.push_back({draw, report.first_contact_deg, report.contact, report.meet,
                           report.met_until_deg, report.meet_text});
@@ -128,6 +142,7 @@ class Verifier {
   }
 
   SQLite::Database& database_;
+  const std::string& path_;
   const schema::Campaign& campaign_;
   const VerifyOptions& options_;
   Verification& v_;
@@ -135,32 +150,6 @@ class Verifier {
   std::vector<schema::DrawRange> units_;
   bool is_of_its_campaign_ = true;
 };
-
-std::string units_text(const Verification& v) {
-  if (v.units.checked == 0) {
-    return fmt::format(
-        "units        0 of {} made again; --units finds a candidate that was removed together with "
-        "its sums\n",
-        v.units.of);
-  }
-  const std::string line = fmt::format(
-      "units        {} of {} made again, {} draws (--seed {}): a candidate that was removed "
-      "together with its sums is found with probability {:.3g}\n",
-      v.units.checked, v.units.of, v.draws_again, v.seed, v.chance_to_find_one());
-  if (v.decided_now == 0) return line;
-  return line + fmt::format(
-                    "not compared {} of them: undecided either in the catalogue or now (no fault; "
-                    "`misalign search --retry-undecided` judges them again)\n",
-                    count_text(v.decided_now, "draw"));
-}
-
-std::string other_definitions_text(const Verification& v) {
-  if (v.not_comparable == 0) return "";
-  return fmt::format(
-      "not compared {} of {} candidates: an older build measured them by another definition (no "
-      "fault)\n",
-      fmt::join(v.other_definitions, ", "), v.not_comparable);
-}
 
 }  // namespace
 
@@ -201,7 +190,7 @@ Verification verify(SQLite::Database& database, const std::string& path,
   const schema::Campaign campaign = schema::read_campaign_of(database, path);
   verification.campaign = campaign.name;
   try {
-    Verifier verifier(database, campaign, options, verification);
+    Verifier verifier(database, path, campaign, options, verification);
     verifier.look();
     moment.reset();  // otherwise a writer's log would grow
     verifier.compute();
@@ -210,69 +199,6 @@ Verification verify(SQLite::Database& database, const std::string& path,
     verification.findings.push_back({error.what(), {{"where", "file"}}});
   }
   return verification;
-}
-
-std::string verification_text(const Verification& v) {
-  std::string text = findings_text(v.findings);
-  text += fmt::format("campaign     {}, digest {}\n", v.campaign, v.digest);
-  text += fmt::format("candidates   {} of {} computed again\n", v.checked.size(), v.candidates);
-  text += fmt::format("fault sample {} of {} judged again\n", v.fault_samples.checked,
-                      v.fault_samples.of);
-  if (v.certificates.of > 0) {
-    text += fmt::format(
-        "certificates {} of {} have the right hash (`misalign certify --check` checks their "
-        "proofs)\n",
-        v.certificates.checked, v.certificates.of);
-  }
-  text += units_text(v) + other_definitions_text(v);
-  text += "errors       " + worst_text(v.worst, v.diagonal_mm) + "\n";
-  if (const CheckedCandidate* first = v.first_contact()) {
-    text +=
-        fmt::format("crossings    panels cross in {} candidates, first at {:g} deg (draw {}, {})\n",
-                    v.contacts(), *first->first_contact_deg, first->draw, first->contact);
-  } else {
-    text += no_contacts_text();
-  }
-  if (const CheckedCandidate* first = v.first_meeting()) {
-    const auto meeting = std::count_if(v.checked.begin(), v.checked.end(),
-                                       [](const CheckedCandidate& c) { return !c.meet.is_null(); });
-    text += fmt::format("any angle    panels meet in {} candidates; draw {}: {}\n", meeting,
-                        first->draw, first->meet_text);
-  } else {
-    text += "any angle    no panels meet up to D, as far as the paths are resolved\n";
-  }
-  return text + "findings     " + (v.good() ? "none" : std::to_string(v.findings.size())) + "\n";
-}
-
-Json verification_json(const Verification& v) {
-  Json checked = Json::array();
-  for (const CheckedCandidate& candidate : v.checked) {
-    const bool crosses = candidate.first_contact_deg.has_value();
-    checked.push_back({{"draw", candidate.draw},
-                       {"first_contact_deg", crosses ? Json(*candidate.first_contact_deg) : Json()},
-                       {"panels", crosses ? Json(candidate.contact) : Json()},
-                       {"contact", candidate.meet},
-                       {"contact_known_until_deg", candidate.met_until_deg}});
-  }
-  return {{"campaign", v.campaign},
-          {"digest", v.digest},
-          {"candidates", v.candidates},
-          {"checked", checked},
-          {"panels_checked", has("FCL")},
-          {"fault_samples", {{"checked", v.fault_samples.checked}, {"of", v.fault_samples.of}}},
-          {"certificates", {{"good", v.certificates.checked}, {"of", v.certificates.of}}},
-          {"units",
-           {{"checked", v.units.checked},
-            {"of", v.units.of},
-            {"draws", v.draws_again},
-            {"decided_now", v.decided_now},
-            {"seed", v.units.checked > 0 ? Json(v.seed) : Json()},
-            {"chance_to_find_one", v.chance_to_find_one()}}},
-          {"not_comparable",
-           {{"candidates", v.not_comparable}, {"columns", Json(v.other_definitions)}}},
-          {"good", v.good()},
-          {"findings", findings_json(v.findings)},
-          {"worst", worst_json(v.worst, v.diagonal_mm)}};
 }
 
 }  // namespace misalign::search

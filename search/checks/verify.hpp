@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "search/checks/candidate_check.hpp"
+#include "search/checks/memory_check.hpp"
 
 namespace misalign::search {
 
 struct VerifyOptions {
-  /// Number of candidates, and of fault samples, spread evenly over the draws; null for all.
+  /// Number of candidates, of fault samples and of remembered numbers, spread evenly over the
+  /// draws; null for all.
   std::optional<std::uint64_t> sample = 100;
   /// Number of units whose draws are all made again.
   std::uint64_t units = 0;
@@ -37,6 +39,7 @@ struct Verification {
   std::vector<CheckedCandidate> checked;
   Sample fault_samples, units;
   Sample certificates;            ///< unchanged certificates, among all
+  MemoryReport memory;            ///< remembered numbers of studies
   std::uint64_t draws_again = 0;  ///< draws of those units
   std::uint64_t decided_now = 0;  ///< draws undecided either in the catalogue or now
   std::uint64_t seed = 0;         ///< random seed of the choice
@@ -65,8 +68,5 @@ struct Verification {
 /// read; failure and in_use see storage_failure.
 Verification verify(SQLite::Database& database, const std::string& path,
                     const VerifyOptions& options);
-
-std::string verification_text(const Verification& verification);
-schema::Json verification_json(const Verification& verification);
 
 }  // namespace misalign::search

@@ -165,7 +165,7 @@ class Catalogue {
   std::unique_ptr<SQLite::Database> open_for_queries() const {
     return unlocked([&] {
       auto opened = open();
-      add_study_functions(*opened, *source_->campaign);
+      add_study_functions(*opened, *source_->campaign, path_);
       return opened;
     });
   }

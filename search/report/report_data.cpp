@@ -14,6 +14,7 @@
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/files/json_values.hpp"
 #include "schema/files/suggestion.hpp"
+#include "schema/memory/study_memory.hpp"
 #include "schema/pattern/fill_json.hpp"
 #include "schema/pattern/fill_words.hpp"
 #include "schema/report/report.hpp"
@@ -159,7 +160,7 @@ Json chosen_json(const ReportCall& call) {
 }
 
 // Returns the SQL functions of the requested studies and columns.
-std::vector<std::string_view> functions_of(const ReportCall& call) {
+std::vector<std::string_view> columns_of(const schema::Campaign& campaign, const ReportCall& call) {
   std::vector<std::string_view> functions;
   for (const auto& [name, is_asked] : call.studies) {
     if (!is_asked) continue;
@@ -167,7 +168,8 @@ std::vector<std::string_view> functions_of(const ReportCall& call) {
       if (column.in_report) functions.push_back(column.name);
     }
   }
-  for (const std::string& name : call.columns) {
+  for (const std::string& name :
+       call.only_remembered ? schema::StudyMemory(call.path, campaign).functions() : call.columns) {
     const schema::StudyColumn* const column = schema::study_column(name);
     if (!column) {
       throw schema::UserError(
@@ -206,7 +208,7 @@ Json commands_json(const ReportCall& call) {
 // Reads the catalogue at one moment, since a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
                     const ReportCall& call, DetailedDraws& detailed) {
-  const std::vector<std::string_view> functions = functions_of(call);
+  const std::vector<std::string_view> functions = columns_of(campaign, call);
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
     look_ahead(database, schema::candidates_sql(call.rows, functions));
@@ -310,7 +312,8 @@ Json report_of_catalogue(const ReportCall& call) {
   }
   campaign.design = call.design.merged_over(campaign.design);
   FoldingModel model(campaign);
-  add_study_functions(*database, campaign);
+  add_study_functions(*database, campaign, call.path,
+                      call.only_remembered ? Unknown::is_null : Unknown::is_computed);
   const ReportDetails details(model, call.detail, campaign.target.get());
   const std::vector<std::uint64_t> stressed = details.draws_with_stress(campaign);
   DetailedDraws detailed;

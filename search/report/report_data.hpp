@@ -27,6 +27,7 @@ struct ReportCall {
   schema::Design design;       ///< overrides the campaign's
   std::map<std::string_view, bool> studies;  ///< requested studies of the table of studies
   std::vector<std::string> columns;          ///< further functions of sheets in the table
+  bool only_remembered = false;  ///< columns are the remembered functions, and compute nothing
   DetailOptions detail;
   int largest_detailed =
       std::numeric_limits<int>::max();  ///< vertices; larger sheets have details only if requested

@@ -15,6 +15,7 @@
 #include "search/sheets/shaped.hpp"
 #include "search/sheets/studies.hpp"
 #include "search/sheets/tolerance.hpp"
+#include "search/terminal/long_work.hpp"
 #include "solver/optimise/chosen_friction.hpp"
 #include "solver/pattern/parallel_family.hpp"
 #include "solver/target/shape_measure.hpp"
@@ -229,6 +230,9 @@ ProvenBetter optimised(const Subject& subject, const OptimiseInput& input) {
   options.tries_flips = input.tries_flips;
   options.bodies = design.spring_bodies();
   options.watch = input.watch;
+  options.see_steps = [most = input.most_steps](int steps) {
+    show_work("steps at most", static_cast<std::uint64_t>(steps), static_cast<std::uint64_t>(most));
+  };
   options.slope_at_every_angle = true;
   options.shifted = solver::interior_vertices(sheet.base().sheet);
   options.amplitude_mm = input.amplitude_mm.value_or(sheet.shifts_mm().cwiseAbs().maxCoeff());

@@ -25,6 +25,7 @@ solver::Tolerance tolerance_of(const CardSheet& on, const schema::Campaign& camp
   study.amplitude_mm = miscut_mm;
   study.trials = copies.trials;
   study.jobs = copies.jobs;
+  study.progress = show_copies;
   study.filled = filled_by(design, sheet.base());
   study.set = solver::available_instruction_sets().back();
   // The first sample from the angle of use on: copies are judged at samples.
@@ -120,7 +121,7 @@ std::vector<CardLine> copy_lines(const CardSheet& on, const CopyTrials& copies) 
   } else if (play_mm) {
     const std::vector<Eigen::Matrix2Xd> shifts_mm = {chosen.shifts_mm};
     const BacklashStudy study(campaign, shifts_mm, {.used_from_deg = used_deg});
-    const auto loose = study.run({*play_mm, copies.trials, copies.jobs}).front();
+    const auto loose = study.run({*play_mm, copies.trials, copies.jobs, show_copies}).front();
     lines.push_back(
         {"play_mm",
          fmt::format("Largest joint clearance, from {:g}° to {:g}°", loose.from_deg, loose.to_deg),

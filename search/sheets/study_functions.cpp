@@ -14,8 +14,8 @@
 #include "schema/catalogue/study_table.hpp"
 #include "schema/files/features.hpp"
 #include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/known_numbers.hpp"
 #include "search/sheets/on_threads.hpp"
-#include "search/sheets/sheet_numbers.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/usable_threads.hpp"
 #include "solver/motion/deploy.hpp"
@@ -23,20 +23,13 @@
 namespace misalign::search {
 namespace {
 
-// A call with its draw and angle of use.
-struct Call {
-  std::uint64_t draw;
-  std::optional<double> from_deg;
-
-  auto operator<=>(const Call&) const = default;
-};
-
 // Serves all functions of a connection.
 class StudyFunctions {
  public:
   // The catalogue's campaign is used where none is given.
-  StudyFunctions(SQLite::Database& database, std::string path, const schema::Campaign* campaign)
-      : database_(database), path_(std::move(path)), campaign_(campaign) {}
+  StudyFunctions(SQLite::Database& database, std::string path, const schema::Campaign* campaign,
+                 Unknown unknown)
+      : database_(database), path_(std::move(path)), campaign_(campaign), unknown_(unknown) {}
 
   // The functions of a connection; null: it has none.
   static StudyFunctions* of(sqlite3* connection) {
@@ -57,18 +50,15 @@ class StudyFunctions {
   StudyFunctions(const StudyFunctions&) = delete;
   StudyFunctions& operator=(const StudyFunctions&) = delete;
 
-  std::optional<double> number(std::size_t function, const Call& call) {
+  std::optional<double> number(std::size_t function, const StudyCall& call) {
+    if (const auto* const known = find_known(function, call)) return *known;
+    if (unknown_ == Unknown::is_null) return {};
     if (is_looking_ahead_) {
-      const auto known = answers_.find(call);
-      if (known != answers_.end() && known->second.is_found[function]) {
-        return known->second.numbers[function];
-      }
       expect(function, call);
       return {};
     }
-    StudyNumbers& answers = answers_[call];
-    if (!answers.is_found[function]) find_some(function, call);
-    return answers.numbers[function];
+    find_some(function, call);
+    return *find_known(function, call);
   }
 
   // Records the calls of a statement. Without a LIMIT all of them are needed: numbers are found at
@@ -89,17 +79,17 @@ class StudyFunctions {
   static constexpr std::size_t kAtOnce = 8;
 
   struct Expected {
-    Call call;
+    StudyCall call;
     WantedNumbers wanted{};
   };
   struct Piece {
-    Call call;
+    StudyCall call;
     WantedNumbers wanted;
     Eigen::Matrix2Xd shifts_mm;
     bool is_candidate;
   };
 
-  void expect(std::size_t function, const Call& call) {
+  void expect(std::size_t function, const StudyCall& call) {
     const auto [at, is_new] = place_.try_emplace(call, expected_.size());
     if (is_new) expected_.push_back({call, {}});
     expected_[at->second].wanted[function] = true;
@@ -164,7 +154,7 @@ class StudyFunctions {
 
   // Finds this call, and the next expected calls of the same cost, unless cheaper ones may spare
   // them.
-  void find_some(std::size_t function, const Call& call) {
+  void find_some(std::size_t function, const StudyCall& call) {
     const schema::Cost cost = cost_of(function);
     const auto place = place_.find(call);
     WantedNumbers wanted{};
@@ -199,27 +189,28 @@ class StudyFunctions {
               };
         },
         [&](std::size_t k, const StudyNumbers& found) {
-          StudyNumbers& answers = answers_[pieces[k].call];
-          for (std::size_t f = 0; f < kNumberCount; ++f) {
-            if (!found.is_found[f]) continue;
-            answers.is_found[f] = true;
-            answers.numbers[f] = found.numbers[f];
-          }
+          known_->add(pieces[k].call, pieces[k].shifts_mm, found);
           ++sheets_;
           show_work("sheets studied", sheets_, std::max(expected_.size(), sheets_));
           return true;
         });
   }
 
-  bool is_new(const Call& call, const WantedNumbers& wanted) const {
-    const auto known = answers_.find(call);
+  bool is_new(const StudyCall& call, const WantedNumbers& wanted) {
     for (std::size_t k = 0; k < kNumberCount; ++k) {
-      if (wanted[k] && (known == answers_.end() || !known->second.is_found[k])) return true;
+      if (wanted[k] && !find_known(k, call)) return true;
     }
     return false;
   }
 
-  Piece piece_of(const Call& call, const WantedNumbers& wanted) {
+  const std::optional<double>* find_known(std::size_t function, const StudyCall& call) {
+    if (!known_) known_.emplace(campaign(), path_);
+    return known_->find(function, call, [&](std::uint64_t draw) {
+      return shifts_of_number(database_, campaign(), draw);
+    });
+  }
+
+  Piece piece_of(const StudyCall& call, const WantedNumbers& wanted) {
     return {call, wanted, shifts_of_number(database_, campaign(), call.draw),
             is_candidate(call.draw)};
   }
@@ -249,12 +240,13 @@ class StudyFunctions {
   const std::string path_;
   std::optional<schema::Campaign> own_campaign_;
   const schema::Campaign* campaign_;
+  const Unknown unknown_;
   std::vector<std::unique_ptr<FoldingModel>> models_;  // one for each thread
-  std::map<Call, StudyNumbers> answers_;
+  std::optional<KnownNumbers> known_;                  // made when it is first needed
   bool is_looking_ahead_ = false;
   int turns_ = 0;                   // of looking ahead
   std::vector<Expected> expected_;  // in their order
-  std::map<Call, std::size_t> place_;
+  std::map<StudyCall, std::size_t> place_;
   std::size_t sheets_ = 0;
 };
 
@@ -289,8 +281,9 @@ void call(sqlite3_context* context, int count, sqlite3_value** values) {
 
 void forget(void* function) { delete static_cast<OneFunction*>(function); }
 
-void add(SQLite::Database& database, const std::string& path, const schema::Campaign* campaign) {
-  const auto functions = std::make_shared<StudyFunctions>(database, path, campaign);
+void add(SQLite::Database& database, const std::string& path, const schema::Campaign* campaign,
+         Unknown unknown) {
+  const auto functions = std::make_shared<StudyFunctions>(database, path, campaign, unknown);
   functions->add();
   for (std::size_t k = 0; k < kNumberCount; ++k) {
     for (const int count : {1, 2}) {
@@ -304,11 +297,12 @@ void add(SQLite::Database& database, const std::string& path, const schema::Camp
 }  // namespace
 
 void add_study_functions(SQLite::Database& database, const std::string& path) {
-  add(database, path, nullptr);
+  add(database, path, nullptr, Unknown::is_computed);
 }
 
-void add_study_functions(SQLite::Database& database, const schema::Campaign& campaign) {
-  add(database, "", &campaign);
+void add_study_functions(SQLite::Database& database, const schema::Campaign& campaign,
+                         const std::string& path, Unknown unknown) {
+  add(database, path, &campaign, unknown);
 }
 
 void look_ahead(SQLite::Database& database, const std::string& sql) {

@@ -10,6 +10,7 @@
 #include "search/draws/draw.hpp"
 #include "search/sheets/on_threads.hpp"
 #include "search/sheets/studies.hpp"
+#include "search/terminal/long_work.hpp"
 #include "solver/studies/angle_of_use.hpp"
 
 namespace misalign::search {
@@ -176,6 +177,8 @@ class Study {
 };
 
 }  // namespace
+
+void show_copies(const CopiesDone& copies) { show_work("copies judged", copies.done, copies.all); }
 
 void check_miscut(double amplitude_mm, const solver::CreasePattern& base,
                   const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet) {

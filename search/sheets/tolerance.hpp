@@ -20,6 +20,8 @@ void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::ui
 struct CopiesDone {
   std::uint64_t done, all;
 };
+/// Shows them as the work under way.
+void show_copies(const CopiesDone& copies);
 
 struct ToleranceOptions {
   double amplitude_mm = 0;

@@ -14,6 +14,7 @@
 #include "search/terminal/usable_threads.hpp"
 #include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -23,14 +24,13 @@ struct CardCall : SheetCall {
   schema::Design design;
   std::string material, hinge, output;
   CardOptions options;
-  std::optional<int> jobs;
   bool without_remedies = false;
 };
 
 int show_card(CardCall call) {
   read_material(call.material, call.design);
   read_hinge(call.hinge, call.design);
-  call.options.jobs = call.jobs.value_or(usable_threads());
+  call.options.jobs = usable_threads();
   const Subject subject = choose_sheet(call.path, call.draw, call.design);
   StudiedCard studied = card_of(subject, call.options);
   schema::Card& card = studied.card;
@@ -94,8 +94,7 @@ Action card_verb(CLI::App& verb) {
   add_default(verb, "--trials", call->options.trials,
               "number of miscut copies, and of settlings of loose joints",
               counted("card", "trials"), "N");
-  add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
-            counted("", "jobs"), "N");
+  add_jobs(verb);
   add_hold_flat(verb, design.hold_flat);
   verb.add_flag("--no-remedies", call->without_remedies,
                 "seek no change that would meet a requirement which fails");

@@ -109,7 +109,7 @@ int prove_in_closed_form(const CertifyCall& call) {
   const std::string& path = call.options.path;
   const auto database = schema::open_for_reading(path);
   const schema::Campaign campaign = schema::read_campaign_of(*database, path);
-  add_study_functions(*database, campaign);
+  add_study_functions(*database, campaign, path);
   const solver::Model model = model_of(campaign);
   const LongWork work("certify is under way", work_style(), false);
   std::string text;

@@ -18,6 +18,7 @@
 #include "search/verbs/border.hpp"
 #include "search/verbs/kit_options.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -28,7 +29,6 @@ constexpr double kMostDraws = 1e12, kMostSeed = 9e18;
 struct DesignCall {
   std::string path, directory;
   DesignerOptions options;
-  std::optional<int> jobs;
   bool json = false;
 };
 
@@ -78,7 +78,7 @@ schema::Card finish(const DesignCall& call, const DesignTry& best) {
 
 int show_designs(DesignCall& call) {
   const schema::Wish wish = schema::read_wish(call.path);
-  call.options.jobs = call.jobs.value_or(usable_threads());
+  call.options.jobs = usable_threads();
   if (!call.directory.empty()) {
     make_directory(call.directory);
     call.options.log_path = path_in(call, "tried.json");
@@ -132,8 +132,7 @@ Action design_verb(CLI::App& verb) {
   add_default(verb, "--trials", call->options.trials,
               "number of miscut copies, and of settlings of loose joints",
               counted("card", "trials"), "N");
-  add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
-            counted("", "jobs"), "N");
+  add_jobs(verb);
   verb.add_flag("--json", call->json, "as JSON");
   return [call] { return show_designs(*call); };
 }

@@ -16,6 +16,7 @@
 #include "search/verbs/choice_options.hpp"
 #include "search/verbs/kit_options.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -308,6 +309,7 @@ Action export_verb(CLI::App& verb) {
   verb.add_option("--output", files.directory, "directory, made if it is not there")
       ->required()
       ->type_name("PATH");
+  add_jobs(verb);
   return [call, &verb, group] {
     run_export(*call, verb, *group);
     return 0;

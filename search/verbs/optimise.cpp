@@ -10,6 +10,7 @@
 #include "search/terminal/terminal.hpp"
 #include "search/terminal/usable_threads.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -181,6 +182,7 @@ Action optimise_verb(CLI::App& verb) {
       ->type_name("FILE");
   verb.add_flag("--card", call->with_card, "also the cards of both sheets, side by side");
   verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");
+  add_jobs(verb);
   return showing(call, show_optimised);
 }
 

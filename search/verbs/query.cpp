@@ -10,6 +10,7 @@
 #include "schema/catalogue/study_table.hpp"
 #include "search/terminal/nothing_found.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -133,6 +134,7 @@ Action query_verb(CLI::App& verb, const Parts& parts) {
   auto* json_flag = verb.add_flag("--json", call->json, "as JSON; a second column x is called x_2");
   verb.add_flag("--csv", call->csv, "as CSV; on a terminal control characters are escaped")
       ->excludes(json_flag);
+  add_jobs(verb);
   verb.add_flag("--no-pager", call->unpaged, "print without a pager");
   return [call, parts] {
     query(*call, parts);

@@ -48,6 +48,11 @@ void add_ranks(CLI::App& verb, std::string& ranks) {
             "N|all");
 }
 
+void add_jobs(CLI::App& verb) {
+  add_value(verb, "--jobs", typed_jobs, "threads; the answer does not depend on them [all cores]",
+            counted("", "jobs"), "N");
+}
+
 int ranks_wanted(const std::string& ranks) {
   if (ranks.empty()) return 1;
   // A task among several that MPI may not join, see expect_joined, may run alone on purpose.

@@ -1,4 +1,4 @@
-// --ranks of the verbs that share their work out among ranks.
+// --ranks and --jobs of the verbs that share their work out among ranks or threads.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,6 +10,9 @@ namespace misalign::search {
 
 /// "all", or a number; empty where nothing was typed.
 void add_ranks(CLI::App& verb, std::string& ranks);
+
+/// --jobs: what usable_threads() returns from then on.
+void add_jobs(CLI::App& verb);
 
 /// The number of ranks to start; 1 without --ranks. UserError (bad_request) under mpirun.
 int ranks_wanted(const std::string& ranks);

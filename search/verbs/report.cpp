@@ -16,6 +16,7 @@
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -164,6 +165,7 @@ Action report_verb(CLI::App& verb) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE");
+  add_jobs(verb);
   return [call, json, &verb, group] { return show_report(*call, *json, verb, *group); };
 }
 

@@ -16,6 +16,7 @@
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/tolerance_call.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -122,7 +123,7 @@ void take_subject(const ToleranceTargets& sheets, ToleranceCall& call) {
 
 int run(ToleranceCall call) {
   call.study.set = solver::available_instruction_sets().back();
-  call.study.jobs = call.jobs.value_or(usable_threads());
+  call.study.jobs = usable_threads();
   std::optional<ChosenSheet> file;
   if (is_pattern_file(call.path)) file = sheet_of_pattern_file(call.path);
   if (!file && call.keep) schema::recover_before_writing(call.path);
@@ -217,8 +218,7 @@ Action tolerance_verb(CLI::App& verb) {
   add_value(verb, "--trials", study.trials,
             "number of copies, or of settlings of the joints [1000]",
             counted("tolerance", "trials"), "N");
-  add_value(verb, "--jobs", call->jobs, "threads; the answer does not depend on them [all cores]",
-            counted("", "jobs"), "N");
+  add_jobs(verb);
   verb.add_flag("!--no-keep", call->keep, "do not write the yields into the catalogue");
   verb.add_flag("--json", call->json, "as JSON: a list, unless one DRAW is named, or a pattern");
   return [call, draws, chosen] {

@@ -3,7 +3,6 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/study_functions.hpp"
-#include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 
 namespace misalign::search {
@@ -19,7 +18,7 @@ ToleranceTargets choose_sheets(const ToleranceCall& call) {
   }
   ToleranceTargets sheets{schema::read_campaign_of(*database, call.path), {}, {}, {}, ""};
   sheets.design = sheets.campaign.design;
-  add_study_functions(*database, sheets.campaign);
+  add_study_functions(*database, sheets.campaign, call.path);
   sheets.draws = chosen_draws(*database, call.choice);
   for (const std::uint64_t draw : sheets.draws) {
     sheets.shifts_mm.push_back(shifts_of_number(*database, sheets.campaign, draw));
@@ -57,7 +56,5 @@ schema::Campaign campaign_of_use(const ToleranceCall& call, const ToleranceTarge
 bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets) {
   return sheets.draws.empty() || call.choice.draws.size() == 1;
 }
-
-void show_copies(const CopiesDone& copies) { show_work("copies judged", copies.done, copies.all); }
 
 }  // namespace misalign::search

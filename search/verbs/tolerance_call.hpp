@@ -20,7 +20,6 @@ struct ToleranceCall {
   std::optional<double> from_deg;                   // or the design's
   schema::Design design;                            // typed, over the file's
   solver::BacklashOptions backlash;
-  std::optional<int> jobs;
   bool keep = true, json = false;
 };
 
@@ -50,9 +49,6 @@ schema::Campaign campaign_of_use(const ToleranceCall& call, const ToleranceTarge
 
 /// Returns whether the answer is one sheet's, named by its draw or file; other choices give a list.
 bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets);
-
-/// Shows how many copies are judged.
-void show_copies(const CopiesDone& copies);
 
 /// The study of joint gaps of one overconstrained sheet, whose miscut copies do not fold.
 void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets);

@@ -1,13 +1,13 @@
 // `misalign verify`: checks a catalogue or a pattern.
-#include "search/checks/verify.hpp"
-
 #include <random>
 
 #include "search/checks/pattern_check.hpp"
+#include "search/checks/verification_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -47,6 +47,7 @@ Action verify_verb(CLI::App& verb) {
       "  candidates   (--sample, --all) paths computed again from the stored displacements; every\n"
       "               column is compared, every folded shape checked by its coordinates\n"
       "  fault sample (as many) verdicts computed again\n"
+      "  remembered   (as many) numbers of studies in CATALOGUE.studies computed again\n"
       "  units        (--units) all draws of units chosen at random computed again: nothing else\n"
       "               detects a candidate that was removed together with its sums\n"
       "Reported, but no fault: panels that cross (the search assumes that they do not; not\n"
@@ -63,7 +64,7 @@ Action verify_verb(CLI::App& verb) {
   add_catalogue_or_pattern(verb, call->path);
   auto* sample = verb.add_option("--sample", call->options.sample,
                                  "number of candidates, spread evenly in the order of their draws, "
-                                 "and of fault samples [100]");
+                                 "of fault samples and of remembered numbers [100]");
   sample->check(a_draw())->type_name("N");
   auto* all = verb.add_flag_callback(
       "--all", [call] { call->options.sample.reset(); }, "every candidate and fault sample");
@@ -75,6 +76,7 @@ Action verify_verb(CLI::App& verb) {
   add_value(verb, "--seed", call->seed,
             "seed of that choice, to choose the same units again [a random one]", a_draw(), "N")
       ->needs(units);
+  add_jobs(verb);
   verb.add_flag("--json", call->json, "as JSON");
   return [call, all, sample, units] {
     const bool is_pattern = is_pattern_file(call->path);

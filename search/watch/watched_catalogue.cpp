@@ -41,6 +41,7 @@ ReportCall call_for(const std::string& path, const std::atomic<bool>& has_ended)
   call.path = path;
   call.output = "report.html";
   call.largest_detailed = kLargestDetailed;
+  call.only_remembered = true;
   call.is_stopped = [&has_ended] { return has_ended.load(); };
   return call;
 }

@@ -71,6 +71,7 @@ void Ascent::take_step(Feasible next) {
   now_ = std::move(next);
   set_springs(options_, now_.point);
   result_.taken.push_back({now_.point, now_.value});
+  options_.see_steps(result_.steps());
   linearization_.reset();
 }
 

@@ -53,6 +53,7 @@ struct OptimiseOptions {
   bool slope_at_every_angle = false;
   /// Called a few times a second: an exception from it ends the search.
   std::function<void()> watch = [] {};
+  std::function<void(int steps)> see_steps = [](int) {};  ///< called after each step
   int most_steps = 200;
   /// True if single free shifts are tried, too, where no other step is better.
   bool tries_flips = true;

@@ -8,7 +8,7 @@
 #include "schema/catalogue/named_queries.hpp"
 #include "schema/catalogue/status_json.hpp"
 #include "search/checks/merge.hpp"
-#include "search/checks/verify.hpp"
+#include "search/checks/verification_text.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/choice.hpp"
 #include "search/terminal/ladder_text.hpp"

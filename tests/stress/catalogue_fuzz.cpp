@@ -16,7 +16,7 @@
 #include "schema/catalogue/result_table.hpp"
 #include "schema/report/report.hpp"
 #include "search/checks/merge.hpp"
-#include "search/checks/verify.hpp"
+#include "search/checks/verification_text.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/sheets/choice.hpp"
 #include "search/terminal/ladder_text.hpp"

@@ -9,7 +9,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
-#include "search/checks/verify.hpp"
+#include "search/checks/verification_text.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/golden_verdicts.hpp"
 #include "tests/folder.hpp"

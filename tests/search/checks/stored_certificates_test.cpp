@@ -6,7 +6,7 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
-#include "search/checks/verify.hpp"
+#include "search/checks/verification_text.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "solver/certificate/certifier.hpp"
 #include "tests/folder.hpp"

@@ -1,6 +1,4 @@
 // Alterations of a catalogue with all its sums mended are found by computing it again.
-#include "search/checks/verify.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,7 +6,9 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/digest.hpp"
+#include "search/checks/verification_text.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {
@@ -148,6 +148,35 @@ TEST_F(VerifyTest, EitherFaultBetweenSamplesMayHaveBeenStored) {
   const ColumnTolerances exported{80, 1};
   EXPECT_TRUE(exported.agree("first_fault", "bump_between_samples", "reverses_between_samples"));
   EXPECT_FALSE(exported.agree("first_fault", "bump_between_samples", "not_monotone"));
+}
+
+TEST_F(VerifyTest, AFalsifiedRememberedNumberIsFound) {
+  {
+    const auto database = schema::open_for_reading(path_());
+    add_study_functions(*database, path_());
+    SQLite::Statement rows(*database,
+                           "SELECT energy_n_mm(draw), bent_energy_n_mm(draw, 50) "
+                           "FROM candidate ORDER BY draw LIMIT 3");
+    while (rows.executeStep()) {
+    }
+  }
+  const VerifyOptions kAll{.sample = {}};
+  EXPECT_TRUE(look(kAll).good());
+  EXPECT_EQ(look(kAll).memory.checked, 6);
+  EXPECT_EQ(look({.sample = 2}).memory.checked, 2);
+  SQLite::Database memory(schema::StudyMemory::path_beside(path_()), SQLite::OPEN_READWRITE);
+  for (const char* const altered : {"value * 1.00001", "NULL"}) {
+    memory.exec(std::string("CREATE TEMP TABLE IF NOT EXISTS good AS SELECT * FROM number; ") +
+                "UPDATE number SET value = " + altered + " WHERE from_deg = 50");
+    const Verification v = look(kAll);
+    EXPECT_EQ(v.findings.size(), 3);
+    EXPECT_EQ(first_column(kAll), "bent_energy_n_mm");
+    memory.exec("REPLACE INTO number SELECT * FROM good");
+  }
+  EXPECT_TRUE(look(kAll).good());
+  memory.exec("UPDATE number SET version = 0");
+  EXPECT_EQ(look(kAll).memory.stale, 6);
+  EXPECT_EQ(look(kAll).memory.current, 0);
 }
 
 TEST_F(VerifyTest, ARemovedCandidateWithItsSumsIsFoundByMakingUnitsAgainSlow) {

@@ -5,12 +5,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/query_text.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/study_table.hpp"
+#include "schema/memory/study_memory.hpp"
 #include "schema/report/report.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/choice.hpp"
@@ -20,6 +23,7 @@
 #include "solver/motion/actuation.hpp"
 #include "solver/motion/deploy.hpp"
 #include "solver/shape/surface_curvature.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -27,7 +31,7 @@ namespace {
 // The catalogue of tests/fixtures, with a design.
 class FunctionsOfSheets : public testing::Test {
  protected:
-  FunctionsOfSheets() { add_study_functions(*database_, campaign_); }
+  FunctionsOfSheets() { add_study_functions(*database_, campaign_, ""); }
 
   static schema::Campaign campaign(SQLite::Database& database) {
     schema::Campaign campaign = schema::read_campaign_of(database, "a fixture");
@@ -168,7 +172,7 @@ TEST_F(FunctionsOfSheets, AreTheSameAheadOfAQuery) {
       "0 ORDER BY draw DESC LIMIT 20";
   const auto database =
       schema::open_for_reading(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7.db");
-  add_study_functions(*database, campaign_);
+  add_study_functions(*database, campaign_, "");
   std::vector<double> alone;
   schema::read_query(*database, sql, [&](const SQLite::Statement& row) {
     alone.push_back(row.getColumn(0).getDouble());
@@ -190,6 +194,34 @@ TEST_F(FunctionsOfSheets, EndAheadOfAQueryThatDoesNot) {
   look_ahead(*database_, where);
   EXPECT_EQ(numbers(where), first);
   look_ahead(*database_, kForEver + std::string("SELECT max(energy_n_mm(k)) FROM n LIMIT 1"));
+}
+
+// A remembered number shows by a change in its file: nothing computes it again.
+TEST_F(FunctionsOfSheets, AreRememberedBesideTheCatalogue) {
+  const Folder folder("remembered");
+  const std::string path = folder.file("a.db");
+  std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7.db",
+                             path);
+  const auto energy = [&](const schema::Campaign& campaign) {
+    const auto database = schema::open_for_reading(path);
+    add_study_functions(*database, campaign, path);
+    constexpr const char* kSql = "SELECT energy_n_mm(draw) FROM candidates WHERE draw = 3";
+    look_ahead(*database, kSql);
+    double n_mm = 0;
+    schema::read_query(*database, kSql,
+                       [&](const SQLite::Statement& row) { n_mm = row.getColumn(0).getDouble(); });
+    return n_mm;
+  };
+  const double computed_n_mm = energy(campaign_);
+  EXPECT_EQ(computed_n_mm, numbers("SELECT energy_n_mm(3)").front());
+  SQLite::Database file(schema::StudyMemory::path_beside(path), SQLite::OPEN_READWRITE);
+  EXPECT_EQ(file.exec("UPDATE number SET value = 2 * value"), 1);
+  EXPECT_EQ(energy(campaign_), 2 * computed_n_mm);
+  schema::Campaign stiffer = campaign_;
+  stiffer.design.stiffness_n_per_mm = 6;
+  EXPECT_NEAR(energy(stiffer), 3 * computed_n_mm, 1e-9 * computed_n_mm);
+  file.exec("UPDATE number SET version = version - 1");
+  EXPECT_EQ(energy(campaign_), computed_n_mm);
 }
 
 // Double quotes are of names alone: a text there would be larger than any number.
