@@ -82,27 +82,47 @@ ElasticPanel::Function ElasticPanel::saddle(const Corners& p) const {
   return saddle;
 }
 
-// Adds factor * (|to - from|^2 - flat^2).
-void ElasticPanel::add_square(double factor, const Bar& bar, const Corners& p, Function& sum) {
-  const auto [from, to, flat_mm] = bar;
-  const Vector3d along = p.col(to) - p.col(from);
-  sum.value += factor * (along.squaredNorm() - flat_mm * flat_mm);
-  sum.slope.segment<3>(3 * to) += 2 * factor * along;
-  sum.slope.segment<3>(3 * from) -= 2 * factor * along;
-  for (int d = 0; d < 3; ++d) {
-    sum.bend(3 * to + d, 3 * to + d) += 2 * factor;
-    sum.bend(3 * from + d, 3 * from + d) += 2 * factor;
-    sum.bend(3 * to + d, 3 * from + d) -= 2 * factor;
-    sum.bend(3 * from + d, 3 * to + d) -= 2 * factor;
+// With s = |to - from|^2 - flat^2 of each bar: sides stretch by s / 2 flat, the shear is a weighted
+// sum of all s.
+ElasticPanel::Function ElasticPanel::energy(const Corners& p) const {
+  const Function bent = saddle(p);
+  const double q = bent.value, q2 = q * q;
+  std::array<Vector3d, 6> along;
+  std::array<double, 6> squares;
+  double shear = 0;
+  Eigen::Matrix<double, 12, 1> shear_slope = Eigen::Matrix<double, 12, 1>::Zero();
+  for (int i = 0; i < 6; ++i) {
+    const auto [from, to, flat_mm] = bars_[i];
+    along[i] = p.col(to) - p.col(from);
+    squares[i] = along[i].squaredNorm() - flat_mm * flat_mm;
+    shear += shear_[i] * squares[i];
+    shear_slope.segment<3>(3 * to) += 2 * shear_[i] * along[i];
+    shear_slope.segment<3>(3 * from) -= 2 * shear_[i] * along[i];
   }
-}
-
-ElasticPanel::Function ElasticPanel::squared(const Function& function) {
-  Function squared;
-  squared.value = function.value * function.value;
-  squared.slope = 2 * function.value * function.slope;
-  squared.bend = 2 * (function.slope * function.slope.transpose() + function.value * function.bend);
-  return squared;
+  Function energy;
+  energy.value =
+      (saddle_n_per_mm_ + stretch_n_per_mm3_ * q2) * q2 / 2 + shear_n_mm_ / 2 * shear * shear;
+  const double by_saddle = (saddle_n_per_mm_ + 2 * stretch_n_per_mm3_ * q2) * q;
+  energy.slope = by_saddle * bent.slope;
+  energy.bend =
+      by_saddle * bent.bend +
+      (saddle_n_per_mm_ + 6 * stretch_n_per_mm3_ * q2) * bent.slope * bent.slope.transpose() +
+      shear_n_mm_ * shear_slope * shear_slope.transpose();
+  for (int i = 0; i < 6; ++i) {
+    const auto [from, to, flat_mm] = bars_[i];
+    const double side = i < 4 ? side_n_per_mm_[i] / (4 * flat_mm * flat_mm) : 0;
+    energy.value += side / 2 * squares[i] * squares[i];
+    const double by_square = side * squares[i] + shear_n_mm_ * shear * shear_[i];
+    energy.slope.segment<3>(3 * to) += 2 * by_square * along[i];
+    energy.slope.segment<3>(3 * from) -= 2 * by_square * along[i];
+    const Matrix3d block =
+        4 * side * along[i] * along[i].transpose() + 2 * by_square * Matrix3d::Identity();
+    energy.bend.block<3, 3>(3 * to, 3 * to) += block;
+    energy.bend.block<3, 3>(3 * from, 3 * from) += block;
+    energy.bend.block<3, 3>(3 * to, 3 * from) -= block;
+    energy.bend.block<3, 3>(3 * from, 3 * to) -= block;
+  }
+  return energy;
 }
 
 }  // namespace misalign::solver

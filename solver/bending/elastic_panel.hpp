@@ -48,31 +48,14 @@ class ElasticPanel {
   /// (saddle_stress).
   double stress_mpa_per_mm() const;
 
-  /// Calls use(stiffness, function) for each function whose square, times half the stiffness, is a
-  /// part of the energy.
-  template <class Use>
-  void each_elastic(const Corners& p, const Use& use) const {
-    Function shear;
-    for (int i = 0; i < 6; ++i) {
-      add_square(shear_[i], bars_[i], p, shear);
-      if (i >= 4) continue;
-      Function side;
-      add_square(1 / (2 * bars_[i].flat_mm), bars_[i], p, side);
-      use(side_n_per_mm_[i], side);
-    }
-    use(shear_n_mm_, shear);
-    const Function bent = saddle(p);
-    use(stretch_n_per_mm3_, squared(bent));
-    use(saddle_n_per_mm_, bent);
-  }
+  /// The panel's energy, N mm.
+  Function energy(const Corners& p) const;
 
  private:
   struct Bar {  // between two corners
     int from, to;
     double flat_mm;
   };
-  static void add_square(double factor, const Bar& bar, const Corners& p, Function& sum);
-  static Function squared(const Function& function);
 
   std::array<Eigen::Vector2d, 4> corners_mm_;
   std::array<bool, 4> is_straight_;  // edges from each corner to the next

@@ -13,35 +13,13 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
+using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Corners = ElasticPanel::Corners;
 
 Corners corners_at(const Matrix3Xd& at_mm, const std::array<int, 4>& corners) {
   Corners p;
   for (int i = 0; i < 4; ++i) p.col(i) = at_mm.col(corners[i]);
   return p;
-}
-
-// Adds the energy stiffness / 2 value^2.
-void add_elastic(double stiffness, const ElasticPanel::Function& function,
-                 const std::array<int, 4>& corners, ElasticSheet::Energy& energy) {
-  energy.n_mm += stiffness / 2 * function.value * function.value;
-  for (int i = 0; i < 4; ++i) {
-    energy.slope.segment<3>(3 * corners[i]) +=
-        stiffness * function.value * function.slope.segment<3>(3 * i);
-    for (int j = 0; j < 4; ++j) {
-      energy.bend.block<3, 3>(3 * corners[i], 3 * corners[j]) +=
-          stiffness *
-          (function.slope.segment<3>(3 * i) * function.slope.segment<3>(3 * j).transpose() +
-           function.value * function.bend.block<3, 3>(3 * i, 3 * j));
-    }
-  }
-}
-
-Vector3d mean_normal(const Corners& p) { return (p.col(2) - p.col(0)).cross(p.col(3) - p.col(1)); }
-
-double angle_of_normals(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace
@@ -128,70 +106,82 @@ MatrixXd ElasticSheet::saddle_slopes(const Matrix3Xd& at_mm) const {
 double ElasticSheet::turned_mm(const Matrix3Xd& at_mm) const {
   double sum = 0;
   for (const Fold& fold : folds_) {
-    sum += fold.length_mm * angle_of_normals(mean_normal(corners_at(at_mm, corners(fold.left))),
-                                             mean_normal(corners_at(at_mm, corners(fold.right))));
+    const Eigen::Matrix<double, 3, 2> n = place_of(fold, at_mm).normals;
+    sum += fold.length_mm * std::atan2(n.col(0).cross(n.col(1)).norm(), n.col(0).dot(n.col(1)));
   }
   return sum;
 }
 
-// Derivatives of a crease's fold angle by the corners of both panels, four each.
-Eigen::Matrix<double, 3, 8> ElasticSheet::fold_slope(const Fold& fold,
-                                                     const Matrix3Xd& at_mm) const {
-  const std::array<Corners, 2> p{corners_at(at_mm, corners(fold.left)),
-                                 corners_at(at_mm, corners(fold.right))};
-  const Vector3d n0 = mean_normal(p[0]), n1 = mean_normal(p[1]);
-  const Vector3d axis = n0.cross(n1).normalized();
-  Eigen::Matrix<double, 3, 8> slope;
-  for (int side = 0; side < 2; ++side) {
-    const Vector3d& n = side == 0 ? n0 : n1;
-    // The angle grows as n goes away from the other normal.
-    const Vector3d away = (side == 0 ? -1 : 1) * axis.cross(n) / n.squaredNorm();
-    const Vector3d diagonal_a = p[side].col(2) - p[side].col(0),
-                   diagonal_b = p[side].col(3) - p[side].col(1);
-    const Vector3d by_a = fold.length_mm * diagonal_b.cross(away),
-                   by_b = fold.length_mm * away.cross(diagonal_a);
-    slope.col(4 * side) = -by_a;
-    slope.col(4 * side + 1) = -by_b;
-    slope.col(4 * side + 2) = by_a;
-    slope.col(4 * side + 3) = by_b;
+ElasticSheet::FoldPlace ElasticSheet::place_of(const Fold& fold, const Matrix3Xd& at_mm) const {
+  FoldPlace at;
+  for (int k = 0; k < 4; ++k) {
+    const std::array<int, 4>& c = corners(k < 2 ? fold.left : fold.right);
+    at.from[k] = c[k % 2], at.to[k] = c[k % 2 + 2];
+    at.diagonals_mm.col(k) = at_mm.col(at.to[k]) - at_mm.col(at.from[k]);
   }
-  return slope;
+  for (int side = 0; side < 2; ++side) {
+    at.normals.col(side) = at.diagonals_mm.col(2 * side).cross(at.diagonals_mm.col(2 * side + 1));
+  }
+  at.axis = at.normals.col(0).cross(at.normals.col(1)).normalized();
+  return at;
+}
+
+// Derivatives of a side's normal along v by its two diagonals.
+Vector6d ElasticSheet::FoldPlace::by_diagonals(int side, const Vector3d& v) const {
+  Vector6d by;
+  by << diagonals_mm.col(2 * side + 1).cross(v), v.cross(diagonals_mm.col(2 * side));
+  return by;
 }
 
 VectorXd ElasticSheet::turned_slope(const Matrix3Xd& at_mm) const {
   VectorXd slope = VectorXd::Zero(coordinates());
   for (const Fold& fold : folds_) {
-    const auto rates = fold_slope(fold, at_mm);
-    for (int i = 0; i < 8; ++i) {
-      const int vertex = corners(i < 4 ? fold.left : fold.right)[i % 4];
-      slope.segment<3>(3 * vertex) += rates.col(i);
+    const FoldPlace at = place_of(fold, at_mm);
+    for (int side = 0; side < 2; ++side) {
+      const Vector6d by = fold.length_mm * at.by_diagonals(side, at.away(side));
+      for (int k = 0; k < 2; ++k) {
+        slope.segment<3>(3 * at.to[2 * side + k]) += by.segment<3>(3 * k);
+        slope.segment<3>(3 * at.from[2 * side + k]) -= by.segment<3>(3 * k);
+      }
     }
   }
   return slope;
 }
 
+// Second derivatives of the angle between two vectors: with parts a along a vector, b away from the
+// other in their plane and c across it, each over the vector's length, the angle grows by
+//   b0 + b1 - a0 b0 - a1 b1 + (c0^2 + c1^2) cot / 2 - c0 c1 / sin.
 void ElasticSheet::add_turned_bend(const Matrix3Xd& at_mm, double factor, MatrixXd& bend) const {
-  const double step_mm = 1e-5 * panel_width_mm_;
-  Matrix3Xd moved = at_mm;
   for (const Fold& fold : folds_) {
-    const auto vertex_of = [&](int i) { return corners(i < 4 ? fold.left : fold.right)[i % 4]; };
-    for (int i = 0; i < 8; ++i) {
-      const int vertex = vertex_of(i);
-      // Both panels' corners on the crease are moved together, once.
-      bool seen = false;
-      for (int j = 0; j < i; ++j) seen = seen || vertex_of(j) == vertex;
-      if (seen) continue;
-      for (int d = 0; d < 3; ++d) {
-        moved(d, vertex) = at_mm(d, vertex) + step_mm;
-        Eigen::Matrix<double, 3, 8> rate = fold_slope(fold, moved);
-        moved(d, vertex) = at_mm(d, vertex) - step_mm;
-        rate -= fold_slope(fold, moved);
-        moved(d, vertex) = at_mm(d, vertex);
-        rate *= factor / (2 * step_mm);
-        for (int k = 0; k < 8; ++k) {
-          bend.block<3, 1>(3 * vertex_of(k), 3 * vertex + d) += rate.col(k) / 2;
-          bend.block<1, 3>(3 * vertex + d, 3 * vertex_of(k)) += rate.col(k).transpose() / 2;
-        }
+    const FoldPlace at = place_of(fold, at_mm);
+    const double cosine = at.normals.col(0).normalized().dot(at.normals.col(1).normalized()),
+                 sine = std::sqrt(1 - cosine * cosine);
+    Eigen::Matrix<double, 12, 12> by = Eigen::Matrix<double, 12, 12>::Zero();
+    std::array<Vector6d, 2> across;
+    for (int side = 0; side < 2; ++side) {
+      const Vector3d n = at.normals.col(side), away = at.away(side);
+      const Vector6d a = at.by_diagonals(side, n / n.squaredNorm()),
+                     b = at.by_diagonals(side, away);
+      across[side] = at.by_diagonals(side, at.axis / n.norm());
+      auto block = by.block<6, 6>(6 * side, 6 * side);
+      block = across[side] * across[side].transpose() * (cosine / sine) - a * b.transpose() -
+              b * a.transpose();
+      for (int d = 0; d < 3; ++d) {  // a normal is a product of diagonals
+        const Vector3d turn = Vector3d::Unit(d).cross(away);
+        block.block<3, 1>(0, 3 + d) += turn;
+        block.block<1, 3>(3 + d, 0) += turn.transpose();
+      }
+    }
+    by.topRightCorner<6, 6>() = across[0] * across[1].transpose() / -sine;
+    by.bottomLeftCorner<6, 6>() = by.topRightCorner<6, 6>().transpose();
+    by *= factor * fold.length_mm;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const Matrix3d block = by.block<3, 3>(3 * i, 3 * j);
+        bend.block<3, 3>(3 * at.to[i], 3 * at.to[j]) += block;
+        bend.block<3, 3>(3 * at.from[i], 3 * at.from[j]) += block;
+        bend.block<3, 3>(3 * at.to[i], 3 * at.from[j]) -= block;
+        bend.block<3, 3>(3 * at.from[i], 3 * at.to[j]) -= block;
       }
     }
   }
@@ -200,10 +190,15 @@ void ElasticSheet::add_turned_bend(const Matrix3Xd& at_mm, double factor, Matrix
 ElasticSheet::Energy ElasticSheet::panels_energy(const Matrix3Xd& at_mm) const {
   Energy energy{0, VectorXd::Zero(coordinates()), MatrixXd::Zero(coordinates(), coordinates())};
   for (Index k = 0; k < panels(); ++k) {
-    plate(k).each_elastic(corners_at(at_mm, corners(k)),
-                          [&](double stiffness, const auto& function) {
-                            add_elastic(stiffness, function, corners(k), energy);
-                          });
+    const std::array<int, 4>& c = corners(k);
+    const ElasticPanel::Function panel = plate(k).energy(corners_at(at_mm, c));
+    energy.n_mm += panel.value;
+    for (int i = 0; i < 4; ++i) {
+      energy.slope.segment<3>(3 * c[i]) += panel.slope.segment<3>(3 * i);
+      for (int j = 0; j < 4; ++j) {
+        energy.bend.block<3, 3>(3 * c[i], 3 * c[j]) += panel.bend.block<3, 3>(3 * i, 3 * j);
+      }
+    }
   }
   return energy;
 }

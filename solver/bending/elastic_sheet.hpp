@@ -11,7 +11,7 @@
 // in the plane): 0.3 % of the energy in a square where q = t, 3 % where q = 3 t.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cassert>
 #include <vector>
 
@@ -65,8 +65,7 @@ class ElasticSheet {
   /// normals, the cross products of their diagonals.
   double turned_mm(const Eigen::Matrix3Xd& at_mm) const;
   Eigen::VectorXd turned_slope(const Eigen::Matrix3Xd& at_mm) const;
-  /// Adds `factor` times its second derivatives, by central differences of the gradient, exact to
-  /// 1e-8.
+  /// Adds `factor` times its second derivatives; no crease may be flat.
   void add_turned_bend(const Eigen::Matrix3Xd& at_mm, double factor, Eigen::MatrixXd& bend) const;
 
   /// Energy of the panels; add_filling adds that of the holes' filling, whose forces are less by
@@ -83,10 +82,24 @@ class ElasticSheet {
     int left, right;  // panels
     double length_mm;
   };
+  // The panels of a crease: two diagonals of the left one, then of the right one, between vertices.
+  struct FoldPlace {
+    std::array<int, 4> from, to;
+    Eigen::Matrix<double, 3, 4> diagonals_mm;
+    Eigen::Matrix<double, 3, 2> normals;  // products of the diagonals
+    Eigen::Vector3d axis;                 // about which the right normal is turned
+
+    // The derivative of the angle by a normal.
+    Eigen::Vector3d away(int side) const {
+      const Eigen::Vector3d n = normals.col(side);
+      return (side == 0 ? -1 : 1) * axis.cross(n) / n.squaredNorm();
+    }
+    Eigen::Matrix<double, 6, 1> by_diagonals(int side, const Eigen::Vector3d& v) const;
+  };
   const ElasticPanel& plate(Eigen::Index panel) const {
     return plates_[static_cast<std::size_t>(panel)];
   }
-  Eigen::Matrix<double, 3, 8> fold_slope(const Fold& fold, const Eigen::Matrix3Xd& at_mm) const;
+  FoldPlace place_of(const Fold& fold, const Eigen::Matrix3Xd& at_mm) const;
 
   const FlatVertices flat_mm_;
   const std::vector<std::array<int, 4>> corners_;
