@@ -82,46 +82,55 @@ ElasticPanel::Function ElasticPanel::saddle(const Corners& p) const {
   return saddle;
 }
 
-// With s = |to - from|^2 - flat^2 of each bar: sides stretch by s / 2 flat, the shear is a weighted
-// sum of all s.
-ElasticPanel::Function ElasticPanel::energy(const Corners& p) const {
-  const Function bent = saddle(p);
-  const double q = bent.value, q2 = q * q;
-  std::array<Vector3d, 6> along;
-  std::array<double, 6> squares;
-  double shear = 0;
-  Eigen::Matrix<double, 12, 1> shear_slope = Eigen::Matrix<double, 12, 1>::Zero();
+ElasticPanel::Squares ElasticPanel::squares_mm2(const Corners& p) const {
+  Squares squares = squares_rate(p, p) / 2;
+  for (int i = 0; i < 6; ++i) squares(i) -= bars_[i].flat_mm * bars_[i].flat_mm;
+  return squares;
+}
+
+ElasticPanel::Squares ElasticPanel::squares_rate(const Corners& p, const Corners& rate) const {
+  Squares rates;
   for (int i = 0; i < 6; ++i) {
     const auto [from, to, flat_mm] = bars_[i];
-    along[i] = p.col(to) - p.col(from);
-    squares[i] = along[i].squaredNorm() - flat_mm * flat_mm;
-    shear += shear_[i] * squares[i];
-    shear_slope.segment<3>(3 * to) += 2 * shear_[i] * along[i];
-    shear_slope.segment<3>(3 * from) -= 2 * shear_[i] * along[i];
+    rates(i) = 2 * (p.col(to) - p.col(from)).dot(rate.col(to) - rate.col(from));
   }
+  return rates;
+}
+
+// Sides stretch by their squares / 2 flat, the shear is a weighted sum of all squares.
+ElasticPanel::Function ElasticPanel::energy(const Corners& p, const Squares& squares_mm2) const {
+  const Function bent = saddle(p);
+  const double q = bent.value, q2 = q * q;
+  const Squares here_mm2 = this->squares_mm2(p);
+  const Eigen::Map<const Squares> shears(shear_.data());
+  const double shear = shears.dot(here_mm2), shear_of_bend = shears.dot(squares_mm2);
   Function energy;
   energy.value =
       (saddle_n_per_mm_ + stretch_n_per_mm3_ * q2) * q2 / 2 + shear_n_mm_ / 2 * shear * shear;
   const double by_saddle = (saddle_n_per_mm_ + 2 * stretch_n_per_mm3_ * q2) * q;
   energy.slope = by_saddle * bent.slope;
-  energy.bend =
-      by_saddle * bent.bend +
-      (saddle_n_per_mm_ + 6 * stretch_n_per_mm3_ * q2) * bent.slope * bent.slope.transpose() +
-      shear_n_mm_ * shear_slope * shear_slope.transpose();
+  Eigen::Matrix<double, 12, 1> shear_slope = Eigen::Matrix<double, 12, 1>::Zero();
   for (int i = 0; i < 6; ++i) {
     const auto [from, to, flat_mm] = bars_[i];
+    const Vector3d along = 2 * (p.col(to) - p.col(from));
     const double side = i < 4 ? side_n_per_mm_[i] / (4 * flat_mm * flat_mm) : 0;
-    energy.value += side / 2 * squares[i] * squares[i];
-    const double by_square = side * squares[i] + shear_n_mm_ * shear * shear_[i];
-    energy.slope.segment<3>(3 * to) += 2 * by_square * along[i];
-    energy.slope.segment<3>(3 * from) -= 2 * by_square * along[i];
-    const Matrix3d block =
-        4 * side * along[i] * along[i].transpose() + 2 * by_square * Matrix3d::Identity();
+    energy.value += side / 2 * here_mm2(i) * here_mm2(i);
+    const Vector3d pull = (side * here_mm2(i) + shear_n_mm_ * shear * shear_[i]) * along;
+    energy.slope.segment<3>(3 * to) += pull;
+    energy.slope.segment<3>(3 * from) -= pull;
+    shear_slope.segment<3>(3 * to) += shear_[i] * along;
+    shear_slope.segment<3>(3 * from) -= shear_[i] * along;
+    const double force = side * squares_mm2(i) + shear_n_mm_ * shear_of_bend * shear_[i];
+    const Matrix3d block = side * along * along.transpose() + 2 * force * Matrix3d::Identity();
     energy.bend.block<3, 3>(3 * to, 3 * to) += block;
     energy.bend.block<3, 3>(3 * from, 3 * from) += block;
     energy.bend.block<3, 3>(3 * to, 3 * from) -= block;
     energy.bend.block<3, 3>(3 * from, 3 * to) -= block;
   }
+  energy.bend +=
+      by_saddle * bent.bend +
+      (saddle_n_per_mm_ + 6 * stretch_n_per_mm3_ * q2) * bent.slope * bent.slope.transpose() +
+      shear_n_mm_ * shear_slope * shear_slope.transpose();
   return energy;
 }
 

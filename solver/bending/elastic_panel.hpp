@@ -48,8 +48,14 @@ class ElasticPanel {
   /// (saddle_stress).
   double stress_mpa_per_mm() const;
 
-  /// The panel's energy, N mm.
-  Function energy(const Corners& p) const;
+  /// Squares of the sides and diagonals, less those of the flat panel: as they are, and their
+  /// derivatives along a motion.
+  using Squares = Eigen::Matrix<double, 6, 1>;
+  Squares squares_mm2(const Corners& p) const;
+  Squares squares_rate(const Corners& p, const Corners& rate) const;
+  /// The panel's energy, N mm. Second derivatives are those with the forces in its plane at
+  /// `squares_mm2`.
+  Function energy(const Corners& p, const Squares& squares_mm2) const;
 
  private:
   struct Bar {  // between two corners

@@ -187,15 +187,35 @@ void ElasticSheet::add_turned_bend(const Matrix3Xd& at_mm, double factor, Matrix
   }
 }
 
-ElasticSheet::Energy ElasticSheet::panels_energy(const Matrix3Xd& at_mm) const {
-  Energy energy{0, VectorXd::Zero(coordinates()), MatrixXd::Zero(coordinates(), coordinates())};
+ElasticSheet::Squares ElasticSheet::squares_mm2(const Matrix3Xd& at_mm) const {
+  Squares squares(6, panels());
+  for (Index k = 0; k < panels(); ++k) {
+    squares.col(k) = plate(k).squares_mm2(corners_at(at_mm, corners(k)));
+  }
+  return squares;
+}
+
+ElasticSheet::Squares ElasticSheet::squares_rate(const Matrix3Xd& at_mm,
+                                                 const Matrix3Xd& rate) const {
+  Squares rates(6, panels());
+  for (Index k = 0; k < panels(); ++k) {
+    const auto& c = corners(k);
+    rates.col(k) = plate(k).squares_rate(corners_at(at_mm, c), corners_at(rate, c));
+  }
+  return rates;
+}
+
+ElasticSheet::Energy ElasticSheet::panels_energy(const Matrix3Xd& at_mm, const Squares& squares_mm2,
+                                                 Derivatives derivatives) const {
+  const Index bends = derivatives == Derivatives::second ? coordinates() : 0;
+  Energy energy{0, VectorXd::Zero(coordinates()), MatrixXd::Zero(bends, bends)};
   for (Index k = 0; k < panels(); ++k) {
     const std::array<int, 4>& c = corners(k);
-    const ElasticPanel::Function panel = plate(k).energy(corners_at(at_mm, c));
+    const ElasticPanel::Function panel = plate(k).energy(corners_at(at_mm, c), squares_mm2.col(k));
     energy.n_mm += panel.value;
     for (int i = 0; i < 4; ++i) {
       energy.slope.segment<3>(3 * c[i]) += panel.slope.segment<3>(3 * i);
-      for (int j = 0; j < 4; ++j) {
+      for (int j = 0; j < 4 && bends > 0; ++j) {
         energy.bend.block<3, 3>(3 * c[i], 3 * c[j]) += panel.bend.block<3, 3>(3 * i, 3 * j);
       }
     }
@@ -225,6 +245,7 @@ void ElasticSheet::add_filling(const Matrix3Xd& at_mm, const Filling& filling,
       const double force_n = hole.force_n(k) - relief_n(d);
       energy.slope.segment<3>(3 * at.to) += force_n * pull;
       energy.slope.segment<3>(3 * at.from) -= force_n * pull;
+      if (energy.bend.size() == 0) continue;
       add_block(at, at, force_n / lengths(d) * (Matrix3d::Identity() - pull * pull.transpose()));
       for (Index l = 0; l < 2; ++l) {
         const Diagonal& column = diagonals_[static_cast<std::size_t>(2 * h + l)];

@@ -28,8 +28,11 @@ class ElasticSheet {
   struct Energy {
     double n_mm = 0;
     Eigen::VectorXd slope;
-    Eigen::MatrixXd bend;
+    Eigen::MatrixXd bend;  ///< empty with first derivatives alone
   };
+  enum class Derivatives { first, second };
+  /// Those of each panel's sides and diagonals, a column each (ElasticPanel).
+  using Squares = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
   /// `stiffer` multiplies the stiffness of panels in their planes, which approximates panels that
   /// only bend.
@@ -70,7 +73,14 @@ class ElasticSheet {
 
   /// Energy of the panels; add_filling adds that of the holes' filling, whose forces are less by
   /// `relief_n`. The products of the diagonals stay as they are, since edges hardly stretch.
-  Energy panels_energy(const Eigen::Matrix3Xd& at_mm) const;
+  Energy panels_energy(const Eigen::Matrix3Xd& at_mm) const {
+    return panels_energy(at_mm, squares_mm2(at_mm), Derivatives::second);
+  }
+  /// The same, with second derivatives by the forces in the panels' planes at `squares_mm2`.
+  Energy panels_energy(const Eigen::Matrix3Xd& at_mm, const Squares& squares_mm2,
+                       Derivatives derivatives) const;
+  Squares squares_mm2(const Eigen::Matrix3Xd& at_mm) const;
+  Squares squares_rate(const Eigen::Matrix3Xd& at_mm, const Eigen::Matrix3Xd& rate) const;
   void add_filling(const Eigen::Matrix3Xd& at_mm, const Filling& filling,
                    const Eigen::VectorXd& relief_n, Energy& energy) const;
 
