@@ -119,11 +119,18 @@ std::vector<BentAngle> BentWay::bend(const Filling& filling, BendMethod method,
                                      std::unique_ptr<BentFollower> start) const {
   std::vector<BentAngle> angles;
   for (std::size_t k = 0; k < compliances_.size(); ++k) {
-    const Compliance& compliance = compliances_[k];
-    angles.push_back({pilot_deg_(static_cast<Index>(k)), filling.energy_n_mm(compliance.lengths_mm),
-                      solver::bend(compliance, filling), true});
+    angles.push_back({pilot_deg_(static_cast<Index>(k)),
+                      filling.energy_n_mm(compliances_[k].lengths_mm),
+                      {},
+                      true});
   }
   if (method == BendMethod::newton) bend_far(filling, std::move(start), angles);
+  for (std::size_t k = 0; k < compliances_.size(); ++k) {
+    BentAngle& angle = angles[k];
+    if (method == BendMethod::linear || !angle.is_sure) {
+      angle.bent = solver::bend(compliances_[k], filling);
+    }
+  }
   return angles;
 }
 
