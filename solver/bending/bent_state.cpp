@@ -59,9 +59,6 @@ class HeldStiffness {
     double lambda;
   };
   Step solve(const Eigen::VectorXd& r, double c) const;
-  // The same where A is not positive: by elimination of the whole system.
-  static Step solve_unstable(const Eigen::MatrixXd& a, const Eigen::VectorXd& g,
-                             const Eigen::VectorXd& r, double c);
 
  private:
   Eigen::VectorXd g_;
@@ -99,19 +96,6 @@ HeldStiffness::Step HeldStiffness::solve(const VectorXd& r, double c) const {
   return {factors_.matrixU().solve(lower - mu * lower_g_), mu + beta_ * c};
 }
 
-HeldStiffness::Step HeldStiffness::solve_unstable(const MatrixXd& a, const VectorXd& g,
-                                                  const VectorXd& r, double c) {
-  const Index n = g.size();
-  MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
-  bordered.topLeftCorner(n, n) = a;
-  bordered.col(n).head(n) = g;
-  bordered.row(n).head(n) = g.transpose();
-  VectorXd right(n + 1);
-  right << r, c;
-  const VectorXd solution = bordered.partialPivLu().solve(right);
-  return {solution.head(n), solution(n)};
-}
-
 BentFollower::BentFollower(const ElasticSheet& sheet, const Filling& filling,
                            const Matrix3Xd& folded_mm)
     : sheet_(sheet),
@@ -119,7 +103,7 @@ BentFollower::BentFollower(const ElasticSheet& sheet, const Filling& filling,
       free_(coordinates_but(sheet.coordinates(), sheet.supports(folded_mm))),
       load_{sheet.turned_mm(folded_mm), filling.forces_n(sheet.lengths_mm(folded_mm))} {
   state_.at_mm = folded_mm;
-  state_.squares_mm2 = sheet.squares_mm2(folded_mm);
+  state_.squares_mm2 = sheet.squares_mm2(folded_mm, 0 * folded_mm);
   assert(folded_mm.cols() == sheet.vertices());
   assert(std::ssize(free_) == sheet.coordinates() - 6 && "the first panel is held still");
 }
@@ -175,38 +159,33 @@ bool BentFollower::correct(const Load& load, double moved_mm, State& state) {
     if (!held) {
       sheet_.add_turned_bend(state.at_mm, -state.moment_n, energy.bend);
       held = std::make_unique<const HeldStiffness>(energy.bend(free_, free_), turned_slope);
+      if (!held->is_positive()) return false;
     }
     const VectorXd push = state.moment_n * turned_slope - energy.slope(free_);
     const double short_mm = load.turned_mm - sheet_.turned_mm(state.at_mm);
-    const auto step = held->is_positive()
-                          ? held->solve(push, short_mm)
-                          : HeldStiffness::solve_unstable(energy.bend(free_, free_), turned_slope,
-                                                          push, short_mm);
-    state.squares_mm2 = sheet_.squares_mm2(state.at_mm);
+    const auto step = held->solve(push, short_mm);
     state.moment_n -= step.lambda;
     const double longest_mm = move(step.u, state);
     if (!(longest_mm < width_mm)) return false;
     if (longest_mm >= enough_mm) {
       const bool serves = longest_mm <= std::min(kNear_widths * width_mm, kFast * before_mm);
-      if (!serves || !held->is_positive()) held.reset();
+      if (!serves) held.reset();
       before_mm = longest_mm;
       continue;
     }
     const double off_mm = (state.at_mm - predicted_mm).colwise().norm().maxCoeff();
-    if (!held->is_positive() || off_mm > std::max(kCloseness * moved_mm, 100 * enough_mm)) {
-      return false;
-    }
+    if (off_mm > std::max(kCloseness * moved_mm, 100 * enough_mm)) return false;
     held_ = std::move(held);
     return true;
   }
   return false;
 }
 
-// Moves vertices, and the squares by their derivatives; returns the largest displacement.
+// Returns the largest displacement; squares are those to first order.
 double BentFollower::move(const VectorXd& displacement, State& state) const {
   Matrix3Xd moved_mm = Matrix3Xd::Zero(3, sheet_.vertices());
   moved_mm.reshaped()(free_) = displacement;
-  state.squares_mm2 += sheet_.squares_rate(state.at_mm, moved_mm);
+  state.squares_mm2 = sheet_.squares_mm2(state.at_mm, moved_mm);
   state.at_mm += moved_mm;
   return moved_mm.colwise().norm().maxCoeff();
 }
@@ -242,13 +221,6 @@ BentState bend(const Compliance& compliance, const Filling& filling) {
   }
   return {filling.energy_n_mm(lengths_mm) + forces_n.dot(c * forces_n) / 2, forces_n,
           compliance.saddle_mm_per_n * forces_n};
-}
-
-std::optional<BentFollower::State> bend_far(const ElasticSheet& sheet, const Matrix3Xd& folded_mm,
-                                            const Filling& filling) {
-  BentFollower follower(sheet, filling, folded_mm);
-  if (!follower.follow(sheet.turned_mm(folded_mm))) return {};
-  return follower.state();
 }
 
 }  // namespace misalign::solver

@@ -88,9 +88,4 @@ class BentFollower {
   std::unique_ptr<const HeldStiffness> held_;  // stiffness at the last state, or next to it
 };
 
-/// Bends the rigid sheet by the filling's forces, step by step.
-std::optional<BentFollower::State> bend_far(const ElasticSheet& sheet,
-                                            const Eigen::Matrix3Xd& folded_mm,
-                                            const Filling& filling);
-
 }  // namespace misalign::solver

@@ -82,53 +82,45 @@ ElasticPanel::Function ElasticPanel::saddle(const Corners& p) const {
   return saddle;
 }
 
-ElasticPanel::Squares ElasticPanel::squares_mm2(const Corners& p) const {
-  Squares squares = squares_rate(p, p) / 2;
-  for (int i = 0; i < 6; ++i) squares(i) -= bars_[i].flat_mm * bars_[i].flat_mm;
-  return squares;
-}
-
-ElasticPanel::Squares ElasticPanel::squares_rate(const Corners& p, const Corners& rate) const {
-  Squares rates;
+ElasticPanel::Squares ElasticPanel::squares_mm2(const Corners& p, const Corners& moved) const {
+  Squares squares;
   for (int i = 0; i < 6; ++i) {
-    const auto [from, to, flat_mm] = bars_[i];
-    rates(i) = 2 * (p.col(to) - p.col(from)).dot(rate.col(to) - rate.col(from));
+    const auto [tail, head, flat_mm] = bars_[i];
+    const Vector3d along = p.col(head) - p.col(tail);
+    squares(i) = along.dot(along + 2 * (moved.col(head) - moved.col(tail))) - flat_mm * flat_mm;
   }
-  return rates;
+  return squares;
 }
 
 // Sides stretch by their squares / 2 flat, the shear is a weighted sum of all squares.
 ElasticPanel::Function ElasticPanel::energy(const Corners& p, const Squares& squares_mm2) const {
   const Function bent = saddle(p);
   const double q = bent.value, q2 = q * q;
-  const Squares here_mm2 = this->squares_mm2(p);
+  const Squares real_mm2 = this->squares_mm2(p, Corners::Zero());
   const Eigen::Map<const Squares> shears(shear_.data());
-  const double shear = shears.dot(here_mm2), shear_of_bend = shears.dot(squares_mm2);
+  const double shear_n = shear_n_mm_ * shears.dot(real_mm2);
   Function energy;
   energy.value =
-      (saddle_n_per_mm_ + stretch_n_per_mm3_ * q2) * q2 / 2 + shear_n_mm_ / 2 * shear * shear;
-  const double by_saddle = (saddle_n_per_mm_ + 2 * stretch_n_per_mm3_ * q2) * q;
-  energy.slope = by_saddle * bent.slope;
+      (saddle_n_per_mm_ + stretch_n_per_mm3_ * q2) * q2 / 2 + shear_n / 2 * shears.dot(real_mm2);
+  const double bent_n = (saddle_n_per_mm_ + 2 * stretch_n_per_mm3_ * q2) * q;
+  energy.slope = bent_n * bent.slope;
   Eigen::Matrix<double, 12, 1> shear_slope = Eigen::Matrix<double, 12, 1>::Zero();
   for (int i = 0; i < 6; ++i) {
-    const auto [from, to, flat_mm] = bars_[i];
-    const Vector3d along = 2 * (p.col(to) - p.col(from));
+    const auto [tail, head, flat_mm] = bars_[i];
+    const Vector3d along = 2 * (p.col(head) - p.col(tail));
     const double side = i < 4 ? side_n_per_mm_[i] / (4 * flat_mm * flat_mm) : 0;
-    energy.value += side / 2 * here_mm2(i) * here_mm2(i);
-    const Vector3d pull = (side * here_mm2(i) + shear_n_mm_ * shear * shear_[i]) * along;
-    energy.slope.segment<3>(3 * to) += pull;
-    energy.slope.segment<3>(3 * from) -= pull;
-    shear_slope.segment<3>(3 * to) += shear_[i] * along;
-    shear_slope.segment<3>(3 * from) -= shear_[i] * along;
-    const double force = side * squares_mm2(i) + shear_n_mm_ * shear_of_bend * shear_[i];
-    const Matrix3d block = side * along * along.transpose() + 2 * force * Matrix3d::Identity();
-    energy.bend.block<3, 3>(3 * to, 3 * to) += block;
-    energy.bend.block<3, 3>(3 * from, 3 * from) += block;
-    energy.bend.block<3, 3>(3 * to, 3 * from) -= block;
-    energy.bend.block<3, 3>(3 * from, 3 * to) -= block;
+    energy.value += side / 2 * real_mm2(i) * real_mm2(i);
+    const Vector3d pull = (side * real_mm2(i) + shear_n * shear_[i]) * along;
+    energy.slope.segment<3>(3 * head) += pull;
+    energy.slope.segment<3>(3 * tail) -= pull;
+    shear_slope.segment<3>(3 * head) += shear_[i] * along;
+    shear_slope.segment<3>(3 * tail) -= shear_[i] * along;
+    const double force = side * squares_mm2(i) + shear_n_mm_ * shears.dot(squares_mm2) * shear_[i];
+    add_ends(head, tail, head, tail,
+             side * along * along.transpose() + 2 * force * Matrix3d::Identity(), energy.bend);
   }
   energy.bend +=
-      by_saddle * bent.bend +
+      bent_n * bent.bend +
       (saddle_n_per_mm_ + 6 * stretch_n_per_mm3_ * q2) * bent.slope * bent.slope.transpose() +
       shear_n_mm_ * shear_slope * shear_slope.transpose();
   return energy;

@@ -23,6 +23,16 @@ inline constexpr double kEdgeShare = 0.12;
 /// A plate that twists loses 0.315 t of its width at each edge (Saint-Venant).
 inline constexpr double kFreeEdge = 0.315;
 
+/// Adds second derivatives by the differences of two points each, three coordinates a point.
+template <class Matrix>
+void add_ends(int head, int tail, int other_head, int other_tail, const Eigen::Matrix3d& block,
+              Matrix& bend) {
+  bend.template block<3, 3>(3 * head, 3 * other_head) += block;
+  bend.template block<3, 3>(3 * tail, 3 * other_tail) += block;
+  bend.template block<3, 3>(3 * head, 3 * other_tail) -= block;
+  bend.template block<3, 3>(3 * tail, 3 * other_head) -= block;
+}
+
 class ElasticPanel {
  public:
   using Corners = Eigen::Matrix<double, 3, 4>;
@@ -48,18 +58,17 @@ class ElasticPanel {
   /// (saddle_stress).
   double stress_mpa_per_mm() const;
 
-  /// Squares of the sides and diagonals, less those of the flat panel: as they are, and their
-  /// derivatives along a motion.
+  /// Squares of the sides and diagonals, less those of the flat panel, where corners moved from p,
+  /// to first order.
   using Squares = Eigen::Matrix<double, 6, 1>;
-  Squares squares_mm2(const Corners& p) const;
-  Squares squares_rate(const Corners& p, const Corners& rate) const;
+  Squares squares_mm2(const Corners& p, const Corners& moved) const;
   /// The panel's energy, N mm. Second derivatives are those with the forces in its plane at
   /// `squares_mm2`.
   Function energy(const Corners& p, const Squares& squares_mm2) const;
 
  private:
   struct Bar {  // between two corners
-    int from, to;
+    int tail, head;
     double flat_mm;
   };
 

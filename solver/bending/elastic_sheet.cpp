@@ -113,35 +113,36 @@ double ElasticSheet::turned_mm(const Matrix3Xd& at_mm) const {
 }
 
 ElasticSheet::FoldPlace ElasticSheet::place_of(const Fold& fold, const Matrix3Xd& at_mm) const {
-  FoldPlace at;
+  FoldPlace place;
   for (int k = 0; k < 4; ++k) {
     const std::array<int, 4>& c = corners(k < 2 ? fold.left : fold.right);
-    at.from[k] = c[k % 2], at.to[k] = c[k % 2 + 2];
-    at.diagonals_mm.col(k) = at_mm.col(at.to[k]) - at_mm.col(at.from[k]);
+    place.tails[k] = c[k % 2], place.heads[k] = c[k % 2 + 2];
+    place.diagonals_mm.col(k) = at_mm.col(place.heads[k]) - at_mm.col(place.tails[k]);
   }
   for (int side = 0; side < 2; ++side) {
-    at.normals.col(side) = at.diagonals_mm.col(2 * side).cross(at.diagonals_mm.col(2 * side + 1));
+    place.normals.col(side) =
+        place.diagonals_mm.col(2 * side).cross(place.diagonals_mm.col(2 * side + 1));
   }
-  at.axis = at.normals.col(0).cross(at.normals.col(1)).normalized();
-  return at;
+  place.axis = place.normals.col(0).cross(place.normals.col(1)).normalized();
+  return place;
 }
 
-// Derivatives of a side's normal along v by its two diagonals.
+// Derivatives of a side's normal along v second its two diagonals.
 Vector6d ElasticSheet::FoldPlace::by_diagonals(int side, const Vector3d& v) const {
-  Vector6d by;
-  by << diagonals_mm.col(2 * side + 1).cross(v), v.cross(diagonals_mm.col(2 * side));
-  return by;
+  Vector6d derivatives;
+  derivatives << diagonals_mm.col(2 * side + 1).cross(v), v.cross(diagonals_mm.col(2 * side));
+  return derivatives;
 }
 
 VectorXd ElasticSheet::turned_slope(const Matrix3Xd& at_mm) const {
   VectorXd slope = VectorXd::Zero(coordinates());
   for (const Fold& fold : folds_) {
-    const FoldPlace at = place_of(fold, at_mm);
+    const FoldPlace place = place_of(fold, at_mm);
     for (int side = 0; side < 2; ++side) {
-      const Vector6d by = fold.length_mm * at.by_diagonals(side, at.away(side));
+      const Vector6d rates = fold.length_mm * place.by_diagonals(side, place.away(side));
       for (int k = 0; k < 2; ++k) {
-        slope.segment<3>(3 * at.to[2 * side + k]) += by.segment<3>(3 * k);
-        slope.segment<3>(3 * at.from[2 * side + k]) -= by.segment<3>(3 * k);
+        slope.segment<3>(3 * place.heads[2 * side + k]) += rates.segment<3>(3 * k);
+        slope.segment<3>(3 * place.tails[2 * side + k]) -= rates.segment<3>(3 * k);
       }
     }
   }
@@ -153,17 +154,17 @@ VectorXd ElasticSheet::turned_slope(const Matrix3Xd& at_mm) const {
 //   b0 + b1 - a0 b0 - a1 b1 + (c0^2 + c1^2) cot / 2 - c0 c1 / sin.
 void ElasticSheet::add_turned_bend(const Matrix3Xd& at_mm, double factor, MatrixXd& bend) const {
   for (const Fold& fold : folds_) {
-    const FoldPlace at = place_of(fold, at_mm);
-    const double cosine = at.normals.col(0).normalized().dot(at.normals.col(1).normalized()),
+    const FoldPlace place = place_of(fold, at_mm);
+    const double cosine = place.normals.col(0).normalized().dot(place.normals.col(1).normalized()),
                  sine = std::sqrt(1 - cosine * cosine);
-    Eigen::Matrix<double, 12, 12> by = Eigen::Matrix<double, 12, 12>::Zero();
+    Eigen::Matrix<double, 12, 12> second = Eigen::Matrix<double, 12, 12>::Zero();
     std::array<Vector6d, 2> across;
     for (int side = 0; side < 2; ++side) {
-      const Vector3d n = at.normals.col(side), away = at.away(side);
-      const Vector6d a = at.by_diagonals(side, n / n.squaredNorm()),
-                     b = at.by_diagonals(side, away);
-      across[side] = at.by_diagonals(side, at.axis / n.norm());
-      auto block = by.block<6, 6>(6 * side, 6 * side);
+      const Vector3d n = place.normals.col(side), away = place.away(side);
+      const Vector6d a = place.by_diagonals(side, n / n.squaredNorm()),
+                     b = place.by_diagonals(side, away);
+      across[side] = place.by_diagonals(side, place.axis / n.norm());
+      auto block = second.block<6, 6>(6 * side, 6 * side);
       block = across[side] * across[side].transpose() * (cosine / sine) - a * b.transpose() -
               b * a.transpose();
       for (int d = 0; d < 3; ++d) {  // a normal is a product of diagonals
@@ -172,37 +173,26 @@ void ElasticSheet::add_turned_bend(const Matrix3Xd& at_mm, double factor, Matrix
         block.block<1, 3>(3 + d, 0) += turn.transpose();
       }
     }
-    by.topRightCorner<6, 6>() = across[0] * across[1].transpose() / -sine;
-    by.bottomLeftCorner<6, 6>() = by.topRightCorner<6, 6>().transpose();
-    by *= factor * fold.length_mm;
+    second.topRightCorner<6, 6>() = across[0] * across[1].transpose() / -sine;
+    second.bottomLeftCorner<6, 6>() = second.topRightCorner<6, 6>().transpose();
+    second *= factor * fold.length_mm;
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
-        const Matrix3d block = by.block<3, 3>(3 * i, 3 * j);
-        bend.block<3, 3>(3 * at.to[i], 3 * at.to[j]) += block;
-        bend.block<3, 3>(3 * at.from[i], 3 * at.from[j]) += block;
-        bend.block<3, 3>(3 * at.to[i], 3 * at.from[j]) -= block;
-        bend.block<3, 3>(3 * at.from[i], 3 * at.to[j]) -= block;
+        add_ends(place.heads[i], place.tails[i], place.heads[j], place.tails[j],
+                 second.block<3, 3>(3 * i, 3 * j), bend);
       }
     }
   }
 }
 
-ElasticSheet::Squares ElasticSheet::squares_mm2(const Matrix3Xd& at_mm) const {
+ElasticSheet::Squares ElasticSheet::squares_mm2(const Matrix3Xd& at_mm,
+                                                const Matrix3Xd& moved_mm) const {
   Squares squares(6, panels());
   for (Index k = 0; k < panels(); ++k) {
-    squares.col(k) = plate(k).squares_mm2(corners_at(at_mm, corners(k)));
+    squares.col(k) =
+        plate(k).squares_mm2(corners_at(at_mm, corners(k)), corners_at(moved_mm, corners(k)));
   }
   return squares;
-}
-
-ElasticSheet::Squares ElasticSheet::squares_rate(const Matrix3Xd& at_mm,
-                                                 const Matrix3Xd& rate) const {
-  Squares rates(6, panels());
-  for (Index k = 0; k < panels(); ++k) {
-    const auto& c = corners(k);
-    rates.col(k) = plate(k).squares_rate(corners_at(at_mm, c), corners_at(rate, c));
-  }
-  return rates;
 }
 
 ElasticSheet::Energy ElasticSheet::panels_energy(const Matrix3Xd& at_mm, const Squares& squares_mm2,
@@ -229,12 +219,6 @@ void ElasticSheet::add_filling(const Matrix3Xd& at_mm, const Filling& filling,
   const auto along = [&](const Diagonal& at) -> Vector3d {
     return (at_mm.col(at.to) - at_mm.col(at.from)).normalized();
   };
-  const auto add_block = [&](const Diagonal& row, const Diagonal& column, const Matrix3d& block) {
-    energy.bend.block<3, 3>(3 * row.to, 3 * column.to) += block;
-    energy.bend.block<3, 3>(3 * row.from, 3 * column.from) += block;
-    energy.bend.block<3, 3>(3 * row.to, 3 * column.from) -= block;
-    energy.bend.block<3, 3>(3 * row.from, 3 * column.to) -= block;
-  };
   for (Index h = 0; h < filling.holes(); ++h) {
     const HoleEnergy hole = filling.hole(h, lengths.segment<2>(2 * h));
     energy.n_mm += hole.n_mm;
@@ -246,10 +230,13 @@ void ElasticSheet::add_filling(const Matrix3Xd& at_mm, const Filling& filling,
       energy.slope.segment<3>(3 * at.to) += force_n * pull;
       energy.slope.segment<3>(3 * at.from) -= force_n * pull;
       if (energy.bend.size() == 0) continue;
-      add_block(at, at, force_n / lengths(d) * (Matrix3d::Identity() - pull * pull.transpose()));
+      add_ends(at.to, at.from, at.to, at.from,
+               force_n / lengths(d) * (Matrix3d::Identity() - pull * pull.transpose()),
+               energy.bend);
       for (Index l = 0; l < 2; ++l) {
         const Diagonal& column = diagonals_[static_cast<std::size_t>(2 * h + l)];
-        add_block(at, column, hole.n_per_mm(k, l) * pull * along(column).transpose());
+        add_ends(at.to, at.from, column.to, column.from,
+                 hole.n_per_mm(k, l) * pull * along(column).transpose(), energy.bend);
       }
     }
   }

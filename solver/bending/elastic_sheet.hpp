@@ -74,13 +74,12 @@ class ElasticSheet {
   /// Energy of the panels; add_filling adds that of the holes' filling, whose forces are less by
   /// `relief_n`. The products of the diagonals stay as they are, since edges hardly stretch.
   Energy panels_energy(const Eigen::Matrix3Xd& at_mm) const {
-    return panels_energy(at_mm, squares_mm2(at_mm), Derivatives::second);
+    return panels_energy(at_mm, squares_mm2(at_mm, 0 * at_mm), Derivatives::second);
   }
   /// The same, with second derivatives by the forces in the panels' planes at `squares_mm2`.
   Energy panels_energy(const Eigen::Matrix3Xd& at_mm, const Squares& squares_mm2,
                        Derivatives derivatives) const;
-  Squares squares_mm2(const Eigen::Matrix3Xd& at_mm) const;
-  Squares squares_rate(const Eigen::Matrix3Xd& at_mm, const Eigen::Matrix3Xd& rate) const;
+  Squares squares_mm2(const Eigen::Matrix3Xd& at_mm, const Eigen::Matrix3Xd& moved_mm) const;
   void add_filling(const Eigen::Matrix3Xd& at_mm, const Filling& filling,
                    const Eigen::VectorXd& relief_n, Energy& energy) const;
 
@@ -94,7 +93,7 @@ class ElasticSheet {
   };
   // The panels of a crease: two diagonals of the left one, then of the right one, between vertices.
   struct FoldPlace {
-    std::array<int, 4> from, to;
+    std::array<int, 4> tails, heads;
     Eigen::Matrix<double, 3, 4> diagonals_mm;
     Eigen::Matrix<double, 3, 2> normals;  // products of the diagonals
     Eigen::Vector3d axis;                 // about which the right normal is turned
