@@ -8,14 +8,15 @@
 namespace misalign::schema {
 namespace {
 
-Json bent_angles_json(const solver::BentPanels& study) {
-  return json_list(study.angles, [](const solver::BentAngle& angle) {
-    const Eigen::VectorXd& panels_mpa = angle.panel_stress_mpa;
+Json bent_angles_json(const solver::BentPanels& study, const Eigen::MatrixXd& stress_mpa) {
+  Eigen::Index k = 0;
+  return json_list(study.angles, [&](const solver::BentAngle& angle) {
+    const Eigen::VectorXd panels_mpa = stress_mpa.col(k++);
     return Json{{"pilot_deg", angle.pilot_deg},
                 {"energy_n_mm", angle.rigid_n_mm},
                 {"bent_energy_n_mm", angle.bent.n_mm},
-                {"largest_saddle_mm", angle.largest_saddle_mm},
-                {"largest_stress_mpa", angle.largest_stress_mpa},
+                {"largest_saddle_mm", angle.bent.largest_saddle_mm()},
+                {"largest_stress_mpa", panels_mpa.maxCoeff()},
                 {"panel_stress_mpa", std::vector<double>(panels_mpa.begin(), panels_mpa.end())},
                 {"is_sure", angle.is_sure}};
   });
@@ -70,7 +71,8 @@ Json bent_panels_json(const BentSheet& sheet) {
   const auto& [material, study, advice, buckling, preload] = sheet;
   const solver::BentFriction& friction = study.friction;
   assert(!study.angles.empty() && study.from_deg > study.options.to_deg);
-  const solver::BentAngle& most = study.most_bent();
+  const Eigen::MatrixXd stress_mpa = study.stress_mpa();
+  const solver::BentPanels::MostBent most = study.most_bent();
   Json json = {{"material", material_json(material)},
                {"thickness_mm", study.thickness_mm},
                {"from_deg", study.from_deg},
@@ -92,7 +94,7 @@ Json bent_panels_json(const BentSheet& sheet) {
                {"useful_stiffness_n_per_mm", or_null(advice.useful_stiffness_n_per_mm)},
                {"wanted_static_margin", advice.wanted_margin},
                {"least_thickness_mm", or_null(advice.least_thickness_mm)},
-               {"angles", bent_angles_json(study)},
+               {"angles", bent_angles_json(study, stress_mpa)},
                {"margins", margins_json(friction)},
                {"buckling", buckling_json(buckling)}};
   if (preload) json["preload"] = preload_json(*preload);

@@ -89,7 +89,7 @@ std::string preload_text(const solver::PreloadStudy& study) {
 
 std::string bent_panels_text(const schema::BentSheet& sheet, const solver::FrictionLimits& rigid) {
   const auto& [material, study, advice, buckling, preload] = sheet;
-  const solver::BentAngle& most = study.most_bent();
+  const solver::BentPanels::MostBent most = study.most_bent();
   std::string text =
       energy_text(material, study) + bent_friction_text(study, advice, rigid) +
       fmt::format(

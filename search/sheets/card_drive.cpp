@@ -70,11 +70,11 @@ class DriveLines : private CardLines {
   }
 
   void panels(const schema::BentSheet& bent) {
-    const solver::BentAngle& most = bent.panels.most_bent();
     ask("largest_stress_mpa",
         fmt::format("Largest static panel stress, farther than {:g} panel widths from corners",
                     solver::kCornerWidths),
-        "MPa", bent.material.strength_mpa, most.largest_stress_mpa, Bound::at_most);
+        "MPa", bent.material.strength_mpa, bent.panels.most_bent().largest_stress_mpa,
+        Bound::at_most);
     const solver::BucklingStudy::Least& pressed = bent.buckling.least();
     if (pressed.kind != solver::BucklingKind::none) {
       ask("buckling_factor",

@@ -115,27 +115,35 @@ BentWay::BentWay(const Sheet& sheet, const PanelMaterial& material, double thick
   }
 }
 
-std::vector<BentAngle> BentWay::bend(const Filling& filling, BendMethod method) const {
+std::vector<BentAngle> BentWay::bend(const Filling& filling, BendMethod method,
+                                     std::unique_ptr<BentFollower> start) const {
   std::vector<BentAngle> angles;
   for (std::size_t k = 0; k < compliances_.size(); ++k) {
-    const Compliance& compliance = compliances_[k];
-    angles.push_back({pilot_deg_(static_cast<Index>(k)), filling.energy_n_mm(compliance.lengths_mm),
-                      solver::bend(compliance, filling), true});
+    angles.push_back({pilot_deg_(static_cast<Index>(k)),
+                      filling.energy_n_mm(compliances_[k].lengths_mm),
+                      {},
+                      true});
   }
-  if (method == BendMethod::newton) bend_far(filling, angles);
+  if (method == BendMethod::newton) bend_far(filling, std::move(start), angles);
+  for (std::size_t k = 0; k < compliances_.size(); ++k) {
+    BentAngle& angle = angles[k];
+    if (method == BendMethod::linear || !angle.is_sure) {
+      angle.bent = solver::bend(compliances_[k], filling);
+    }
+  }
   return angles;
 }
 
 // Follows the equilibrium down from the start; where it is lost, begins with the rigid sheet again.
-void BentWay::bend_far(const Filling& filling, std::vector<BentAngle>& angles) const {
+void BentWay::bend_far(const Filling& filling, std::unique_ptr<BentFollower> follower,
+                       std::vector<BentAngle>& angles) const {
   const bool is_relaxed_flat = filling.forces_n(panels_.flat_lengths_mm()).isZero(0);
-  std::optional<BentFollower> follower;
   std::optional<Followed> above;
   for (std::size_t k = angles.size(); k-- > 0;) {
     const double turned_mm = compliances_[k].turned_mm;
     bool is_followed = follower && follower->follow(turned_mm);
     if (!is_followed) {
-      follower.emplace(panels_, filling, folded_mm_[k]);
+      follower = std::make_unique<BentFollower>(panels_, filling, folded_mm_[k]);
       is_followed = follower->follow(turned_mm);
     }
     BentAngle& angle = angles[k];
@@ -155,10 +163,11 @@ void BentWay::bend_far(const Filling& filling, std::vector<BentAngle>& angles) c
 }
 
 Bending BentWay::bending(const Filling& filling) const {
-  const auto far = solver::bend_far(panels_, folded_mm_.back(), filling);
-  if (!far) return {BendMethod::newton, 1};
-  const double ratio = far->n_mm / solver::bend(compliances_.back(), filling).n_mm;
-  return {std::abs(ratio - 1) <= kLinearError ? BendMethod::linear : BendMethod::newton, ratio};
+  auto start = std::make_unique<BentFollower>(panels_, filling, folded_mm_.back());
+  if (!start->follow(compliances_.back().turned_mm)) return {BendMethod::newton, 1};
+  const double ratio = start->state().n_mm / solver::bend(compliances_.back(), filling).n_mm;
+  return {std::abs(ratio - 1) <= kLinearError ? BendMethod::linear : BendMethod::newton, ratio,
+          std::move(start)};
 }
 
 EnergyCurve BentWay::curve(const Filling& filling, const std::vector<BentAngle>& angles) const {
@@ -210,10 +219,20 @@ BentFriction find_bent_friction(const EnergyCurve& curve, double to_deg,
   return friction;
 }
 
-const BentAngle& BentPanels::most_bent() const {
-  return *std::max_element(angles.begin(), angles.end(), [](const auto& a, const auto& b) {
-    return a.largest_stress_mpa < b.largest_stress_mpa;
-  });
+Eigen::MatrixXd BentPanels::stress_mpa() const {
+  const VectorXd mpa_per_mm = way->panels().stress_mpa_per_mm();
+  Eigen::MatrixXd stress_mpa(mpa_per_mm.size(), std::ssize(angles));
+  for (Index k = 0; const BentAngle& angle : angles) {
+    stress_mpa.col(k++) = angle.bent.saddles_mm.cwiseAbs().cwiseProduct(mpa_per_mm);
+  }
+  return stress_mpa;
+}
+
+BentPanels::MostBent BentPanels::most_bent() const {
+  Index panel = 0, k = 0;
+  const double largest_mpa = stress_mpa().maxCoeff(&panel, &k);
+  const BentAngle& angle = angles[static_cast<std::size_t>(k)];
+  return {angle.pilot_deg, angle.bent.largest_saddle_mm(), largest_mpa};
 }
 
 int BentPanels::unsure() const {
@@ -252,16 +271,9 @@ StudyResult<BentPanels> bend_panels(const Sheet& sheet, const ReleaseOptions& de
                        "stores no energy at the start, so that nothing bends the panels",
                        "give springs or plates that do"};
   }
-  const auto [method, newton_over_linear] =
+  auto [method, newton_over_linear, start] =
       options.method ? Bending{*options.method, 1} : way.bending(filling);
-  std::vector<BentAngle> angles = way.bend(filling, method);
-  const VectorXd stress_mpa_per_mm = way.panels().stress_mpa_per_mm();
-  for (BentAngle& angle : angles) {
-    const VectorXd saddles_mm = angle.bent.saddles_mm.cwiseAbs();
-    angle.largest_saddle_mm = saddles_mm.maxCoeff();
-    angle.panel_stress_mpa = saddles_mm.cwiseProduct(stress_mpa_per_mm);
-    angle.largest_stress_mpa = angle.panel_stress_mpa.maxCoeff();
-  }
+  std::vector<BentAngle> angles = way.bend(filling, method, std::move(start));
   const EnergyCurve curve = way.curve(filling, angles);
   const OtherMomentsAt others = other_moments(rigid);
   const double friction = held.joints.friction_n_mm_per_mm;

@@ -36,16 +36,13 @@ struct BentAngle {
   double rigid_n_mm;  ///< energy of the filling with rigid panels
   BentState bent;
   bool is_sure;  ///< true if linear, or followed by Newton's method
-  double largest_saddle_mm = 0;
-  /// The largest stress in each panel, farther than kCornerWidths from its corners.
-  Eigen::VectorXd panel_stress_mpa{};
-  double largest_stress_mpa = 0;
 };
 
 /// The method chosen, from bending at the start, and the effect of Newton's method there.
 struct Bending {
   BendMethod method;
   double newton_over_linear;  ///< ratio of energies; 1 where Newton's method did not run or failed
+  std::unique_ptr<BentFollower> start{};  ///< null in the same case
 };
 
 /// A sheet at all angles, for any filling; its panels have one thickness and material.
@@ -62,12 +59,14 @@ class BentWay {
   const std::vector<Compliance>& compliances() const { return compliances_; }
 
   Bending bending(const Filling& filling) const;
-  /// Bends panels at every angle, linearly or by Newton's method.
-  std::vector<BentAngle> bend(const Filling& filling, BendMethod method) const;
+  /// Bends panels at every angle, linearly or by Newton's method; `start` is of the same filling.
+  std::vector<BentAngle> bend(const Filling& filling, BendMethod method,
+                              std::unique_ptr<BentFollower> start = {}) const;
   EnergyCurve curve(const Filling& filling, const std::vector<BentAngle>& angles) const;
 
  private:
-  void bend_far(const Filling& filling, std::vector<BentAngle>& angles) const;
+  void bend_far(const Filling& filling, std::unique_ptr<BentFollower> follower,
+                std::vector<BentAngle>& angles) const;
 
   ElasticSheet panels_;
   double least_deg_, from_deg_;
@@ -120,8 +119,16 @@ struct BentPanels {
   EnergyCurve curve;
   BentFriction friction;
   std::shared_ptr<const BentWay> way;  ///< never null
-  const BentAngle& most_bent() const;  ///< the angle of the largest stress
-  int unsure() const;                  ///< angles where Newton's method did not converge
+
+  /// The largest stress in each panel (rows) at each angle, farther than kCornerWidths from its
+  /// corners; takes some ms.
+  Eigen::MatrixXd stress_mpa() const;
+  /// The angle of the largest stress.
+  struct MostBent {
+    double pilot_deg, largest_saddle_mm, largest_stress_mpa;
+  };
+  MostBent most_bent() const;
+  int unsure() const;  ///< angles where Newton's method did not converge
 };
 /// Faults: those of the angles in `deploy`, a filling without energy, an angle `to_deg` that does
 /// not lie below the start. Reasons: path_lost; panels_not_stable at one of the angles.

@@ -17,6 +17,9 @@ using Eigen::VectorXd;
 
 // Largest displacement of the last correction.
 constexpr double kLastStep_widths = 1e-10;
+// A correction's factors serve the next one where no vertex moved farther than this, and than this
+// share of the correction before.
+constexpr double kNear_widths = 1e-5, kFast = 0.1;
 // Number of corrections of one step, and the share of the predicted displacement that all together
 // may have. Single ones tell little: a thin panel that the prediction stretches first moves to and
 // fro.
@@ -56,9 +59,6 @@ class HeldStiffness {
     double lambda;
   };
   Step solve(const Eigen::VectorXd& r, double c) const;
-  // The same where A is not positive: by elimination of the whole system.
-  static Step solve_unstable(const Eigen::MatrixXd& a, const Eigen::VectorXd& g,
-                             const Eigen::VectorXd& r, double c);
 
  private:
   Eigen::VectorXd g_;
@@ -96,19 +96,6 @@ HeldStiffness::Step HeldStiffness::solve(const VectorXd& r, double c) const {
   return {factors_.matrixU().solve(lower - mu * lower_g_), mu + beta_ * c};
 }
 
-HeldStiffness::Step HeldStiffness::solve_unstable(const MatrixXd& a, const VectorXd& g,
-                                                  const VectorXd& r, double c) {
-  const Index n = g.size();
-  MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
-  bordered.topLeftCorner(n, n) = a;
-  bordered.col(n).head(n) = g;
-  bordered.row(n).head(n) = g.transpose();
-  VectorXd right(n + 1);
-  right << r, c;
-  const VectorXd solution = bordered.partialPivLu().solve(right);
-  return {solution.head(n), solution(n)};
-}
-
 BentFollower::BentFollower(const ElasticSheet& sheet, const Filling& filling,
                            const Matrix3Xd& folded_mm)
     : sheet_(sheet),
@@ -116,6 +103,7 @@ BentFollower::BentFollower(const ElasticSheet& sheet, const Filling& filling,
       free_(coordinates_but(sheet.coordinates(), sheet.supports(folded_mm))),
       load_{sheet.turned_mm(folded_mm), filling.forces_n(sheet.lengths_mm(folded_mm))} {
   state_.at_mm = folded_mm;
+  state_.squares_mm2 = sheet.squares_mm2(folded_mm, 0 * folded_mm);
   assert(folded_mm.cols() == sheet.vertices());
   assert(std::ssize(free_) == sheet.coordinates() - 6 && "the first panel is held still");
 }
@@ -125,7 +113,8 @@ BentFollower::~BentFollower() = default;
 bool BentFollower::follow(double turned_mm) {
   if (!held_ && !correct(load_, sheet_.panel_width_mm(), state_)) return false;
   const Load from = load_;
-  double left = 1;  // remaining share of the way to the new load
+  // The remaining share of the way to the new load.
+  double left = turned_mm == from.turned_mm && from.relief_n.isZero(0) ? 0 : 1;
   int steps = 0;
   for (double share = 1; left > 0; share = std::min(2 * share, left)) {
     const auto rate = held_->solve(
@@ -137,7 +126,7 @@ bool BentFollower::follow(double turned_mm) {
       const Load load{from.turned_mm + to * (turned_mm - from.turned_mm), (1 - to) * from.relief_n};
       State next = state_;
       next.moment_n -= share * rate.lambda;
-      const double moved_mm = move(rate.u, share, next);
+      const double moved_mm = move(share * rate.u, next);
       if (!correct(load, moved_mm, next)) continue;
       state_ = std::move(next);
       load_ = load;
@@ -145,7 +134,8 @@ bool BentFollower::follow(double turned_mm) {
       break;
     }
   }
-  ElasticSheet::Energy energy = sheet_.panels_energy(state_.at_mm);
+  ElasticSheet::Energy energy =
+      sheet_.panels_energy(state_.at_mm, state_.squares_mm2, ElasticSheet::Derivatives::first);
   sheet_.add_filling(state_.at_mm, filling_, load_.relief_n, energy);
   state_.n_mm = energy.n_mm;
   state_.forces_n = filling_.forces_n(sheet_.lengths_mm(state_.at_mm));
@@ -156,41 +146,48 @@ bool BentFollower::follow(double turned_mm) {
 // Returns whether Newton's method reaches a stable state close to a prediction whose displacements
 // are at most `moved_mm`.
 bool BentFollower::correct(const Load& load, double moved_mm, State& state) {
-  const double enough_mm = kLastStep_widths * sheet_.panel_width_mm();
+  using Derivatives = ElasticSheet::Derivatives;
+  const double width_mm = sheet_.panel_width_mm(), enough_mm = kLastStep_widths * width_mm;
   const Matrix3Xd predicted_mm = state.at_mm;
+  std::unique_ptr<const HeldStiffness> held;
+  double before_mm = width_mm;  // the last correction's largest displacement
   for (int k = 0; k < kMostCorrectionsOfStep; ++k) {
-    ElasticSheet::Energy energy = sheet_.panels_energy(state.at_mm);
+    ElasticSheet::Energy energy = sheet_.panels_energy(
+        state.at_mm, state.squares_mm2, held ? Derivatives::first : Derivatives::second);
     sheet_.add_filling(state.at_mm, filling_, load.relief_n, energy);
-    sheet_.add_turned_bend(state.at_mm, -state.moment_n, energy.bend);
-    const MatrixXd bend = energy.bend(free_, free_);
     const VectorXd turned_slope = sheet_.turned_slope(state.at_mm)(free_);
-    HeldStiffness held(bend, turned_slope);
-    const VectorXd push = -energy.slope(free_);
-    const double short_mm = load.turned_mm - sheet_.turned_mm(state.at_mm);
-    // A thin panel off its equilibrium is compressed in its plane, and need not be stable.
-    const auto step = held.is_positive()
-                          ? held.solve(push, short_mm)
-                          : HeldStiffness::solve_unstable(bend, turned_slope, push, short_mm);
-    const double longest_mm = move(step.u, 1, state);
-    state.moment_n = -step.lambda;
-    if (!(longest_mm < sheet_.panel_width_mm())) return false;
-    if (longest_mm >= enough_mm) continue;
-    const double off_mm = (state.at_mm - predicted_mm).colwise().norm().maxCoeff();
-    if (!held.is_positive() || off_mm > std::max(kCloseness * moved_mm, 100 * enough_mm)) {
-      return false;
+    if (!held) {
+      sheet_.add_turned_bend(state.at_mm, -state.moment_n, energy.bend);
+      held = std::make_unique<const HeldStiffness>(energy.bend(free_, free_), turned_slope);
+      if (!held->is_positive()) return false;
     }
-    held_ = std::make_unique<const HeldStiffness>(std::move(held));
+    const VectorXd push = state.moment_n * turned_slope - energy.slope(free_);
+    const double short_mm = load.turned_mm - sheet_.turned_mm(state.at_mm);
+    const auto step = held->solve(push, short_mm);
+    state.moment_n -= step.lambda;
+    const double longest_mm = move(step.u, state);
+    if (!(longest_mm < width_mm)) return false;
+    if (longest_mm >= enough_mm) {
+      const bool serves = longest_mm <= std::min(kNear_widths * width_mm, kFast * before_mm);
+      if (!serves) held.reset();
+      before_mm = longest_mm;
+      continue;
+    }
+    const double off_mm = (state.at_mm - predicted_mm).colwise().norm().maxCoeff();
+    if (off_mm > std::max(kCloseness * moved_mm, 100 * enough_mm)) return false;
+    held_ = std::move(held);
     return true;
   }
   return false;
 }
 
-double BentFollower::move(const VectorXd& displacement, double share, State& state) const {
-  VectorXd moved = VectorXd::Zero(sheet_.coordinates());
-  moved(free_) = share * displacement;
-  const auto by_vertex = moved.reshaped(3, sheet_.vertices());
-  state.at_mm += by_vertex;
-  return by_vertex.colwise().norm().maxCoeff();
+// Returns the largest displacement; squares are those to first order.
+double BentFollower::move(const VectorXd& displacement, State& state) const {
+  Matrix3Xd moved_mm = Matrix3Xd::Zero(3, sheet_.vertices());
+  moved_mm.reshaped()(free_) = displacement;
+  state.squares_mm2 = sheet_.squares_mm2(state.at_mm, moved_mm);
+  state.at_mm += moved_mm;
+  return moved_mm.colwise().norm().maxCoeff();
 }
 
 std::optional<Compliance> find_compliance(const ElasticSheet& sheet, const Matrix3Xd& folded_mm) {
@@ -224,13 +221,6 @@ BentState bend(const Compliance& compliance, const Filling& filling) {
   }
   return {filling.energy_n_mm(lengths_mm) + forces_n.dot(c * forces_n) / 2, forces_n,
           compliance.saddle_mm_per_n * forces_n};
-}
-
-std::optional<BentFollower::State> bend_far(const ElasticSheet& sheet, const Matrix3Xd& folded_mm,
-                                            const Filling& filling) {
-  BentFollower follower(sheet, filling, folded_mm);
-  if (!follower.follow(sheet.turned_mm(folded_mm))) return {};
-  return follower.state();
 }
 
 }  // namespace misalign::solver

@@ -31,6 +31,8 @@ struct BentState {
   double n_mm = 0;             ///< energy of filling and panels
   Eigen::VectorXd forces_n;    ///< one per diagonal, positive where the filling pulls
   Eigen::VectorXd saddles_mm;  ///< q of each panel
+
+  double largest_saddle_mm() const { return saddles_mm.cwiseAbs().maxCoeff(); }
 };
 
 /// Bends panels linearly: forces f = dE/dL of the filling at the lengths L - C f, by Newton's
@@ -47,13 +49,16 @@ class HeldStiffness;
 /// Follows an equilibrium by continuation while its load changes: a tangent as predictor, Newton's
 /// method with exact second derivatives as corrector, steps so short that it stays close, and each
 /// of its states a minimum of the energy with the sum held. It never begins anew: other equilibria
-/// lie close by, most of all near flat.
+/// lie close by, most of all near flat. The forces in the panels' planes are unknowns of their own,
+/// as in mixed methods (Magisano, Leonetti & Garcea 2017): those at predicted places, which stretch
+/// panels, have nothing of an equilibrium's.
 class BentFollower {
  public:
   /// A state in full equilibrium, whatever the displacements.
   struct State : BentState {
     double moment_n = 0;  ///< d energy / d sum: N mm per mm
     Eigen::Matrix3Xd at_mm;
+    ElasticSheet::Squares squares_mm2;  // they determine the forces in the panels' planes
   };
 
   /// Begins with the rigid sheet, whose filling's forces are relieved. `sheet` and `filling` must
@@ -73,19 +78,14 @@ class BentFollower {
     Eigen::VectorXd relief_n;  // taken off the filling's forces
   };
   bool correct(const Load& load, double moved_mm, State& state);
-  double move(const Eigen::VectorXd& displacement, double share, State& state) const;
+  double move(const Eigen::VectorXd& displacement, State& state) const;
 
   const ElasticSheet& sheet_;
   const Filling& filling_;
   const std::vector<int> free_;
   Load load_;
   State state_;
-  std::unique_ptr<const HeldStiffness> held_;  // stiffness at the last correction
+  std::unique_ptr<const HeldStiffness> held_;  // stiffness at the last state, or next to it
 };
-
-/// Bends the rigid sheet by the filling's forces, step by step.
-std::optional<BentFollower::State> bend_far(const ElasticSheet& sheet,
-                                            const Eigen::Matrix3Xd& folded_mm,
-                                            const Filling& filling);
 
 }  // namespace misalign::solver

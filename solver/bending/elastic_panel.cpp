@@ -82,27 +82,48 @@ ElasticPanel::Function ElasticPanel::saddle(const Corners& p) const {
   return saddle;
 }
 
-// Adds factor * (|to - from|^2 - flat^2).
-void ElasticPanel::add_square(double factor, const Bar& bar, const Corners& p, Function& sum) {
-  const auto [from, to, flat_mm] = bar;
-  const Vector3d along = p.col(to) - p.col(from);
-  sum.value += factor * (along.squaredNorm() - flat_mm * flat_mm);
-  sum.slope.segment<3>(3 * to) += 2 * factor * along;
-  sum.slope.segment<3>(3 * from) -= 2 * factor * along;
-  for (int d = 0; d < 3; ++d) {
-    sum.bend(3 * to + d, 3 * to + d) += 2 * factor;
-    sum.bend(3 * from + d, 3 * from + d) += 2 * factor;
-    sum.bend(3 * to + d, 3 * from + d) -= 2 * factor;
-    sum.bend(3 * from + d, 3 * to + d) -= 2 * factor;
+ElasticPanel::Squares ElasticPanel::squares_mm2(const Corners& p, const Corners& moved) const {
+  Squares squares;
+  for (int i = 0; i < 6; ++i) {
+    const auto [tail, head, flat_mm] = bars_[i];
+    const Vector3d along = p.col(head) - p.col(tail);
+    squares(i) = along.dot(along + 2 * (moved.col(head) - moved.col(tail))) - flat_mm * flat_mm;
   }
+  return squares;
 }
 
-ElasticPanel::Function ElasticPanel::squared(const Function& function) {
-  Function squared;
-  squared.value = function.value * function.value;
-  squared.slope = 2 * function.value * function.slope;
-  squared.bend = 2 * (function.slope * function.slope.transpose() + function.value * function.bend);
-  return squared;
+// Sides stretch by their squares / 2 flat, the shear is a weighted sum of all squares.
+ElasticPanel::Function ElasticPanel::energy(const Corners& p, const Squares& squares_mm2) const {
+  const Function bent = saddle(p);
+  const double q = bent.value, q2 = q * q;
+  const Squares real_mm2 = this->squares_mm2(p, Corners::Zero());
+  const Eigen::Map<const Squares> shears(shear_.data());
+  const double shear_n = shear_n_mm_ * shears.dot(real_mm2);
+  Function energy;
+  energy.value =
+      (saddle_n_per_mm_ + stretch_n_per_mm3_ * q2) * q2 / 2 + shear_n / 2 * shears.dot(real_mm2);
+  const double bent_n = (saddle_n_per_mm_ + 2 * stretch_n_per_mm3_ * q2) * q;
+  energy.slope = bent_n * bent.slope;
+  Eigen::Matrix<double, 12, 1> shear_slope = Eigen::Matrix<double, 12, 1>::Zero();
+  for (int i = 0; i < 6; ++i) {
+    const auto [tail, head, flat_mm] = bars_[i];
+    const Vector3d along = 2 * (p.col(head) - p.col(tail));
+    const double side = i < 4 ? side_n_per_mm_[i] / (4 * flat_mm * flat_mm) : 0;
+    energy.value += side / 2 * real_mm2(i) * real_mm2(i);
+    const Vector3d pull = (side * real_mm2(i) + shear_n * shear_[i]) * along;
+    energy.slope.segment<3>(3 * head) += pull;
+    energy.slope.segment<3>(3 * tail) -= pull;
+    shear_slope.segment<3>(3 * head) += shear_[i] * along;
+    shear_slope.segment<3>(3 * tail) -= shear_[i] * along;
+    const double force = side * squares_mm2(i) + shear_n_mm_ * shears.dot(squares_mm2) * shear_[i];
+    add_ends(head, tail, head, tail,
+             side * along * along.transpose() + 2 * force * Matrix3d::Identity(), energy.bend);
+  }
+  energy.bend +=
+      bent_n * bent.bend +
+      (saddle_n_per_mm_ + 6 * stretch_n_per_mm3_ * q2) * bent.slope * bent.slope.transpose() +
+      shear_n_mm_ * shear_slope * shear_slope.transpose();
+  return energy;
 }
 
 }  // namespace misalign::solver

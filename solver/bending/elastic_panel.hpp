@@ -23,6 +23,16 @@ inline constexpr double kEdgeShare = 0.12;
 /// A plate that twists loses 0.315 t of its width at each edge (Saint-Venant).
 inline constexpr double kFreeEdge = 0.315;
 
+/// Adds second derivatives by the differences of two points each, three coordinates a point.
+template <class Matrix>
+void add_ends(int head, int tail, int other_head, int other_tail, const Eigen::Matrix3d& block,
+              Matrix& bend) {
+  bend.template block<3, 3>(3 * head, 3 * other_head) += block;
+  bend.template block<3, 3>(3 * tail, 3 * other_tail) += block;
+  bend.template block<3, 3>(3 * head, 3 * other_tail) -= block;
+  bend.template block<3, 3>(3 * tail, 3 * other_head) -= block;
+}
+
 class ElasticPanel {
  public:
   using Corners = Eigen::Matrix<double, 3, 4>;
@@ -48,31 +58,19 @@ class ElasticPanel {
   /// (saddle_stress).
   double stress_mpa_per_mm() const;
 
-  /// Calls use(stiffness, function) for each function whose square, times half the stiffness, is a
-  /// part of the energy.
-  template <class Use>
-  void each_elastic(const Corners& p, const Use& use) const {
-    Function shear;
-    for (int i = 0; i < 6; ++i) {
-      add_square(shear_[i], bars_[i], p, shear);
-      if (i >= 4) continue;
-      Function side;
-      add_square(1 / (2 * bars_[i].flat_mm), bars_[i], p, side);
-      use(side_n_per_mm_[i], side);
-    }
-    use(shear_n_mm_, shear);
-    const Function bent = saddle(p);
-    use(stretch_n_per_mm3_, squared(bent));
-    use(saddle_n_per_mm_, bent);
-  }
+  /// Squares of the sides and diagonals, less those of the flat panel, where corners moved from p,
+  /// to first order.
+  using Squares = Eigen::Matrix<double, 6, 1>;
+  Squares squares_mm2(const Corners& p, const Corners& moved) const;
+  /// The panel's energy, N mm. Second derivatives are those with the forces in its plane at
+  /// `squares_mm2`.
+  Function energy(const Corners& p, const Squares& squares_mm2) const;
 
  private:
   struct Bar {  // between two corners
-    int from, to;
+    int tail, head;
     double flat_mm;
   };
-  static void add_square(double factor, const Bar& bar, const Corners& p, Function& sum);
-  static Function squared(const Function& function);
 
   std::array<Eigen::Vector2d, 4> corners_mm_;
   std::array<bool, 4> is_straight_;  // edges from each corner to the next

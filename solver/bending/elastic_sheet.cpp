@@ -13,35 +13,13 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
+using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Corners = ElasticPanel::Corners;
 
 Corners corners_at(const Matrix3Xd& at_mm, const std::array<int, 4>& corners) {
   Corners p;
   for (int i = 0; i < 4; ++i) p.col(i) = at_mm.col(corners[i]);
   return p;
-}
-
-// Adds the energy stiffness / 2 value^2.
-void add_elastic(double stiffness, const ElasticPanel::Function& function,
-                 const std::array<int, 4>& corners, ElasticSheet::Energy& energy) {
-  energy.n_mm += stiffness / 2 * function.value * function.value;
-  for (int i = 0; i < 4; ++i) {
-    energy.slope.segment<3>(3 * corners[i]) +=
-        stiffness * function.value * function.slope.segment<3>(3 * i);
-    for (int j = 0; j < 4; ++j) {
-      energy.bend.block<3, 3>(3 * corners[i], 3 * corners[j]) +=
-          stiffness *
-          (function.slope.segment<3>(3 * i) * function.slope.segment<3>(3 * j).transpose() +
-           function.value * function.bend.block<3, 3>(3 * i, 3 * j));
-    }
-  }
-}
-
-Vector3d mean_normal(const Corners& p) { return (p.col(2) - p.col(0)).cross(p.col(3) - p.col(1)); }
-
-double angle_of_normals(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace
@@ -128,82 +106,109 @@ MatrixXd ElasticSheet::saddle_slopes(const Matrix3Xd& at_mm) const {
 double ElasticSheet::turned_mm(const Matrix3Xd& at_mm) const {
   double sum = 0;
   for (const Fold& fold : folds_) {
-    sum += fold.length_mm * angle_of_normals(mean_normal(corners_at(at_mm, corners(fold.left))),
-                                             mean_normal(corners_at(at_mm, corners(fold.right))));
+    const Eigen::Matrix<double, 3, 2> n = place_of(fold, at_mm).normals;
+    sum += fold.length_mm * std::atan2(n.col(0).cross(n.col(1)).norm(), n.col(0).dot(n.col(1)));
   }
   return sum;
 }
 
-// Derivatives of a crease's fold angle by the corners of both panels, four each.
-Eigen::Matrix<double, 3, 8> ElasticSheet::fold_slope(const Fold& fold,
-                                                     const Matrix3Xd& at_mm) const {
-  const std::array<Corners, 2> p{corners_at(at_mm, corners(fold.left)),
-                                 corners_at(at_mm, corners(fold.right))};
-  const Vector3d n0 = mean_normal(p[0]), n1 = mean_normal(p[1]);
-  const Vector3d axis = n0.cross(n1).normalized();
-  Eigen::Matrix<double, 3, 8> slope;
-  for (int side = 0; side < 2; ++side) {
-    const Vector3d& n = side == 0 ? n0 : n1;
-    // The angle grows as n goes away from the other normal.
-    const Vector3d away = (side == 0 ? -1 : 1) * axis.cross(n) / n.squaredNorm();
-    const Vector3d diagonal_a = p[side].col(2) - p[side].col(0),
-                   diagonal_b = p[side].col(3) - p[side].col(1);
-    const Vector3d by_a = fold.length_mm * diagonal_b.cross(away),
-                   by_b = fold.length_mm * away.cross(diagonal_a);
-    slope.col(4 * side) = -by_a;
-    slope.col(4 * side + 1) = -by_b;
-    slope.col(4 * side + 2) = by_a;
-    slope.col(4 * side + 3) = by_b;
+ElasticSheet::FoldPlace ElasticSheet::place_of(const Fold& fold, const Matrix3Xd& at_mm) const {
+  FoldPlace place;
+  for (int k = 0; k < 4; ++k) {
+    const std::array<int, 4>& c = corners(k < 2 ? fold.left : fold.right);
+    place.tails[k] = c[k % 2], place.heads[k] = c[k % 2 + 2];
+    place.diagonals_mm.col(k) = at_mm.col(place.heads[k]) - at_mm.col(place.tails[k]);
   }
-  return slope;
+  for (int side = 0; side < 2; ++side) {
+    place.normals.col(side) =
+        place.diagonals_mm.col(2 * side).cross(place.diagonals_mm.col(2 * side + 1));
+  }
+  place.axis = place.normals.col(0).cross(place.normals.col(1)).normalized();
+  return place;
+}
+
+// Derivatives of a side's normal along v second its two diagonals.
+Vector6d ElasticSheet::FoldPlace::by_diagonals(int side, const Vector3d& v) const {
+  Vector6d derivatives;
+  derivatives << diagonals_mm.col(2 * side + 1).cross(v), v.cross(diagonals_mm.col(2 * side));
+  return derivatives;
 }
 
 VectorXd ElasticSheet::turned_slope(const Matrix3Xd& at_mm) const {
   VectorXd slope = VectorXd::Zero(coordinates());
   for (const Fold& fold : folds_) {
-    const auto rates = fold_slope(fold, at_mm);
-    for (int i = 0; i < 8; ++i) {
-      const int vertex = corners(i < 4 ? fold.left : fold.right)[i % 4];
-      slope.segment<3>(3 * vertex) += rates.col(i);
+    const FoldPlace place = place_of(fold, at_mm);
+    for (int side = 0; side < 2; ++side) {
+      const Vector6d rates = fold.length_mm * place.by_diagonals(side, place.away(side));
+      for (int k = 0; k < 2; ++k) {
+        slope.segment<3>(3 * place.heads[2 * side + k]) += rates.segment<3>(3 * k);
+        slope.segment<3>(3 * place.tails[2 * side + k]) -= rates.segment<3>(3 * k);
+      }
     }
   }
   return slope;
 }
 
+// Second derivatives of the angle between two vectors: with parts a along a vector, b away from the
+// other in their plane and c across it, each over the vector's length, the angle grows by
+//   b0 + b1 - a0 b0 - a1 b1 + (c0^2 + c1^2) cot / 2 - c0 c1 / sin.
 void ElasticSheet::add_turned_bend(const Matrix3Xd& at_mm, double factor, MatrixXd& bend) const {
-  const double step_mm = 1e-5 * panel_width_mm_;
-  Matrix3Xd moved = at_mm;
   for (const Fold& fold : folds_) {
-    const auto vertex_of = [&](int i) { return corners(i < 4 ? fold.left : fold.right)[i % 4]; };
-    for (int i = 0; i < 8; ++i) {
-      const int vertex = vertex_of(i);
-      // Both panels' corners on the crease are moved together, once.
-      bool seen = false;
-      for (int j = 0; j < i; ++j) seen = seen || vertex_of(j) == vertex;
-      if (seen) continue;
-      for (int d = 0; d < 3; ++d) {
-        moved(d, vertex) = at_mm(d, vertex) + step_mm;
-        Eigen::Matrix<double, 3, 8> rate = fold_slope(fold, moved);
-        moved(d, vertex) = at_mm(d, vertex) - step_mm;
-        rate -= fold_slope(fold, moved);
-        moved(d, vertex) = at_mm(d, vertex);
-        rate *= factor / (2 * step_mm);
-        for (int k = 0; k < 8; ++k) {
-          bend.block<3, 1>(3 * vertex_of(k), 3 * vertex + d) += rate.col(k) / 2;
-          bend.block<1, 3>(3 * vertex + d, 3 * vertex_of(k)) += rate.col(k).transpose() / 2;
-        }
+    const FoldPlace place = place_of(fold, at_mm);
+    const double cosine = place.normals.col(0).normalized().dot(place.normals.col(1).normalized()),
+                 sine = std::sqrt(1 - cosine * cosine);
+    Eigen::Matrix<double, 12, 12> second = Eigen::Matrix<double, 12, 12>::Zero();
+    std::array<Vector6d, 2> across;
+    for (int side = 0; side < 2; ++side) {
+      const Vector3d n = place.normals.col(side), away = place.away(side);
+      const Vector6d a = place.by_diagonals(side, n / n.squaredNorm()),
+                     b = place.by_diagonals(side, away);
+      across[side] = place.by_diagonals(side, place.axis / n.norm());
+      auto block = second.block<6, 6>(6 * side, 6 * side);
+      block = across[side] * across[side].transpose() * (cosine / sine) - a * b.transpose() -
+              b * a.transpose();
+      for (int d = 0; d < 3; ++d) {  // a normal is a product of diagonals
+        const Vector3d turn = Vector3d::Unit(d).cross(away);
+        block.block<3, 1>(0, 3 + d) += turn;
+        block.block<1, 3>(3 + d, 0) += turn.transpose();
+      }
+    }
+    second.topRightCorner<6, 6>() = across[0] * across[1].transpose() / -sine;
+    second.bottomLeftCorner<6, 6>() = second.topRightCorner<6, 6>().transpose();
+    second *= factor * fold.length_mm;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        add_ends(place.heads[i], place.tails[i], place.heads[j], place.tails[j],
+                 second.block<3, 3>(3 * i, 3 * j), bend);
       }
     }
   }
 }
 
-ElasticSheet::Energy ElasticSheet::panels_energy(const Matrix3Xd& at_mm) const {
-  Energy energy{0, VectorXd::Zero(coordinates()), MatrixXd::Zero(coordinates(), coordinates())};
+ElasticSheet::Squares ElasticSheet::squares_mm2(const Matrix3Xd& at_mm,
+                                                const Matrix3Xd& moved_mm) const {
+  Squares squares(6, panels());
   for (Index k = 0; k < panels(); ++k) {
-    plate(k).each_elastic(corners_at(at_mm, corners(k)),
-                          [&](double stiffness, const auto& function) {
-                            add_elastic(stiffness, function, corners(k), energy);
-                          });
+    squares.col(k) =
+        plate(k).squares_mm2(corners_at(at_mm, corners(k)), corners_at(moved_mm, corners(k)));
+  }
+  return squares;
+}
+
+ElasticSheet::Energy ElasticSheet::panels_energy(const Matrix3Xd& at_mm, const Squares& squares_mm2,
+                                                 Derivatives derivatives) const {
+  const Index bends = derivatives == Derivatives::second ? coordinates() : 0;
+  Energy energy{0, VectorXd::Zero(coordinates()), MatrixXd::Zero(bends, bends)};
+  for (Index k = 0; k < panels(); ++k) {
+    const std::array<int, 4>& c = corners(k);
+    const ElasticPanel::Function panel = plate(k).energy(corners_at(at_mm, c), squares_mm2.col(k));
+    energy.n_mm += panel.value;
+    for (int i = 0; i < 4; ++i) {
+      energy.slope.segment<3>(3 * c[i]) += panel.slope.segment<3>(3 * i);
+      for (int j = 0; j < 4 && bends > 0; ++j) {
+        energy.bend.block<3, 3>(3 * c[i], 3 * c[j]) += panel.bend.block<3, 3>(3 * i, 3 * j);
+      }
+    }
   }
   return energy;
 }
@@ -213,12 +218,6 @@ void ElasticSheet::add_filling(const Matrix3Xd& at_mm, const Filling& filling,
   const VectorXd lengths = lengths_mm(at_mm);
   const auto along = [&](const Diagonal& at) -> Vector3d {
     return (at_mm.col(at.to) - at_mm.col(at.from)).normalized();
-  };
-  const auto add_block = [&](const Diagonal& row, const Diagonal& column, const Matrix3d& block) {
-    energy.bend.block<3, 3>(3 * row.to, 3 * column.to) += block;
-    energy.bend.block<3, 3>(3 * row.from, 3 * column.from) += block;
-    energy.bend.block<3, 3>(3 * row.to, 3 * column.from) -= block;
-    energy.bend.block<3, 3>(3 * row.from, 3 * column.to) -= block;
   };
   for (Index h = 0; h < filling.holes(); ++h) {
     const HoleEnergy hole = filling.hole(h, lengths.segment<2>(2 * h));
@@ -230,10 +229,14 @@ void ElasticSheet::add_filling(const Matrix3Xd& at_mm, const Filling& filling,
       const double force_n = hole.force_n(k) - relief_n(d);
       energy.slope.segment<3>(3 * at.to) += force_n * pull;
       energy.slope.segment<3>(3 * at.from) -= force_n * pull;
-      add_block(at, at, force_n / lengths(d) * (Matrix3d::Identity() - pull * pull.transpose()));
+      if (energy.bend.size() == 0) continue;
+      add_ends(at.to, at.from, at.to, at.from,
+               force_n / lengths(d) * (Matrix3d::Identity() - pull * pull.transpose()),
+               energy.bend);
       for (Index l = 0; l < 2; ++l) {
         const Diagonal& column = diagonals_[static_cast<std::size_t>(2 * h + l)];
-        add_block(at, column, hole.n_per_mm(k, l) * pull * along(column).transpose());
+        add_ends(at.to, at.from, column.to, column.from,
+                 hole.n_per_mm(k, l) * pull * along(column).transpose(), energy.bend);
       }
     }
   }

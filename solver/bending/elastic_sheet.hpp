@@ -11,7 +11,7 @@
 // in the plane): 0.3 % of the energy in a square where q = t, 3 % where q = 3 t.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cassert>
 #include <vector>
 
@@ -28,8 +28,11 @@ class ElasticSheet {
   struct Energy {
     double n_mm = 0;
     Eigen::VectorXd slope;
-    Eigen::MatrixXd bend;
+    Eigen::MatrixXd bend;  ///< empty with first derivatives alone
   };
+  enum class Derivatives { first, second };
+  /// Those of each panel's sides and diagonals, a column each (ElasticPanel).
+  using Squares = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
   /// `stiffer` multiplies the stiffness of panels in their planes, which approximates panels that
   /// only bend.
@@ -65,13 +68,18 @@ class ElasticSheet {
   /// normals, the cross products of their diagonals.
   double turned_mm(const Eigen::Matrix3Xd& at_mm) const;
   Eigen::VectorXd turned_slope(const Eigen::Matrix3Xd& at_mm) const;
-  /// Adds `factor` times its second derivatives, by central differences of the gradient, exact to
-  /// 1e-8.
+  /// Adds `factor` times its second derivatives; no crease may be flat.
   void add_turned_bend(const Eigen::Matrix3Xd& at_mm, double factor, Eigen::MatrixXd& bend) const;
 
   /// Energy of the panels; add_filling adds that of the holes' filling, whose forces are less by
   /// `relief_n`. The products of the diagonals stay as they are, since edges hardly stretch.
-  Energy panels_energy(const Eigen::Matrix3Xd& at_mm) const;
+  Energy panels_energy(const Eigen::Matrix3Xd& at_mm) const {
+    return panels_energy(at_mm, squares_mm2(at_mm, 0 * at_mm), Derivatives::second);
+  }
+  /// The same, with second derivatives by the forces in the panels' planes at `squares_mm2`.
+  Energy panels_energy(const Eigen::Matrix3Xd& at_mm, const Squares& squares_mm2,
+                       Derivatives derivatives) const;
+  Squares squares_mm2(const Eigen::Matrix3Xd& at_mm, const Eigen::Matrix3Xd& moved_mm) const;
   void add_filling(const Eigen::Matrix3Xd& at_mm, const Filling& filling,
                    const Eigen::VectorXd& relief_n, Energy& energy) const;
 
@@ -83,10 +91,24 @@ class ElasticSheet {
     int left, right;  // panels
     double length_mm;
   };
+  // The panels of a crease: two diagonals of the left one, then of the right one, between vertices.
+  struct FoldPlace {
+    std::array<int, 4> tails, heads;
+    Eigen::Matrix<double, 3, 4> diagonals_mm;
+    Eigen::Matrix<double, 3, 2> normals;  // products of the diagonals
+    Eigen::Vector3d axis;                 // about which the right normal is turned
+
+    // The derivative of the angle by a normal.
+    Eigen::Vector3d away(int side) const {
+      const Eigen::Vector3d n = normals.col(side);
+      return (side == 0 ? -1 : 1) * axis.cross(n) / n.squaredNorm();
+    }
+    Eigen::Matrix<double, 6, 1> by_diagonals(int side, const Eigen::Vector3d& v) const;
+  };
   const ElasticPanel& plate(Eigen::Index panel) const {
     return plates_[static_cast<std::size_t>(panel)];
   }
-  Eigen::Matrix<double, 3, 8> fold_slope(const Fold& fold, const Eigen::Matrix3Xd& at_mm) const;
+  FoldPlace place_of(const Fold& fold, const Eigen::Matrix3Xd& at_mm) const;
 
   const FlatVertices flat_mm_;
   const std::vector<std::array<int, 4>> corners_;
