@@ -9,7 +9,7 @@
 namespace misalign::schema {
 namespace {
 
-// A mesh of 40 x 40 panels has 0.2 MB; an endless device is refused, too.
+// A mesh of 80 x 80 panels has 0.8 MB; an endless device is refused, too.
 constexpr std::size_t kLargest_bytes = 64 << 20;
 
 // Exception thrown out of the library's parser: why a text is refused.

@@ -9,7 +9,7 @@
 namespace misalign::schema {
 namespace {
 
-constexpr int kMostSide = 40;  // 3,900 unknowns: a dense Jacobian of 120 MB
+constexpr int kMostSide = 80;  // results/large-sheets.md says what time and memory it takes
 constexpr double kLeastLength_mm = 1e-3, kMostLength_mm = 1e6;
 
 // Reads a length for all panels of a row or column, or a list with one for each.

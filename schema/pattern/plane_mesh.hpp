@@ -12,7 +12,7 @@
 
 namespace misalign::schema {
 
-inline constexpr std::size_t kMostFaces = 1600;  ///< faces of a 40 x 40 Miura-ori
+inline constexpr std::size_t kMostFaces = 6400;  ///< faces of an 80 x 80 Miura-ori
 
 /// Faults of a mesh, a few of each kind.
 class MeshFaults {

@@ -11,7 +11,7 @@
 
 namespace misalign::solver {
 
-/// `Closure` is a SparseClosure<T>, or for T = double a DenseClosure.
+/// `Closure` is a SparseClosure<T>, or for T = double a PivotedClosure.
 template <class T, class Closure>
 class LaneCorrector {
  public:

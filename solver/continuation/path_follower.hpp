@@ -31,7 +31,7 @@ struct NearState {
   FoldState<double>* state;
 };
 
-/// `Closure` is a SparseClosure<T>, or for T = double a DenseClosure.
+/// `Closure` is a SparseClosure<T>, or for T = double a PivotedClosure.
 template <class T, class Steps = CloseSteps, class Closure = SparseClosure<T>>
 class PathFollower {
  public:

@@ -50,7 +50,7 @@ DenseFallback::Follower& DenseFallback::follower() {
     system_ = std::make_unique<ClosureSystem>(mechanism_);
     CloseSteps::Options options;
     options.arc.singular_gap_rad = kSingularGap_deg * kRadPerDeg;
-    follower_ = std::make_unique<Follower>(mechanism_, DenseClosure(*system_), options);
+    follower_ = std::make_unique<Follower>(mechanism_, PivotedClosure(*system_), options);
   }
   return *follower_;
 }

@@ -7,7 +7,7 @@
 
 #include "solver/continuation/path_follower.hpp"
 #include "solver/judging/sheet_queue.hpp"
-#include "solver/linear/dense_closure.hpp"
+#include "solver/linear/pivoted_closure.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {
@@ -52,7 +52,7 @@ class DenseFallback {
   }
 
  private:
-  using Follower = PathFollower<double, CloseSteps, DenseClosure<ClosureSystem>>;
+  using Follower = PathFollower<double, CloseSteps, PivotedClosure<ClosureSystem>>;
   struct Candidate {
     int sheet;
     bool was_lost, was_undecided;

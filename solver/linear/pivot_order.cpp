@@ -8,6 +8,7 @@
 
 #include "solver/linear/active_matrix.hpp"
 #include "solver/linear/dissection.hpp"
+#include "solver/linear/pivoted_jacobian.hpp"
 #include "solver/linear/sparse_lu.hpp"
 
 namespace misalign::solver {
@@ -20,6 +21,10 @@ namespace {
 using Angles = std::array<double, kPivotStates>;
 constexpr Angles kPlanned_deg = {1, 5, 20, 60, 100, 130, 150, 165, 175, 178};
 constexpr Angles kTried_deg = {2, 10, 40, 80, 115, 140, 155, 160, 170, 177};
+// More minors vanish at 90 degrees on the base, where sine and cosine are equal: unshifted paths of
+// 16 x 16 and 20 x 20 stalled there. Large sheets try it. The plans of small ones stay as they are,
+// and so do the bits of their campaigns; their unshifted paths get beyond.
+constexpr Angles kTriedOfLarge_deg = {2, 10, 40, 90, 115, 140, 155, 160, 170, 177};
 
 // Smallest share that a pivot has of its column's largest entry, at every state, unless no entry
 // reaches it: multipliers stay below its inverse. A smaller share leaves more choice, hence costs
@@ -169,8 +174,9 @@ Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& fold
   };
   const std::vector<JacobianEntry> entries = jacobian_entries(mechanism);
   const std::vector<PivotValues> planned = jacobians_at(kPlanned_deg, 0);
-  const std::vector<PivotValues> closed = jacobians_at(kTried_deg, 0);
-  const std::vector<PivotValues> misaligned = jacobians_at(kTried_deg, kOffBase);
+  const Angles& tried_deg = PivotedJacobian::is_sparse(mechanism) ? kTriedOfLarge_deg : kTried_deg;
+  const std::vector<PivotValues> closed = jacobians_at(tried_deg, 0);
+  const std::vector<PivotValues> misaligned = jacobians_at(tried_deg, kOffBase);
   const auto parts = dissect(mechanism, base_vertices_mm);
   const int partner = partner_of_pilot(mechanism, folding, base_vertices_mm);
   assert(partner >= 0 && partner < mechanism.equations);

@@ -29,11 +29,13 @@ double longest(const ArrayXd& values, const ArrayXd& steps) {
 // their last digits would depend on it.
 constexpr Eigen::Index kRowsAtOnce = 256;
 
+// Adds the sum of the rows' weighted squares to the lower triangle, which is all that is factored.
 void add_squares(const Eigen::MatrixXd& rows, const VectorXd& weights, Eigen::MatrixXd& sum) {
   for (Eigen::Index first = 0; first < rows.rows(); first += kRowsAtOnce) {
     const Eigen::Index count = std::min(kRowsAtOnce, rows.rows() - first);
     const auto some = rows.middleRows(first, count);
-    sum += some.transpose() * weights.segment(first, count).asDiagonal() * some;
+    const Eigen::MatrixXd weighted = weights.segment(first, count).asDiagonal() * some;
+    sum.triangularView<Eigen::Lower>() += weighted.transpose() * some;
   }
 }
 

@@ -8,13 +8,13 @@ struct DenseState::Matrices {
   explicit Matrices(const Mechanism& mechanism)
       : system(mechanism),
         newton(mechanism),
-        factors(mechanism.equations),
+        factors(system),
         smallest(mechanism.equations),
         misfit(mechanism.equations) {}
 
   ClosureSystem system;
   Newton newton;
-  DenseSolve factors;
+  PivotedJacobian factors;
   SmallestSingularValue<double> smallest;
   FoldState<double> trial;
   Eigen::VectorXd misfit;
@@ -36,10 +36,10 @@ void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<dou
     if (newton.correct(geometry, trial).end == Newton::StopReason::converged) point.state = trial;
     open_by_ = system.evaluate(geometry, point.state);
   }
-  factors.factorize(system.jacobian().leftCols(mechanism_.equations));
+  factors.factorize();
   point.rates.resize(static_cast<std::size_t>(mechanism_.unknowns));
   auto rates = Eigen::VectorXd::Map(point.rates.data(), mechanism_.unknowns);
-  rates.head(mechanism_.equations) = -factors.solve(system.jacobian().col(mechanism_.equations));
+  rates.head(mechanism_.equations) = -factors.solve(system.column(mechanism_.equations));
   rates[mechanism_.equations] = 1;  // the pilot's rate, last
   point.pilot_rate = 1 / rates.norm();
   folded_lengths_and_slopes(mechanism_, geometry, point.state, point.rates.data(),

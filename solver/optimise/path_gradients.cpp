@@ -33,7 +33,7 @@ struct PathGradients::Workspace {
   explicit Workspace(const Sheet& sheet)
       : mechanism(sheet.mechanism()),
         system(mechanism),
-        lu(mechanism.equations),
+        lu(system),
         gradient(mechanism),
         state(sheet.way()->stations().front().state),
         rates(mechanism.unknowns) {
@@ -119,7 +119,7 @@ struct PathGradients::Workspace {
 
   const Mechanism& mechanism;
   ClosureSystem system;
-  DenseSolve lu;
+  PivotedJacobian lu;
   FlatGradient<double> gradient;
   SheetGeometry<double> geometry;
   FoldState<double> state;
@@ -157,7 +157,7 @@ std::optional<PathGradients::AtAngle> PathGradients::at(double pilot_deg, bool w
   }
   if (!solve_at(pilot_deg)) return {};
   with.system.evaluate(with.geometry, with.state);
-  with.lu.factorize(with.system.jacobian().leftCols(mechanism.equations));
+  with.lu.factorize();
   with.gradient.at(with.geometry, with.state);
   VectorXd row(with.coordinates());
   for (Index d = 0; d < diagonals; ++d) {
@@ -222,7 +222,7 @@ std::optional<PathGradients::Shape> PathGradients::vertices(double pilot_deg) {
     closure_by_mm.row(e) = row.transpose();
   }
   // Closures are of a geometry in panel widths.
-  with.lu.factorize(with.system.jacobian().leftCols(equations));
+  with.lu.factorize();
   MatrixXd follow(equations, coordinates);
   for (Index k = 0; k < coordinates; ++k) {
     follow.col(k) = -with.lu.solve(closure_by_mm.col(k)) / mechanism.panel_width_mm;

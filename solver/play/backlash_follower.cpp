@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "solver/continuation/path_follower.hpp"
-#include "solver/linear/dense_closure.hpp"
+#include "solver/linear/pivoted_closure.hpp"
 #include "solver/linear/sparse_closure.hpp"
 #include "solver/play/miscut_stops.hpp"
 
@@ -64,21 +64,18 @@ struct BacklashFollower::Followers {
     const LooseSheet<double>& sheet_;
   };
 
-  // Loop closure as equations for a DenseClosure.
-  class Equations {
+  // Loop closure of the sheet with play.
+  class Equations : public ClosureSystem {
    public:
     // Both must outlive this object.
     Equations(const Mechanism& mechanism, const LooseSheet<double>& sheet)
-        : system_(mechanism), sheet_(sheet) {}
+        : ClosureSystem(mechanism), sheet_(sheet) {}
 
     double evaluate(const SheetGeometry<double>&, const FoldState<double>& state) {
-      return system_.evaluate(sheet_, state);
+      return ClosureSystem::evaluate(sheet_, state);
     }
-    const Eigen::VectorXd& residual() const { return system_.residual(); }
-    const Eigen::MatrixXd& jacobian() const { return system_.jacobian(); }
 
    private:
-    ClosureSystem system_;
     const LooseSheet<double>& sheet_;
   };
 
@@ -86,11 +83,11 @@ struct BacklashFollower::Followers {
       : equations(model.mechanism(), sheet),
         sparse(model.mechanism(), Closure(model.mechanism(), model.elimination(), sheet),
                step_options()),
-        dense(model.mechanism(), DenseClosure(equations), step_options()) {}
+        dense(model.mechanism(), PivotedClosure(equations), step_options()) {}
 
   Equations equations;
   PathFollower<double, CloseSteps, Closure> sparse;
-  PathFollower<double, CloseSteps, DenseClosure<Equations>> dense;
+  PathFollower<double, CloseSteps, PivotedClosure<Equations>> dense;
 };
 
 // One path, up or down, and its results.

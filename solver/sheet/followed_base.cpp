@@ -9,7 +9,7 @@
 #include "solver/continuation/path_follower.hpp"
 #include "solver/kinematics/folded_shape.hpp"
 #include "solver/kinematics/measured_state.hpp"
-#include "solver/linear/dense_closure.hpp"
+#include "solver/linear/pivoted_closure.hpp"
 #include "solver/sheet/folding_way.hpp"
 
 namespace misalign::solver {
@@ -99,8 +99,8 @@ class TargetFollower {
         target_deg_(angle_deg(target_.creases[static_cast<std::size_t>(mechanism_.pilot)])),
         system_(mechanism_),
         newton_(mechanism_),
-        square_(mechanism_.equations),
-        follower_(mechanism_, DenseClosure<ClosureSystem>(system_)) {
+        square_(system_),
+        follower_(mechanism_, PivotedClosure(system_)) {
     assert(mechanism_.unknowns == mechanism_.equations + 1);
     place(mechanism_, sheet.vertices_mm, geometry_);
   }
@@ -212,8 +212,8 @@ class TargetFollower {
   WayStation closed(FoldState<double> state, double pilot_rate) {
     newton_.correct(geometry_, state);
     system_.evaluate(geometry_, state);
-    square_.factorize(system_.jacobian().leftCols(mechanism_.equations));
-    const Eigen::VectorXd others = square_.solve(-system_.jacobian().rightCols<1>());
+    square_.factorize();
+    const Eigen::VectorXd others = square_.solve(-system_.column(mechanism_.equations));
     std::vector<double> rates(static_cast<std::size_t>(mechanism_.unknowns), pilot_rate);
     for (Eigen::Index k = 0; k < others.size(); ++k) {
       rates[static_cast<std::size_t>(k)] = others(k) * pilot_rate;
@@ -255,8 +255,8 @@ class TargetFollower {
   SheetGeometry<double> geometry_;
   ClosureSystem system_;
   Newton newton_;
-  DenseSolve square_;
-  PathFollower<double, CloseSteps, DenseClosure<ClosureSystem>> follower_;
+  PivotedJacobian square_;
+  PathFollower<double, CloseSteps, PivotedClosure<ClosureSystem>> follower_;
   std::vector<FoldState<double>> states_;
   PathResult path_{};
 };

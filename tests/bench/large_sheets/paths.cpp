@@ -24,7 +24,8 @@ LargeSheets::LargeSheets(int panels) {
     Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, base.sheet.vertex_count());
     search::draw_shifts({.vertices = solver::interior_vertices(base.sheet)}, 1,
                         static_cast<std::uint64_t>(draw), shifts_mm);
-    solver::place(mechanism, base.sheet.vertices_mm + shifts_mm, drawn.emplace_back());
+    drawn_mm.push_back(base.sheet.vertices_mm + shifts_mm);
+    solver::place(mechanism, drawn_mm.back(), drawn.emplace_back());
   }
 }
 

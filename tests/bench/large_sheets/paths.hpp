@@ -15,8 +15,9 @@ struct LargeSheets {
 
   solver::PerforatedSheet base;
   solver::Mechanism mechanism;
-  solver::PathPlan plan;                             ///< samples of 1 degree
-  std::vector<solver::SheetGeometry<double>> drawn;  ///< interior vertices shifted by 0.4 mm
+  solver::PathPlan plan;                       ///< samples of 1 degree
+  std::vector<solver::FlatVertices> drawn_mm;  ///< interior vertices shifted by 0.4 mm
+  std::vector<solver::SheetGeometry<double>> drawn;
 };
 
 /// What following some of the sheets took.

@@ -131,10 +131,10 @@ TEST(FoldFaults, NameThePlace) {
        {"edge A6-A11", "belongs to no face"}},
       {"too many faces",
        [](Json& m) {
-         while (m["faces_vertices"].size() <= 1600) m["faces_vertices"].push_back({0, 1, 6, 5});
+         while (m["faces_vertices"].size() <= 6400) m["faces_vertices"].push_back({0, 1, 6, 5});
        },
        1,
-       {"faces_vertices has 1601 faces", "at most 1600"}},
+       {"faces_vertices has 6401 faces", "at most 6400"}},
       {"too many vertices",
        [](Json& m) {
          while (m["vertices_coords"].size() <= 6400) m["vertices_coords"].push_back({0, 1});

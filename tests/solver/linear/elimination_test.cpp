@@ -310,12 +310,13 @@ TEST(SparseLu, BitsAreThoseOfOnePivotAfterAnother) {
 }
 
 // Markowitz' order alone takes 1,004,572 on 20 x 20, within the parts of a dissection along x and y
-// half of that, 337,000 with oblique cuts; 6,945,562 and 4.1 million on 40 x 40. The paper's size
-// was 2,043 with pivots above 0.01 of their column, 1,712 with those above 0.0003.
+// half of that, 337,000 with oblique cuts; 6,945,562 and 4.1 million on 40 x 40. An order that
+// suits 90 degrees on the base, too, takes 16 and 12 % more of these. The paper's size was 2,043
+// with pivots above 0.01 of their column, 1,712 with those above 0.0003.
 TEST(Elimination, OperationsStayFew) {
   EXPECT_LE(plan_of(TestSheet(6, 6)).operations(), 1900u);
-  EXPECT_LE(plan_of(TestSheet(20, 20)).operations(), 360'000u);
-  EXPECT_LE(plan_of(TestSheet(40, 40)).operations(), 4'360'000u);
+  EXPECT_LE(plan_of(TestSheet(20, 20)).operations(), 410'000u);
+  EXPECT_LE(plan_of(TestSheet(40, 40)).operations(), 4'410'000u);
 }
 
 // Nothing depends on addresses, hashes or what ran before.
@@ -337,6 +338,19 @@ struct OneRun {
   bool see(const Station&, int) { return true; }
   void ended(const PathResult& path, int) { result = path; }
 };
+
+// Symmetry makes minors vanish there: the paths stalled at 90.000000 degrees.
+TEST(SparseLu, UnshiftedLargeSheetsFoldBeyond90Degrees) {
+  for (const int panels : {16, 20}) {
+    const TestSheet sheet(panels, panels);
+    const Elimination elimination = plan_of(sheet);
+    PathFollower<double> follower(sheet.mechanism, elimination);
+    const PathPlan plan = sheet.plan({.end_deg = 100});
+    OneRun run;
+    follower.follow({&sheet.geometry, &plan.start, &plan}, run);
+    EXPECT_EQ(run.result.end, PathEnd::end_reached) << panels;
+  }
+}
 
 // Pivots chosen on open states only are zero where every loop closes: on this sheet 351 and 93
 // iterations went by before the path was given up. Three or four a station are Newton's own.
