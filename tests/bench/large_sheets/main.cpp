@@ -160,9 +160,10 @@ int run(int argc, char** argv) {
   if (sizes.empty()) sizes = {10, 14, 20, 28, 40, 56, 70};
   std::printf(
       "| panels | unknowns | multiplications | slots | iterations as a function | in close steps | "
-      "function, ms | in lanes | close steps, ms | in lanes | SparseLU, ms | SparseLU / close | "
-      "/ in lanes | vertices, ms | / close | apart, mm | order, s | model, s | mobility, s | "
-      "refusal, s |\n");
+      "function, ms | function in lanes, ms | close steps, ms | close in lanes, ms | "
+      "SparseLU, ms | SparseLU / close | / in lanes | vertices, ms | vertices / close | apart, mm "
+      "| order, s | "
+      "model, s | mobility, s | refusal, s |\n");
   std::vector<Row> rows;
   for (const int panels : sizes) print(rows.emplace_back(measure(panels, rounds)));
   print_exponents(rows.front(), rows.back());
