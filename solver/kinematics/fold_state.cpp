@@ -1,5 +1,6 @@
 #include "solver/kinematics/fold_state.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -85,9 +86,13 @@ void find_crease_lengths(const Mechanism& mechanism, const SheetGeometry<double>
 double turning_mm(const std::vector<double>& creases_mm,
                   const std::vector<HalfAngle<double>>& creases) {
   assert(creases_mm.size() == creases.size());
-  double sum_mm = 0;
-  for (std::size_t k = 0; k < creases.size(); ++k) {
-    sum_mm += creases_mm[k] * std::abs(angle_rad(creases[k]));
+  constexpr std::size_t kAtOnce = 64;
+  double sum_mm = 0, angles_rad[kAtOnce];
+  for (std::size_t first = 0; first < creases.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, creases.size() - first);
+    find_angles(creases.data() + first, static_cast<int>(count), angles_rad);
+    for (std::size_t k = 0; k < count; ++k)
+      sum_mm += creases_mm[first + k] * std::abs(angles_rad[k]);
   }
   return sum_mm;
 }

@@ -64,8 +64,6 @@ class ExpansionTest {
   void look_at(const ShiftBlock& block, int first, int count);
   void add_up(int group);
 
-  static int sign_of(double shift) { return (shift > 0) - (shift < 0); }
-
   std::unique_ptr<ShiftExpansion> expansion_;
   const double amplitude_mm_;
   double late_deg_ = 0, turned_away_ = 0;
@@ -247,19 +245,21 @@ void ExpansionTest<T, Single>::look_at(const ShiftBlock& block, int first, int c
   rows_.resize(static_cast<std::size_t>(count * vertices));
   signs_.resize(static_cast<std::size_t>(count) * stride);
   directions_.assign(static_cast<std::size_t>(count * expansion_->diagonals()), 0);
+  const double amplitude_mm = amplitude_mm_;
   std::uint16_t* row = rows_.data();
   for (int s = 0; s < count; ++s) {
-    const double* shift = block.of(first + s);
-    signed char* sign = signs_.data() + static_cast<std::size_t>(s) * stride;
-    bool is_ternary = true;
-    for (int v = 0; v < vertices; ++v, shift += 2, sign += 2) {
-      const int x = sign_of(shift[0]), y = sign_of(shift[1]);
-      is_ternary &= (x * amplitude_mm_ == shift[0]) & (y * amplitude_mm_ == shift[1]);
-      sign[0] = static_cast<signed char>(x);
-      sign[1] = static_cast<signed char>(y);
-      *row++ = static_cast<std::uint16_t>(ShiftExpansion::place_of(x, y) * kRow);
+    const double* const shift = block.of(first + s);
+    signed char* const sign = signs_.data() + static_cast<std::size_t>(s) * stride;
+    int others = 0;
+    for (int j = 0; j < 2 * vertices; ++j) {
+      sign[j] = static_cast<signed char>((shift[j] > 0) - (shift[j] < 0));
+      others |= sign[j] * amplitude_mm != shift[j];
     }
-    if (is_ternary) asked_.push_back(s);
+    for (int v = 0; v < vertices; ++v) {
+      const int place = ShiftExpansion::place_of(sign[2 * v], sign[2 * v + 1]);
+      *row++ = static_cast<std::uint16_t>(place * kRow);
+    }
+    if (others == 0) asked_.push_back(s);
   }
 }
 

@@ -29,10 +29,7 @@ class LaneBatch final : public Batch {
     states_.begin();
     if (!expansion_test_) expansion_test_.emplace(model_);
     expansion_test_->run(block, rejection_);
-    open_.clear();
-    for (int sheet = 0; sheet < block.sheets; ++sheet) {
-      if (!rejection_.decided(sheet)) open_.push_back({sheet, -1});
-    }
+    open_undecided(block);
     if (!model_.tests().empty()) run_tests(block);
     return rejection_.results();
   }
@@ -130,6 +127,15 @@ class LaneBatch final : public Batch {
       double_test_.run_ahead(block, open_, rejection_, states_);
       drop_decided(open_);
     }
+    if (model_.criterion().energy) return;
+    open_undecided(block);
+    for (const int place : {1, 2, 3, kNear}) run(double_test_, place, false, block, open_);
+  }
+
+  void open_undecided(const ShiftBlock& block) {
+    open_.clear();
+    for (int sheet = 0; sheet < block.sheets; ++sheet)
+      if (!rejection_.decided(sheet)) open_.push_back({sheet, -1});
   }
 
   // Opens lost sheets again that have a state at this place, and tests them in double precision.

@@ -31,7 +31,7 @@ class LaneTest {
   void run_again(int place, const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
                  KeptStates& states);
   /// Steps from the kept states along their tangents, the farther the shorter, and to each of the
-  /// last samples. A step that loses its path is halved.
+  /// last samples. A step that loses its path is halved, or whose pilot turns back in doubt.
   template <class Rules>
   void run_ahead(const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
                  KeptStates& states);
@@ -167,23 +167,23 @@ void LaneTest<T>::run_ahead(const ShiftBlock& block, std::vector<Undecided>& ope
       effort_.solves += 1;
       effort_.iterations += 3;
       const auto error = solver_.length_error_ahead(i);
-      if (!error && kept.to_sample > 0 && rules.holds_every_step()) {
+      const int sample = kept.to_sample;
+      const double here_deg = sample > 0 ? sample * sample_deg_ : pilot_deg(i);
+      const double rate = lane(solver_.tangent().back(), i);
+      const double farthest_deg = farthest_between(kept.pilot_deg, kept.tangent.back(), here_deg,
+                                                   rate, lane(step_, i) / kRadPerDeg);
+      const bool goes_on =
+          error && report(0, farthest_deg, here_deg, sample, sheets[i].sheet, i, *error, rules);
+      if (!error && sample > 0 && rules.holds_every_step()) {
         kept.to_sample = 0;  // where the pilot turns back, only the level leads on
         continue;
       }
-      if (!error) {
+      if (!error || (!goes_on && rate < 0 && !rules.decided(sheets[i].sheet))) {
         kept.step_deg /= 2;
         kept.to_sample = 0;
-        kept.goes_on = kept.step_deg >= rules.shortest_step_deg();
+        kept.goes_on = kept.step_deg >= kShortestStep_deg;
         continue;
       }
-      const int sample = kept.to_sample;
-      const double here_deg = sample > 0 ? sample * sample_deg_ : pilot_deg(i);
-      const double farthest_deg =
-          farthest_between(kept.pilot_deg, kept.tangent.back(), here_deg,
-                           lane(solver_.tangent().back(), i), lane(step_, i) / kRadPerDeg);
-      const bool goes_on =
-          report(0, farthest_deg, here_deg, sample, sheets[i].sheet, i, *error, rules);
       keep(here_deg, goes_on, rules.next_sample(here_deg), 2 * kept.step_deg, i, kept);
       if (kept.tangent.back() > 0) rules.observe(sheets[i].sheet, here_deg, kept.state);
     }

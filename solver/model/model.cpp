@@ -22,7 +22,7 @@ constexpr double kPilotsDiffer_deg = 2;
 
 // Places as shares of the far one. After a test at the far level, one at a smaller share shows in
 // which direction diagonals set out: the two decide nine of ten sheets.
-constexpr double kPlaces[] = {1, 0.8, 0.6, 0.4, 0.2};
+constexpr double kPlaces[] = {1, 0.95, 0.9, 0.85, 0.8, 0.6, 0.4, 0.2};
 static_assert(std::size(kPlaces) == Model::kNear + 1);
 
 // Least angle of the far place: closer to flat nothing is gained.

@@ -71,7 +71,7 @@ class Model {
 
   /// Places from the far to the near one; none if the threshold is close to flat.
   const std::vector<TestPlace>& tests() const { return tests_; }
-  static constexpr int kFar = 0, kMiddle = 1, kNear = 4;  ///< indices of tests(), the last included
+  static constexpr int kFar = 0, kMiddle = 4, kNear = 7;  ///< indices of tests(), the last included
   /// Largest coordinate on the flat sheet from A1, panel widths.
   double extent() const { return extent_; }
   /// Bound of the change of any diagonal (panel widths) when every joint turns by 1 rad.

@@ -25,11 +25,8 @@ double rounding_error(double epsilon, double extent, const TestPlace& test);
 /// Length of the next step along a path from a state with this pilot angle (degrees of the base
 /// folding's pilot); sheets depart from the base folding at `far_deg`.
 double step_ahead_deg(double pilot_deg, double far_deg);
-/// Bounds of a step; steps that lose the path are halved down to the shortest. Under the energy
-/// criterion a third of the paths end at a sharp fold limit, which takes shorter ones: at 0.5 twice
-/// as many sheets are left to full paths as at 0.1.
-inline constexpr double kShortestStep_deg = 0.5, kShortestStepByEnergy_deg = 0.1,
-                        kLongestStep_deg = 7.5;
+/// Bounds of a step; those that lose the path are halved. Sharp fold limits take the shortest.
+inline constexpr double kShortestStep_deg = 0.1, kLongestStep_deg = 7.5;
 /// Largest pilot angle between two states `step` apart on a path (deg) with these rates: half as
 /// far again as the point where the path's tangents meet.
 double farthest_between(double from_deg, double from_rate, double to_deg, double to_rate,
@@ -70,9 +67,6 @@ class RejectionTest {
   int next_sample(double pilot_deg) const;
   /// Returns whether every step ahead that can ends at a sample.
   bool holds_every_step() const { return energy_ && energy_->judges(); }
-  double shortest_step_deg() const {
-    return holds_every_step() ? kShortestStepByEnergy_deg : kShortestStep_deg;
-  }
   const std::vector<Rejection>& results() const { return rejections_; }
   bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
 

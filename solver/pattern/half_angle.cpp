@@ -3,6 +3,13 @@
 #include <algorithm>
 #include <cassert>
 
+// A function compiled once more for wide registers; the machine at hand decides which copy runs.
+#if defined(MISALIGN_X86) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define MISALIGN_CLONES [[gnu::target_clones("avx512f", "avx2", "default")]]
+#else
+#define MISALIGN_CLONES
+#endif
+
 namespace misalign::solver {
 namespace {
 
@@ -22,14 +29,29 @@ double taylor_cosine(double x) {
 }
 
 // The arc tangent on [0, tan(pi / 8)]: the first omitted term is below 1e-18.
-double taylor_arctangent(double x) {
+inline double taylor_arctangent(double x) {
   const double x2 = x * x, x4 = x2 * x2;
   double even = 0, odd = 0;  // side by side
+#pragma GCC unroll 11
   for (int k = 41; k >= 1; k -= 4) {
     even = 1.0 / k + x4 * even;
     odd = 1.0 / (k + 2) + x4 * odd;
   }
   return x * (even - x2 * odd);
+}
+
+// This has no branches: several angles fit into a register.
+[[gnu::always_inline]] inline double angle_of(double cosine, double sine) {
+  constexpr double kEighth = 0.41421356237309503;  // tan(pi / 8)
+  const double c = std::abs(cosine), s = std::abs(sine);
+  const double large = std::max(c, s), small = std::min(c, s);
+  const bool is_small = small <= kEighth * large;
+  const double arc =
+      taylor_arctangent((is_small ? small : large - small) / (is_small ? large : large + small));
+  const double first = is_small ? arc : kPi / 4 - arc;
+  const double second = s > c ? kPi / 2 - first : first;
+  const double half = cosine < 0 ? kPi - second : second;
+  return sine < 0 ? -2 * half : 2 * half;
 }
 
 // The right angle less kPi / 2.
@@ -67,16 +89,12 @@ HalfAngle<double> half_angle_of_rad(double angle_rad) {
 }
 
 double angle_rad(const HalfAngle<double>& h) {
-  constexpr double kEighth = 0.41421356237309503;  // tan(pi / 8)
-  const double c = std::abs(h.c), s = std::abs(h.s);
-  const double large = std::max(c, s), small = std::min(c, s);
-  assert(large > 0);
-  double half = small <= kEighth * large
-                    ? taylor_arctangent(small / large)
-                    : kPi / 4 - taylor_arctangent((large - small) / (large + small));
-  if (s > c) half = kPi / 2 - half;
-  if (h.c < 0) half = kPi - half;
-  return h.s < 0 ? -2 * half : 2 * half;
+  assert(h.c != 0 || h.s != 0);
+  return angle_of(h.c, h.s);
+}
+
+MISALIGN_CLONES void find_angles(const HalfAngle<double>* halves, int count, double* angles_rad) {
+  for (int k = 0; k < count; ++k) angles_rad[k] = angle_of(halves[k].c, halves[k].s);
 }
 
 HalfAngle<double> half_angle_of_ratio(double numerator, double denominator) {

@@ -40,6 +40,8 @@ HalfAngle<double> half_angle_of_rad(double angle_rad);
 
 /// The angle in (-2 pi, 2 pi], by a series too: the same bits everywhere, within 4 ulp.
 double angle_rad(const HalfAngle<double>& h);
+/// Angles of `count` halves (rad), the same bits as one by one.
+void find_angles(const HalfAngle<double>* halves, int count, double* angles_rad);
 
 /// Half angle from tan(rho / 2) = numerator / denominator; the denominator may be zero.
 HalfAngle<double> half_angle_of_ratio(double numerator, double denominator);

@@ -23,7 +23,6 @@ struct Notes {
   double slopes_until_deg() const { return 180; }
   int next_sample(double) const { return 180; }
   bool holds_every_step() const { return false; }
-  double shortest_step_deg() const { return kShortestStep_deg; }
   void observe(int, double, const FoldState<double>&) {}
   bool observe(int, const RejectionTest::Observation& observation) {
     seen = true;

@@ -28,6 +28,19 @@ TEST(HalfAngle, OfRadiansAndBackAgreesWithTheCLibrary) {
   EXPECT_EQ(angle_rad({0, -1}), -kPi);
 }
 
+// 67 angles fill no whole number of registers, however wide.
+TEST(HalfAngle, AnglesOfManyAreThoseOneByOne) {
+  std::vector<HalfAngle<double>> halves{{1, 0}, {0, 1}, {0, -1}, {-1, 0}};
+  for (int k = 0; k < 63; ++k) halves.push_back(half_angle_of_rad(0.2 * (k - 31)));
+  std::vector<double> angles_rad(halves.size());
+  find_angles(halves.data(), static_cast<int>(halves.size()), angles_rad.data());
+  for (std::size_t k = 0; k < halves.size(); ++k) {
+    EXPECT_EQ(angles_rad[k], angle_rad(halves[k])) << k;
+    const double expected = 2 * std::atan2(halves[k].s, halves[k].c);
+    EXPECT_NEAR(angles_rad[k], expected, 4 * 2.3e-16 * std::abs(expected)) << k;
+  }
+}
+
 TEST(HalfAngle, ExactWhereItMatters) {
   EXPECT_EQ(half_angle_of_deg(0).s, 0);
   EXPECT_EQ(half_angle_of_deg(180).c, 0);
