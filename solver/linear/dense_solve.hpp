@@ -23,6 +23,9 @@ class DenseSolve {
     lu_.matrixLU().template triangularView<Eigen::Upper>().solveInPlace(x_);
     return x_;
   }
+  void solve(const double* rhs, double* x) {
+    Eigen::VectorXd::Map(x, x_.size()) = solve(Eigen::VectorXd::Map(rhs, x_.size()));
+  }
   /// x with matrix^T * x = rhs.
   template <class Vector>
   const Eigen::VectorXd& solve_transposed(const Vector& rhs) {

@@ -22,7 +22,8 @@ Newton::Result Newton::correct(const SheetGeometry<double>& geometry, FoldState<
     }
     if (iteration == options_.max_iterations) return {StopReason::too_many_steps, iteration, open};
     factors_.factorize();
-    step_.head(mechanism.equations) = -factors_.solve(system_.residual());
+    factors_.solve(system_.residual().data(), step_.data());
+    step_.head(mechanism.equations) *= -1;
     advance(mechanism, step_.data(), state);  // the pilot's entry, the last, stays zero
   }
 }

@@ -87,7 +87,9 @@ class PivotedClosure {
     rhs << equations_.residual(), 0;
     particular_ = lu.solve(rhs);
     null_ = lu.solve(Eigen::VectorXd::Unit(unknowns_, unknowns_ - 1));
-    if (null_.allFinite()) border = null_.normalized();
+    if (!null_.allFinite()) return;
+    border = null_;
+    border.normalize();
   }
 
   void factorize_held() {

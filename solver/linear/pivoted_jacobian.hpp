@@ -31,7 +31,10 @@ class PivotedJacobian {
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs);
   Eigen::VectorXd solve_transposed(const Eigen::VectorXd& rhs);
   /// The same between arrays of the matrix' size.
-  void solve(const double* rhs, double* x) { Map(x, size()) = solve(ConstMap(rhs, size())); }
+  void solve(const double* rhs, double* x) {
+    if (dense_) return dense_->solve(rhs, x);
+    Map(x, size()) = solve(ConstMap(rhs, size()));
+  }
   void solve_transposed(const double* rhs, double* x) {
     Map(x, size()) = solve_transposed(ConstMap(rhs, size()));
   }

@@ -137,10 +137,10 @@ TEST(FoldFaults, NameThePlace) {
        {"faces_vertices has 6401 faces", "at most 6400"}},
       {"too many vertices",
        [](Json& m) {
-         while (m["vertices_coords"].size() <= 6400) m["vertices_coords"].push_back({0, 1});
+         while (m["vertices_coords"].size() <= 25600) m["vertices_coords"].push_back({0, 1});
        },
        1,
-       {"vertices_coords", "more than 6400"}},
+       {"vertices_coords", "more than 25600"}},
       {"all faces but one",
        [](Json& m) {
          m = mesh_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2, 3}});
