@@ -90,7 +90,9 @@ TEST_F(LargeSheet, ClosureSolvesWithThePilotHeldAndFree) {
       const MatrixXd& jacobian = system.jacobian();
       EXPECT_LE((jacobian * x - system.residual()).norm(), 1e-12 * jacobian.norm() * x.norm());
       EXPECT_LE((jacobian * null).norm(), 1e-12 * jacobian.norm() * null.norm());
-      if (is_free == 0) EXPECT_EQ(x[pilot], 0);
+      if (is_free == 0) {
+        EXPECT_EQ(x[pilot], 0);
+      }
       MatrixXd with_tangent(unknowns, unknowns);
       with_tangent << jacobian, null.transpose();
       EXPECT_EQ(closure.orientation(), sign_of_determinant(with_tangent)) << pilot_deg;
