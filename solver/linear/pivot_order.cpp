@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "solver/linear/active_matrix.hpp"
 #include "solver/linear/dissection.hpp"
@@ -21,15 +22,18 @@ namespace {
 using Angles = std::array<double, kPivotStates>;
 constexpr Angles kPlanned_deg = {1, 5, 20, 60, 100, 130, 150, 165, 175, 178};
 constexpr Angles kTried_deg = {2, 10, 40, 80, 115, 140, 155, 160, 170, 177};
-// More minors vanish at 90 degrees on the base, where sine and cosine are equal: unshifted paths of
-// 16 x 16 and 20 x 20 stalled there. Large sheets try it. The plans of small ones stay as they are,
-// and so do the bits of their campaigns; their unshifted paths get beyond.
-constexpr Angles kTriedOfLarge_deg = {2, 10, 40, 90, 115, 140, 155, 160, 170, 177};
-
 // Smallest share that a pivot has of its column's largest entry, at every state, unless no entry
 // reaches it: multipliers stay below its inverse. A smaller share leaves more choice, hence costs
 // fewer operations.
 constexpr double kPivotThresholds[] = {0.0003, 0.001, 0.003, 0.01};
+
+// Large sheets have others. More minors vanish at 90 degrees on the base, where sine and cosine are
+// equal: unshifted paths of 16 x 16 and 20 x 20 stalled there. Many orders fail at it, so there are
+// more thresholds to choose from. Unshifted paths of small sheets get beyond; their orders, and so
+// the bits of their campaigns, stay as they are.
+constexpr Angles kTriedOfLarge_deg = {2, 10, 40, 90, 115, 140, 155, 160, 170, 177};
+constexpr double kPivotThresholdsOfLarge[] = {0.0003, 0.0004, 0.0006, 0.0008, 0.001,
+                                              0.002,  0.003,  0.004,  0.01};
 
 // Largest backward error of the trial, |J x - b| / (|J| |x| + |b|) by largest entries and row sums.
 // A correction is off by at most this times the condition number: at 1 degree 1.6e5 (6 x 6) to
@@ -174,7 +178,10 @@ Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& fold
   };
   const std::vector<JacobianEntry> entries = jacobian_entries(mechanism);
   const std::vector<PivotValues> planned = jacobians_at(kPlanned_deg, 0);
-  const Angles& tried_deg = PivotedJacobian::is_sparse(mechanism) ? kTriedOfLarge_deg : kTried_deg;
+  const bool is_large = PivotedJacobian::is_sparse(mechanism);
+  const Angles& tried_deg = is_large ? kTriedOfLarge_deg : kTried_deg;
+  const auto thresholds = is_large ? std::span<const double>(kPivotThresholdsOfLarge)
+                                   : std::span<const double>(kPivotThresholds);
   const std::vector<PivotValues> closed = jacobians_at(tried_deg, 0);
   const std::vector<PivotValues> misaligned = jacobians_at(tried_deg, kOffBase);
   const auto parts = dissect(mechanism, base_vertices_mm);
@@ -182,7 +189,7 @@ Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& fold
   assert(partner >= 0 && partner < mechanism.equations);
   Elimination best{};
   double least_error = HUGE_VAL;
-  for (const double threshold : kPivotThresholds) {
+  for (const double threshold : thresholds) {
     Elimination plan = plan_with(threshold, entries, planned, parts, mechanism.equations, partner);
     const double error = std::max(worst_backward_error(plan, entries, closed),
                                   worst_backward_error(plan, entries, misaligned));
