@@ -21,10 +21,11 @@ struct PatternVerification {
   bool good() const { return report.findings.empty(); }
 };
 
-/// Follows the path with sparse and with dense matrices and compares verdict, metrics and lengths.
-/// An overconstrained sheet's lengths are compared with the closed forms of its holes. Compares an
-/// exported candidate's verdict, metrics and elongations, and checks the folded shapes up to D, or
-/// as far as it folds well if D is 0. UserError (bad_input) as from read_sampled_pattern_file.
+/// Follows the path in the fixed order of elimination and with pivoting, and compares verdict,
+/// metrics and lengths. An overconstrained sheet's lengths are compared with the closed forms of
+/// its holes. Compares an exported candidate's verdict, metrics and elongations, and checks the
+/// folded shapes up to D, or as far as it folds well if D is 0. UserError (bad_input) as from
+/// read_sampled_pattern_file.
 PatternVerification verify_pattern(const std::string& path);
 
 std::string pattern_verification_text(const PatternVerification& verification);

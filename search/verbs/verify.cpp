@@ -53,7 +53,7 @@ Action verify_verb(CLI::App& verb) {
       "Reported, but no fault: panels that cross (the search assumes that they do not; not\n"
       "looked for where the program was built without FCL, see misalign --version), and\n"
       "metrics that an older build measured by another definition.\n"
-      "Of a pattern file: its path by sparse and by dense matrices, its folded shapes, and\n"
+      "Of a pattern file: its path by factors with pivoting, its folded shapes, and\n"
       "the data of an exported candidate.\n"
       "Exit code 6 if anything differs.\n\n"
       "Examples:\n  misalign verify results/miura-6x6-1a2b3c4d.db\n"

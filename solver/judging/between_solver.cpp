@@ -7,7 +7,7 @@
 
 #include "solver/continuation/lane_corrector.hpp"
 #include "solver/linear/newton.hpp"
-#include "solver/model/dense_state.hpp"
+#include "solver/model/pivoted_state.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -28,7 +28,7 @@ struct BetweenSolver::Workspace {
   LaneCorrector<double, SparseClosure<double>> corrector;
   FoldState<double> near;
   std::vector<double> tangent, misfits;
-  DenseState dense;
+  PivotedState dense;
 };
 
 BetweenSolver::BetweenSolver(const Mechanism& mechanism, const Elimination& elimination)
@@ -41,7 +41,7 @@ void BetweenSolver::prepare() {
 }
 
 // Predicts by the rates of the nearer place, unless that is flat, which has none. Uses the fixed
-// order of elimination, or dense matrices where that is poor.
+// order of elimination, or factors with pivoting where that is poor.
 bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPlace& from,
                           const SolvedPlace& to, double pilot_rad, PathPoint& point) {
   prepare();

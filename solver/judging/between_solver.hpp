@@ -20,7 +20,7 @@ class BetweenSolver {
   BetweenSolver(const Mechanism& mechanism, const Elimination& elimination);
   ~BetweenSolver();
 
-  /// Makes the workspace now: `solve` then allocates nothing except dense matrices where needed.
+  /// Makes the workspace now: `solve` then allocates nothing but factors with pivoting, if needed.
   void prepare();
   /// Solves a state between two places of one sheet. Returns false if none is found near them.
   bool solve(const SheetGeometry<double>& geometry, const SolvedPlace& from, const SolvedPlace& to,

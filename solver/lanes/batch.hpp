@@ -27,8 +27,8 @@ class Batch {
 
   /// One result per sheet: rejected for certain, or not decided.
   virtual const std::vector<Rejection>& reject(const ShiftBlock& block) = 0;
-  /// Verdicts of all sheets on their full paths, where dense matrices have the last word (see
-  /// dense_fallback); what those lose too is `undecided`.
+  /// Verdicts of all sheets on their full paths, where PivotedFallback has the last word; what
+  /// that loses too is `undecided`.
   virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;
   /// Records of the sheets that no test rejects, each with its verdict: all that metrics need, or
   /// the verdict alone where the sheet does not deploy from the threshold.

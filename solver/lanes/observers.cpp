@@ -39,7 +39,7 @@ JudgingObserver::JudgingObserver(const Model& model, const QueueLanes& lanes)
       between_(model.mechanism(), model.elimination()),
       point_(model.mechanism()),
       residual_(model.mechanism().equations),
-      dense_state_(model.mechanism()),
+      pivoted_state_(model.mechanism()),
       fallback_(model.mechanism()) {
   for (std::size_t i = 0; i < lanes.count; ++i) judges_.emplace_back(model, between_);
   if (judges_.front().looks_between()) {
@@ -65,7 +65,7 @@ bool JudgingObserver::see(const Station& station, int lane) {
   const bool is_unsure = wants_slopes() && !(point_.misfit <= kLargestMisfit);
   if (is_unsure || station.pilot_deg > kPoorFactorsFrom_deg) {
     const SheetGeometry<double>& geometry = queue_.geometry_of_lane(lane);
-    if (is_unsure || is_open(geometry)) dense_state_.find(geometry, point_.state, point_);
+    if (is_unsure || is_open(geometry)) pivoted_state_.find(geometry, point_.state, point_);
   }
   CloseJudge& judge = judges_[static_cast<std::size_t>(lane)];
   return judge.see(station, point_, wants_slopes(),

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "solver/judging/close_judge.hpp"
-#include "solver/judging/dense_fallback.hpp"
 #include "solver/judging/function_judge.hpp"
+#include "solver/judging/pivoted_fallback.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/lanes/batch.hpp"
-#include "solver/model/dense_state.hpp"
+#include "solver/model/pivoted_state.hpp"
 
 namespace misalign::solver {
 
@@ -51,7 +51,7 @@ class JudgingObserver final : public QueueObserver {
   }
   bool see(const Station& station, int lane);
   void ended(PathResult path, int lane);
-  /// Judges with dense matrices the paths that need them, once every path has ended.
+  /// Judges by PivotedFallback the paths that need it, once every path has ended.
   void fall_back();
 
   std::vector<Verdict>& verdicts() { return verdicts_; }
@@ -66,8 +66,8 @@ class JudgingObserver final : public QueueObserver {
   std::vector<Verdict> verdicts_;
   PathPoint point_;
   std::vector<double> residual_;
-  DenseState dense_state_;
-  DenseFallback fallback_;
+  PivotedState pivoted_state_;
+  PivotedFallback fallback_;
 };
 
 }  // namespace misalign::solver

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/model/dense_state.hpp"
+#include "solver/model/pivoted_state.hpp"
 
 namespace misalign::solver {
 

@@ -81,13 +81,13 @@ struct BacklashFollower::Followers {
 
   Followers(const Model& model, const LooseSheet<double>& sheet)
       : equations(model.mechanism(), sheet),
-        sparse(model.mechanism(), Closure(model.mechanism(), model.elimination(), sheet),
-               step_options()),
-        dense(model.mechanism(), PivotedClosure(equations), step_options()) {}
+        fixed_order(model.mechanism(), Closure(model.mechanism(), model.elimination(), sheet),
+                    step_options()),
+        pivoted(model.mechanism(), PivotedClosure(equations), step_options()) {}
 
   Equations equations;
-  PathFollower<double, CloseSteps, Closure> sparse;
-  PathFollower<double, CloseSteps, PivotedClosure<Equations>> dense;
+  PathFollower<double, CloseSteps, Closure> fixed_order;
+  PathFollower<double, CloseSteps, PivotedClosure<Equations>> pivoted;
 };
 
 // One path, up or down, and its results.
@@ -102,7 +102,7 @@ class BacklashFollower::Branch {
         lengths_(mechanism_.diagonals.size()),
         half_sines_(mechanism_.creases.size()) {}
 
-  // Follows the branch with this follower, sparse or dense.
+  // Follows the branch with this follower, in the fixed order or with pivoting.
   template <class Follower>
   void follow(Follower& follower) {
     state_ = [&]() -> const FoldState<double>& { return follower.last_state(0); };
@@ -255,10 +255,10 @@ BacklashFollower::BacklashFollower(const Model& model, const BacklashStart& shee
 
 BacklashFollower::~BacklashFollower() = default;
 
-// Follows in the fixed order, or where that is lost with dense matrices.
+// Follows in the fixed order, or where that is lost with pivoting.
 PathResult BacklashFollower::follow(Branch& branch) {
-  branch.follow(followers_->sparse);
-  if (branch.path().lost()) branch.follow(followers_->dense);
+  branch.follow(followers_->fixed_order);
+  if (branch.path().lost()) branch.follow(followers_->pivoted);
   return branch.path();
 }
 

@@ -28,7 +28,7 @@ HistoryObserver::HistoryObserver(const Model& model, const QueueLanes& lanes,
       visit_(visit),
       between_(model.mechanism(), model.elimination()),
       point_(model.mechanism()),
-      dense_state_(model.mechanism()),
+      pivoted_state_(model.mechanism()),
       fallback_(model.mechanism()) {
   for (std::size_t i = 0; i < lanes.count; ++i) lanes_.push_back(new_lane());
 }
@@ -81,10 +81,10 @@ bool HistoryObserver::see(const Station& station, int lane) {
   const std::vector<Station>& seen = lanes_[lane]->history.stations;
   if (!seen.empty() && station.pilot_deg <= seen.back().pilot_deg) return true;  // goes on from it
   const SheetGeometry<double>& geometry = queue_.geometry_of_lane(lane);
-  dense_state_.find(geometry, point_.state, point_);
+  pivoted_state_.find(geometry, point_.state, point_);
   model_.shape().place(geometry, point_.state, points_);
   evaluate(station, lane,
-           {dense_state_.open_by(), dense_state_.singular_value(),
+           {pivoted_state_.open_by(), pivoted_state_.singular_value(),
             model_.shape().isometry_error(geometry, points_)});
   return true;
 }

@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "solver/judging/close_judge.hpp"
-#include "solver/judging/dense_fallback.hpp"
+#include "solver/judging/pivoted_fallback.hpp"
 #include "solver/judging/sheet_queue.hpp"
-#include "solver/model/dense_state.hpp"
+#include "solver/model/pivoted_state.hpp"
 #include "solver/records/history.hpp"
 #include "solver/records/state_measure.hpp"
 
 namespace misalign::solver {
 
-/// A DenseFallback's follower observes with it directly, and it takes all but the state from dense
-/// matrices; a follower of lanes is observed by a Recorder, for all lanes together.
+/// A PivotedFallback's follower observes with it directly, and it takes all but the state from
+/// factors with pivoting; a follower of lanes is observed by a Recorder, for all lanes together.
 class HistoryObserver final : public QueueObserver {
  public:
   /// All must outlive this object.
@@ -27,14 +27,14 @@ class HistoryObserver final : public QueueObserver {
   void measure_only(const std::vector<int>& sheets);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
-  /// Completes point() from its state, by dense factors.
+  /// Completes point() from its state, by factors with pivoting.
   bool see(const Station& station, int lane);
   /// Judges and keeps the next station of this lane's path in point(), also beyond faults.
   void evaluate(const Station& station, int lane, const SolveQuality& quality);
   /// Keeps a station without judging it.
   void keep(const Station& station, int lane, const SolveQuality& quality);
   void ended(PathResult path, int lane);
-  /// Follows the paths that are for dense matrices from their last station, once every path has
+  /// Follows the paths that are for PivotedFallback from their last station, once every path has
   /// ended.
   void fall_back();
 
@@ -49,7 +49,7 @@ class HistoryObserver final : public QueueObserver {
     std::vector<double> lengths_mm{}, slopes_mm_per_deg{}, angles_deg{};  // station by station
     FoldState<double> last{};  // state at the last station
   };
-  // A sheet for dense matrices, as the first pass left it.
+  // A sheet for PivotedFallback, as the first pass left it.
   struct Unfinished {
     int sheet;
     std::unique_ptr<Lane> lane;
@@ -73,8 +73,8 @@ class HistoryObserver final : public QueueObserver {
   std::vector<FoldingHistory> histories_;
   PathPoint point_;
   FoldedShape::Points<double> points_;
-  DenseState dense_state_;
-  DenseFallback fallback_;
+  PivotedState pivoted_state_;
+  PivotedFallback fallback_;
 };
 
 }  // namespace misalign::solver

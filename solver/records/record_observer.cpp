@@ -236,7 +236,7 @@ void RecordObserver::finish(const PathResult& path, int lane) {
   effort_.add(path);
   UnfinishedRecord& made = records_[static_cast<std::size_t>(queue_.of_lane(lane))];
   made.record.path = path;
-  made.is_sure = !path.lost() && !DenseFallback::is_doubtful(path);
+  made.is_sure = !path.lost() && !PivotedFallback::is_doubtful(path);
 }
 
 }  // namespace misalign::solver

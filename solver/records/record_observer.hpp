@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solver/continuation/path_follower.hpp"
-#include "solver/judging/dense_fallback.hpp"
 #include "solver/judging/function_judge.hpp"
+#include "solver/judging/pivoted_fallback.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/model/model.hpp"
 #include "solver/records/unfinished_record.hpp"

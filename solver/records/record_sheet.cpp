@@ -17,12 +17,12 @@ FoldingHistory record_history(const Model& model, const FlatVertices& vertices_m
   return std::move(recorder.record(SheetBlock(vertices_mm)).front());
 }
 
-FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm) {
+FoldingHistory record_with_pivoting(const Model& model, const FlatVertices& vertices_mm) {
   HistoryObserver observer(model, lanes_of<double>());
-  DenseFallback dense(model.mechanism());
+  PivotedFallback pivoted(model.mechanism());
   const SheetBlock sheet(vertices_mm);
   observer.begin(sheet);
-  dense.follow(observer.queue(), observer);
+  pivoted.follow(observer.queue(), observer);
   return std::move(observer.histories().front());
 }
 

@@ -6,13 +6,12 @@
 namespace misalign::solver {
 
 /// Follows the path of the sheet with these vertices to the model's end or the fold limit, beyond
-/// faults. If dense matrices follow it again (dense_fallback), `visit` sees it again from the first
-/// station.
+/// faults. If PivotedFallback follows it again, `visit` sees it again from the first station.
 FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit = nullptr);
 
-/// Records by dense matrices with pivoting alone.
-FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm);
+/// Records by factors with pivoting alone.
+FoldingHistory record_with_pivoting(const Model& model, const FlatVertices& vertices_mm);
 
 /// Records in closed form the stations of an overconstrained model's sheet of its parallel family,
 /// which folds by its base's fold angles; the verdict is a BaseJudge's. Other sheets are undecided,

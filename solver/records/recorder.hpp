@@ -10,8 +10,8 @@
 namespace misalign::solver {
 
 /// Lanes arrive at their stations one by one: the state and factors of each are kept until it
-/// arrives again or its path ends; then all kept states are measured at once, with dense factors
-/// where the kept ones are too inaccurate.
+/// arrives again or its path ends; then all kept states are measured at once, with factors
+/// with pivoting where the kept ones are too inaccurate.
 template <class T>
 class Recorder {
  public:

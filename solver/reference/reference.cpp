@@ -25,7 +25,7 @@ Reference::Reference(const Mechanism& mechanism, const PathPlan& plan, const Cri
       tracker_(mechanism),
       criterion_(criterion),
       judge_(mechanism, criterion),
-      dense_state_(mechanism),
+      pivoted_state_(mechanism),
       point_(mechanism) {}
 
 Verdict Reference::judge(const FlatVertices& vertices_mm) {
@@ -45,13 +45,13 @@ Verdict Reference::judge(const FlatVertices& vertices_mm) {
 
 bool Reference::see(const Station& station, const FoldState<double>& state) {
   if (criterion_.bumps == BumpRule::exact) {
-    dense_state_.find(geometry_, state, point_);
+    pivoted_state_.find(geometry_, state, point_);
     return see_exactly(station);
   }
   if (station.sample == 0) return true;
   if (criterion_.bumps == BumpRule::by_cubic || station.sample == criterion_.stop_sample ||
       criterion_.asks_for_moment()) {
-    dense_state_.find(geometry_, state, point_);
+    pivoted_state_.find(geometry_, state, point_);
     return judge_.see(station, &point_.state, point_.lengths, &point_.slopes, point_.pilot_rate);
   }
   folded_lengths(mechanism_, geometry_, state, point_.lengths.data());

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "solver/model/dense_state.hpp"
+#include "solver/model/pivoted_state.hpp"
 #include "solver/reference/path_tracker.hpp"
 #include "solver/verdict/verdict.hpp"
 
@@ -36,7 +36,7 @@ class Reference {
   const Criterion criterion_;
   Judge judge_;
   SheetGeometry<double> geometry_;
-  DenseState dense_state_;  // for slopes, which show bumps and stops
+  PivotedState pivoted_state_;  // for slopes, which show bumps and stops
   PathPoint point_;
   struct Visited {
     double pilot_deg;

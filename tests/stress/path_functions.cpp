@@ -10,8 +10,8 @@
 #include "solver/continuation/path_follower.hpp"
 #include "solver/judging/function_bumps.hpp"
 #include "solver/linear/newton.hpp"
-#include "solver/model/dense_state.hpp"
 #include "solver/model/model.hpp"
+#include "solver/model/pivoted_state.hpp"
 
 namespace misalign {
 namespace {
@@ -126,7 +126,7 @@ class Errors {
   const schema::Campaign& campaign_;
   const solver::Model model_;
   solver::PathFollower<double, solver::LongSteps> follower_;
-  solver::DenseState solver_;
+  solver::PivotedState solver_;
   solver::FunctionBumps bumps_;
   solver::PathFunction::Estimate estimate_;
   solver::FoldState<double> near_;

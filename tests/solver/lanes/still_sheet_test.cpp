@@ -74,7 +74,7 @@ TEST_P(StillSheet, IsInactiveByEveryJudge) {
   }
   const Model model(base, PathPlanOptions{});
   expect_inactive(record_history(model, base.sheet.vertices_mm).verdict, "history");
-  expect_inactive(record_densely(model, base.sheet.vertices_mm).verdict, "dense matrices");
+  expect_inactive(record_with_pivoting(model, base.sheet.vertices_mm).verdict, "dense matrices");
   Reference reference(model.mechanism(), model.path());
   expect_inactive(reference.judge(base.sheet.vertices_mm), "reference");
 }

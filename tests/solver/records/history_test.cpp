@@ -16,7 +16,7 @@ TEST(History, GoesOnDenselyFromWhereItWasLost) {
     last_deg = station.pilot_deg;
   };
   const FoldingHistory found = record_history(model, sheet.base.sheet.vertices_mm, &visit),
-                       expected = record_densely(model, sheet.base.sheet.vertices_mm);
+                       expected = record_with_pivoting(model, sheet.base.sheet.vertices_mm);
   EXPECT_EQ(decision(found.verdict), decision(expected.verdict));
   EXPECT_EQ(found.path.end, expected.path.end);
   EXPECT_NEAR(found.path.fold_limit_deg, expected.path.fold_limit_deg, 1e-6);

@@ -128,7 +128,7 @@ TEST(LookBetween, BumpIsAFaultWhereThatWasAskedFor) {
     if (++faults > 5) continue;
     const int d = with[i].deploys_from_sample;
     EXPECT_LT(d, without[i].deploys_from_sample);
-    const auto history = record_densely(lenient, sheets.vertices(block, i));
+    const auto history = record_with_pivoting(lenient, sheets.vertices(block, i));
     EXPECT_EQ(with[i].where, history.between.back_where);
     EXPECT_EQ(d, static_cast<int>(history.between.back_deg));
     // Row k is the sample k + 1.

@@ -1,10 +1,10 @@
-#include "solver/model/dense_state.hpp"
+#include "solver/model/pivoted_state.hpp"
 
 #include <cassert>
 
 namespace misalign::solver {
 
-struct DenseState::Matrices {
+struct PivotedState::Matrices {
   explicit Matrices(const Mechanism& mechanism)
       : system(mechanism),
         newton(mechanism),
@@ -20,12 +20,12 @@ struct DenseState::Matrices {
   Eigen::VectorXd misfit;
 };
 
-DenseState::DenseState(const Mechanism& mechanism) : mechanism_(mechanism) {}
+PivotedState::PivotedState(const Mechanism& mechanism) : mechanism_(mechanism) {}
 
-DenseState::~DenseState() = default;
+PivotedState::~PivotedState() = default;
 
-void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<double>& state,
-                      PathPoint& point) {
+void PivotedState::find(const SheetGeometry<double>& geometry, const FoldState<double>& state,
+                        PathPoint& point) {
   assert(state.creases.size() == mechanism_.creases.size());
   if (!matrices_) matrices_ = std::make_unique<Matrices>(mechanism_);
   auto& [system, newton, factors, smallest, trial, misfit] = *matrices_;
@@ -47,7 +47,7 @@ void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<dou
   point.misfit = misfit.cwiseAbs().maxCoeff();
 }
 
-double DenseState::singular_value() {
+double PivotedState::singular_value() {
   matrices_->smallest.restart(0);
   return matrices_->smallest.of(matrices_->factors);
 }

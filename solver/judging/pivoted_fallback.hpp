@@ -1,5 +1,5 @@
-// Follows the rare paths that the fixed order of elimination does not suit again, by dense matrices
-// with pivoting. Their verdict is final.
+// Follows the rare paths that the fixed order of elimination does not suit again, by factors with
+// pivoting. Their verdict is final.
 #pragma once
 
 #include <memory>
@@ -13,16 +13,16 @@
 namespace misalign::solver {
 
 /// The second pass of an observer of full paths. In the first pass it considers every path that has
-/// ended, and keeps the sheets for dense matrices: - paths that were lost; - verdicts that depend
-/// on a fold limit within 1e-3 degrees of 180, where the fixed order's factors
-///   are poor and false limits were seen.
-class DenseFallback {
+/// ended, and keeps two kinds of sheets: those whose path was lost, and those whose verdict depends
+/// on a fold limit within 1e-3 degrees of 180, where the fixed order's factors are poor and false
+/// limits were seen.
+class PivotedFallback {
  public:
   /// `mechanism` must outlive this object, whose matrices are made when first needed.
-  explicit DenseFallback(const Mechanism& mechanism);
-  ~DenseFallback();
+  explicit PivotedFallback(const Mechanism& mechanism);
+  ~PivotedFallback();
 
-  /// Returns whether a path's end lies so close to 180 degrees that only dense matrices can decide.
+  /// Returns whether a path's end lies so close to 180 degrees that only pivoting can decide.
   static bool is_doubtful(const PathResult& path);
   /// Begins a block.
   void begin() {
@@ -33,9 +33,9 @@ class DenseFallback {
   bool under_way() const { return under_way_; }
   /// Considers a sheet's path that ended in the first pass; returns true if it is kept.
   bool consider(int sheet, const Verdict& verdict, const PathResult& path);
-  /// Returns whether the dense verdict of the second pass counts: if the first pass was undecided
+  /// Returns whether the verdict of the second pass counts: if the first pass was undecided
   /// or this one has decided. A fault before a path was lost stands.
-  bool counts(int sheet, const Verdict& dense) const;
+  bool counts(int sheet, const Verdict& second) const;
   /// Follows the kept sheets again.
   template <class Observer>
   void run(SheetQueue& queue, Observer& observer) {

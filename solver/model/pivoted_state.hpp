@@ -1,5 +1,6 @@
-// Finds lengths, rates of change and the least singular value of a state from dense factors of its
-// Jacobian, where sparse factors are too inaccurate (at 180 degrees pivots vanish).
+// Finds lengths, rates of change and the least singular value of a state from factors of its
+// Jacobian with pivoting, where the fixed order's are too inaccurate (at 180 degrees pivots
+// vanish).
 #pragma once
 
 #include <memory>
@@ -16,15 +17,15 @@ namespace misalign::solver {
 inline constexpr double kPoorFactorsFrom_deg = 179;
 
 /// Largest misfit, J times the tangent from the factors (per radian of pilot), with which these are
-/// used; beyond it dense factors are.
+/// used; beyond it factors with pivoting are.
 inline constexpr double kLargestMisfit = 1e-9;
 
 /// Makes its matrices when they are first needed.
-class DenseState {
+class PivotedState {
  public:
   /// `mechanism` must outlive this object.
-  explicit DenseState(const Mechanism& mechanism);
-  ~DenseState();
+  explicit PivotedState(const Mechanism& mechanism);
+  ~PivotedState();
 
   /// Finds all results at a solution; closes an open `state` first, with its pilot held. `state`
   /// may be the point's own.
