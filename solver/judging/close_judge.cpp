@@ -42,6 +42,7 @@ void CloseJudge::begin(const std::vector<double>& flat_lengths,
   judge_.begin(flat_lengths, &geometry);
   is_over_ = false;
   last_deg_ = 0;
+  known_ = 0;
   if (!looks_between()) return;
   path_.begin(flat_lengths);
   bumps_.begin(flat_lengths);
@@ -49,12 +50,34 @@ void CloseJudge::begin(const std::vector<double>& flat_lengths,
   least_slope_at_last_ = std::numeric_limits<double>::infinity();
 }
 
+void CloseJudge::go_on(const PathPlan& plan, const std::vector<double>& lengths, int known) {
+  assert(!finds_extremes_);
+  const auto diagonals = static_cast<std::ptrdiff_t>(estimate_.lengths.size());
+  auto row = lengths.begin();
+  for (const Station& station : plan.stations) {
+    if (row == lengths.end()) break;
+    if (station.sample == 0) continue;
+    estimate_.lengths.assign(row, row + diagonals);
+    [[maybe_unused]] const bool is_known = judge_.is_in_order(nullptr, estimate_.lengths);
+    assert(is_known);
+    judge_.take(station, estimate_.lengths);
+    last_deg_ = station.pilot_deg;
+    row += diagonals;
+  }
+  known_ = known;
+}
+
 bool CloseJudge::see(const Station& station, const PathPoint& point, bool with_slopes,
                      const SheetGeometry<double>* geometry) {
   is_over_ = is_over_ || !judge_.is_in_order(&point.state, point.lengths);
   if (looks_between() && !(is_over_ && !finds_extremes_)) {
     assert(geometry && with_slopes && station.pilot_deg > last_deg_);
-    look_between(station, point, *geometry);
+    if (station.sample > known_) {
+      look_between(station, point, *geometry);
+    } else {
+      path_.pass(station, point);
+      bumps_.take(station.pilot_deg * kRadPerDeg);
+    }
   }
   last_deg_ = station.pilot_deg;
   if (is_over_) return false;

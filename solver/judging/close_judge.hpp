@@ -22,6 +22,9 @@ class CloseJudge {
   /// `geometry` as for Judge::begin.
   void begin(const std::vector<double>& flat_lengths, const SheetGeometry<double>& geometry,
              bool finds_extremes = false);
+  /// Takes the samples before the next one as known, after `begin`: `lengths` has a row for each.
+  /// The path between samples is known to be in order up to the sample `known`.
+  void go_on(const PathPlan& plan, const std::vector<double>& lengths, int known);
   /// Judges the next sample, with its slopes if they are needed; returns false once a fault is
   /// known. `geometry` is the sheet's, needed if looks_between().
   bool see(const Station& station, const PathPoint& point, bool with_slopes,
@@ -47,6 +50,7 @@ class CloseJudge {
   SolvedFunction path_;
   FunctionBumps bumps_;
   FunctionBumps::Heading heading_ = FunctionBumps::Heading::forward;
+  int known_ = 0;  // samples up to which the path between them is known
   bool is_over_ = false;
   bool is_believed_ = true;  // true if the newest segment's polynomials have converged
   double last_deg_ = 0;      // pilot angle of the last sample

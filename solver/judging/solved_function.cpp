@@ -37,11 +37,20 @@ bool SolvedFunction::aim_at(const SheetGeometry<double>& geometry, const Station
                             const PathPoint& point) {
   assert(sample.pilot_deg * kRadPerDeg > last_rad_ && !point.rates.empty());
   geometry_ = &geometry;
+  solves_ = 0;
+  begin_segment(sample, point);
+  return function_.count() > 1 || halve();
+}
+
+void SolvedFunction::pass(const Station& sample, const PathPoint& point) {
+  begin_segment(sample, point);
+  keep();
+}
+
+void SolvedFunction::begin_segment(const Station& sample, const PathPoint& point) {
   sample_ = &point;
   end_rad_ = sample_rad_ = sample.pilot_deg * kRadPerDeg;
-  solves_ = 0;
   add();
-  return function_.count() > 1 || halve();
 }
 
 // If the path bends sharply, a state may be found only near the beginning, not in the middle.

@@ -17,6 +17,8 @@ class SolvedFunction {
   SolvedFunction(SolvedFunction&&);
 
   void begin(const std::vector<double>& flat_lengths);
+  /// Passes a sample, at which a node is made, and judges nothing before it.
+  void pass(const Station& sample, const PathPoint& point);
   /// Begins a segment to the next sample, with its slopes and rates; both must last until it is
   /// reached. From flat the segment ends halfway, since one node is no function. Returns false if
   /// no state is found there.
@@ -44,6 +46,7 @@ class SolvedFunction {
   // limit.
   static constexpr int kMostSolves = 64;
 
+  void begin_segment(const Station& sample, const PathPoint& point);
   bool solve(double pilot_rad);
   void add();
 

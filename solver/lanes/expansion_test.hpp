@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "solver/lanes/level_solver.hpp"
-#include "solver/lanes/observers.hpp"
 #include "solver/lanes/product_sums.hpp"
 #include "solver/model/flat_gradient.hpp"
 #include "solver/model/shift_expansion.hpp"

@@ -2,9 +2,10 @@
 // sheets at the same angle, one per lane; on full paths each lane has its own angle.
 #pragma once
 
+#include "solver/judging/verdict_observers.hpp"
+#include "solver/lanes/batch.hpp"
 #include "solver/lanes/expansion_test.hpp"
 #include "solver/lanes/lane_test.hpp"
-#include "solver/lanes/observers.hpp"
 #include "solver/records/function_recorder.hpp"
 #include "solver/records/recorder.hpp"
 
@@ -40,7 +41,9 @@ class LaneBatch final : public Batch {
     if (model_.bumps() != BumpRule::by_cubic) {
       functions_.begin(sheets, judging_.verdicts());
       long_follower_.run(functions_.queue(), functions_);
-      judging_.only(functions_.left());
+      judging_.only_later(functions_);
+      follower_.run(judging_.queue(), judging_);
+      judging_.only_left(functions_);
     }
     follower_.run(judging_.queue(), judging_);
     judging_.fall_back();

@@ -13,12 +13,6 @@ constexpr double kLastHandedOver_deg = 178;
 // Samples below which a segment is short.
 constexpr int kShortSegment_samples = 4;
 
-// Returns whether a station lies between the last nodes, so that its state is not extrapolated.
-bool reaches_back_to(const Station& station, const PathFunction& function) {
-  const int oldest = std::min(function.kept(), kStateNodes) - 1;
-  return station.pilot_deg * kRadPerDeg >= function.pilot(function.at(oldest));
-}
-
 }  // namespace
 
 RecordObserver::RecordObserver(const Model& model, const QueueLanes& lanes)
@@ -27,8 +21,8 @@ RecordObserver::RecordObserver(const Model& model, const QueueLanes& lanes)
              Lane{FunctionJudge(model.mechanism(), model.criterion()),
                   FunctionJudge(model.mechanism(), model.criterion().without_margins()),
                   ExtremeFinder(model.mechanism().diagonal_count())}),
+      later_(model),
       estimate_(model.mechanism()),
-      near_(flat_state<double>(model.mechanism())),
       creases_(model.mechanism().creases.size()) {
   for (const Station& station : model.path().stations) {
     if (station.sample > 0) samples_.push_back(&station);
@@ -41,8 +35,7 @@ void RecordObserver::begin(const SheetBlock& block) {
   records_.resize(static_cast<std::size_t>(block.sheets()));
   for (UnfinishedRecord& record : records_) record.is_sure = false;
   queue_.begin(block);
-  ends_.clear();
-  ends_near_.clear();
+  later_.clear();
 }
 
 void RecordObserver::begin_sheet(PathStart& start, int lane) {
@@ -110,7 +103,8 @@ void RecordObserver::request_d(int sample, const PathFunction& function, Lane& l
   const RequestedState &before = requested.of(Purpose::before_d),
                        &at_d = requested.of(Purpose::at_d);
   const int last = std::max(sample - 1, 1);
-  if (at_d.sample == last && before.sample != last && !reaches_back_to(station_of(last), function))
+  if (at_d.sample == last && before.sample != last &&
+      !LaterStarts::reaches_back_to(station_of(last), function))
     requested.swap_d_with_before();
   if (before.sample != last) request(Purpose::before_d, station_of(last), function, lane);
   if (at_d.sample != sample) request(Purpose::at_d, station_of(sample), function, lane);
@@ -222,14 +216,14 @@ void RecordObserver::go_on_later(const PathResult& path, int sheet, const PathFu
       std::min(function.pilot(function.at(0)) / kRadPerDeg, kLastHandedOver_deg);
   const auto next = std::ranges::upper_bound(stations, last_deg, {}, &Station::pilot_deg);
   const auto station = static_cast<std::size_t>(next - stations.begin()) - 1;
-  made.is_sure = next != stations.begin() && reaches_back_to(stations[station], function) &&
+  made.is_sure = next != stations.begin() &&
+                 LaterStarts::reaches_back_to(stations[station], function) &&
                  stations[station].sample >= made.record.verdict.deploys_from_sample &&
                  made.slopes.has_reversal();
-  if (!made.is_sure) return;
-  ends_near_.push_back(near_);
-  ends_.push_back({sheet, &ends_near_.back(), &model_.path(), station, path.forward_sign});
-  near_states_.push_back(
-      {function.locate(stations[station].pilot_deg * kRadPerDeg), &ends_near_.back()});
+  if (made.is_sure) {
+    near_states_.push_back({function.locate(stations[station].pilot_deg * kRadPerDeg),
+                            &later_.add(sheet, station, path.forward_sign)});
+  }
 }
 
 void RecordObserver::finish(const PathResult& path, int lane) {

@@ -2,11 +2,11 @@
 // to be solved exactly.
 #pragma once
 
-#include <deque>
 #include <vector>
 
 #include "solver/continuation/path_follower.hpp"
 #include "solver/judging/function_judge.hpp"
+#include "solver/judging/later_starts.hpp"
 #include "solver/judging/pivoted_fallback.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/model/model.hpp"
@@ -29,7 +29,7 @@ class RecordObserver final : public QueueObserver {
     if (model_.bumps() == BumpRule::by_cubic)
       return records_;  // cubics need solved samples: no record is certain
     follower.run(queue_, *this);
-    queue_.begin_from(ends_);
+    queue_.begin_from(later_.starts());
     Ends ends{*this};
     close_follower.run(queue_, ends);
     return records_;
@@ -80,11 +80,9 @@ class RecordObserver final : public QueueObserver {
   std::vector<const Station*> samples_;  // samples of the model's path
   std::vector<Lane> lanes_;
   std::vector<UnfinishedRecord> records_;
-  std::vector<QueuedStart> ends_;
-  std::deque<FoldState<double>> ends_near_;  // their states, at stable addresses
+  LaterStarts later_;
   std::vector<NearState> near_states_;
   PathFunction::Estimate estimate_;
-  const FoldState<double> near_;  // a state of the right size
   std::vector<HalfAngle<double>> creases_;
 };
 
